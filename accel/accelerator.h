@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: Apache-2.0
+/// The accelerators: three questions to ask of a set of primitives, and a table of structures that answer them.
+///
+/// Every structure gives the answer of brute force, bit for bit: the same t, ids, u, v. It knows nothing of scenes: this folder sees core alone.
+#pragma once
+
+#include "accel/stats.h"
+#include "core/bounds.h"
+#include "core/ray.h"
+
+#include <memory>
+#include <span>
+#include <string_view>
+#include <vector>
+
+namespace alidade {
+
+class Accelerator {
+  public:
+    virtual ~Accelerator() = default;
+
+    /// The first hit with ray.tmin <= t <= ray.tmax that comes before `hit` in the order of core/ray.h; true if there is one, which then replaces
+    /// `hit`. A default-constructed Hit is behind all others. The instance of hits is `instance`, unless the primitives are instances themselves.
+    virtual bool intersect(const Ray& ray, Hit& hit, WorkCounters& work, uint32_t instance = 0) const = 0;
+    /// Is anything hit with ray.tmin <= t <= ray.tmax?
+    virtual bool occluded(const Ray& ray, WorkCounters& work) const = 0;
+    /// All hits with ray.tmin <= t <= ray.tmax, appended to `hits` in order, each once.
+    virtual void all_hits(const Ray& ray, std::vector<Hit>& hits, WorkCounters& work, uint32_t instance = 0) const = 0;
+
+    virtual Bounds bounds() const = 0;   ///< of the bounded primitives
+    virtual const BuildStats& stats() const = 0;
+
+    /// hits[i] gets the first hit of rays[i].
+    void intersect(std::span<const Ray> rays, std::span<Hit> hits, WorkCounters& work) const {
+        for (size_t i = 0; i < rays.size(); ++i) hits[i] = Hit(), intersect(rays[i], hits[i], work);
+    }
+};
+
+/// Primitives of any kind, for accelerators over shapes and instances. Bounds may be unbounded (then the primitive is tested by every ray) or empty
+/// (then by none); NaN bounds are reported as removed.
+class PrimitiveSet {
+  public:
+    virtual ~PrimitiveSet() = default;
+    virtual size_t size() const = 0;
+    virtual Bounds bounds(uint32_t id) const = 0;
+    /// A box of the part of primitive `id` that lies in `box`; may be larger.
+    virtual Bounds clipped_bounds(uint32_t id, const Bounds& box) const { return intersection(bounds(id), box); }
+    /// As Accelerator::intersect, over these ids only. For every hit, entry(bounds) <= t <= exit(bounds) must hold as computed in double: see docs/numerics.md.
+    virtual bool intersect(std::span<const uint32_t> ids, const Ray& ray, Hit& hit, WorkCounters& work) const = 0;
+    virtual bool occluded(std::span<const uint32_t> ids, const Ray& ray, WorkCounters& work) const = 0;
+    virtual void all_hits(std::span<const uint32_t> ids, const Ray& ray, std::vector<Hit>& hits, WorkCounters& work) const = 0;
+};
+
+/// A plain triangle array; the caller keeps it alive while the accelerator is built, not longer.
+struct TriangleView {
+    std::span<const Vec3f> positions;
+    std::span<const Vec3> exact_positions;   ///< empty, or as many: read instead of `positions` by double-precision accelerators
+    std::span<const Index3> triangles;
+};
+
+/// Which instructions the triangle filter may use. `best`: what the machine has. All give the same hits.
+enum class Isa { best, scalar, sse4, avx2, avx512 };
+/// Those that this machine can run, `scalar` first.
+std::span<const Isa> available_isas();
+const char* name(Isa isa);
+
+enum class Precision { float_, double_ };
+
+struct AccelOptions {
+    Precision precision = Precision::float_;   ///< of mesh vertices, nodes and the edge filter; rays and hits are double always
+    Isa isa = Isa::best;
+    int threads = 1;                           ///< of the build; the structure does not depend on it
+};
+
+struct AcceleratorEntry {
+    const char* name;
+    const char* doc;
+    std::unique_ptr<Accelerator> (*over_triangles)(const TriangleView& mesh, const AccelOptions& options);
+    std::unique_ptr<Accelerator> (*over_set)(std::shared_ptr<const PrimitiveSet> set, const AccelOptions& options);
+};
+
+/// The table; the first row is brute force, the oracle.
+std::span<const AcceleratorEntry> accelerators();
+/// The row of that name ("auto" is the BVH's), or null.
+const AcceleratorEntry* find_accelerator(std::string_view name);
+
+}  // namespace alidade

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: Apache-2.0
+/// Builds the tree of a BVH: binned surface area heuristic, top down.
+#pragma once
+
+#include "accel/stats.h"
+#include "core/bounds.h"
+
+#include <cstdint>
+#include <vector>
+
+namespace alidade {
+
+template <class R> struct BvhNode {
+    BoundsT<R> box;
+    uint32_t first = 0;   ///< a leaf's first place in the order, or the first of two neighbouring children
+    uint32_t count = 0;   ///< of references; 0 for inner nodes
+
+    bool leaf() const { return count > 0; }
+};
+
+/// What is partitioned: boxes stay next to the ids, so that each pass reads memory in order.
+template <class R> struct BvhReference {
+    BoundsT<R> box;
+    uint32_t id;
+};
+
+struct BvhLimits {
+    uint32_t block = 1;      ///< references that one leaf test handles at once; leaves start at multiples of it
+    uint32_t max_leaf = 1;
+};
+
+/// No node is deeper than this: below kSahDepth ranges are halved, and there are fewer than 2^32 references.
+inline constexpr uint32_t kSahDepth = 60, kBvhDepth = kSahDepth + 32;
+
+/// The nodes, the root first, children after parents, in depth-first order of pairs; none for no references. Appends the ids to `order` leaf by leaf, padded to blocks.
+///
+/// Method   Wald, "On fast construction of SAH-based bounding volume hierarchies", 2007. Leaves cost by started blocks.
+template <class R>
+std::vector<BvhNode<R>> build_bvh(std::vector<BvhReference<R>> references, const BvhLimits& limits, std::vector<uint32_t>& order, BuildStats& stats);
+
+extern template std::vector<BvhNode<float>> build_bvh(std::vector<BvhReference<float>>, const BvhLimits&, std::vector<uint32_t>&, BuildStats&);
+extern template std::vector<BvhNode<double>> build_bvh(std::vector<BvhReference<double>>, const BvhLimits&, std::vector<uint32_t>&, BuildStats&);
+
+}  // namespace alidade

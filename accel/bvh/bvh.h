@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: Apache-2.0
+/// Bounding volume hierarchy.
+#pragma once
+
+#include "accel/bvh/build.h"
+#include "accel/query.h"
+
+namespace alidade {
+
+template <class Leaf> class Bvh {
+  public:
+    using R = typename Leaf::Real;
+
+    Bvh(BuildInput<typename Leaf::Source>& input, int, BuildStats& stats) {
+        std::vector<BvhReference<R>> references;
+        references.reserve(input.ids.size());
+        for (const uint32_t id : input.ids) {
+            const Bounds box = input.source.bounds(id);
+            references.push_back({{Vec3T<R>(box.min), Vec3T<R>(box.max)}, id});   // exact: a leaf's Real holds its bounds
+        }
+        input.ids = {};
+        nodes_ = build_bvh(std::move(references), {Leaf::kBlock, std::max(4u, Leaf::kBlock)}, input.order, stats);
+    }
+
+    /// Nearer child first. A box is skipped only if its padded entry is beyond the padded limit: at an equal t there may be a lower id inside.
+    template <class Query> void traverse(const LocalRay& ray, Query& query, WorkCounters& work) const {
+        struct Waiting {
+            uint32_t node;
+            R entry;
+        };
+        Waiting stack[kBvhDepth];
+        const SlabRay<R> slab(ray.origin, ray.dir, ray.reach);
+        const R start = slab.start(ray.tmin);
+        R limit = slab.limit(query.limit());
+        Waiting current{0, start};
+        for (uint32_t waiting = 0;;) {
+            const BvhNode<R>& node = nodes_[current.node];
+            if (!node.leaf()) {
+                Waiting near{node.first, slab.enter(nodes_[node.first].box, start, limit)};
+                Waiting far{node.first + 1, slab.enter(nodes_[node.first + 1].box, start, limit)};
+                work.boxes += 2;
+                if (far.entry < near.entry) std::swap(near, far);
+                if (far.entry <= limit) stack[waiting++] = far;
+                current = near;
+            } else {
+                if (query.visit(node.first, node.count)) return;
+                limit = slab.limit(query.limit());
+                current.entry = std::numeric_limits<R>::infinity();
+            }
+            while (!(current.entry <= limit)) {
+                if (waiting == 0) return;
+                current = stack[--waiting];
+            }
+        }
+    }
+    size_t bytes() const { return nodes_.capacity() * sizeof(BvhNode<R>); }
+
+  private:
+    std::vector<BvhNode<R>> nodes_;
+};
+
+}  // namespace alidade

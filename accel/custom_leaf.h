@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: Apache-2.0
+/// Leaves that hold ids of a PrimitiveSet: instances, analytic shapes. Their rays stay the caller's, their boxes are double.
+#pragma once
+
+#include "accel/accelerator.h"
+#include "accel/leaf.h"
+
+namespace alidade {
+
+class PrimitiveSetSource {
+  public:
+    explicit PrimitiveSetSource(std::shared_ptr<const PrimitiveSet> set) : set_(std::move(set)) {}
+
+    size_t size() const { return set_->size(); }
+    Bounds bounds(uint32_t id) const { return set_->bounds(id); }
+    Bounds clipped_bounds(uint32_t id, const Bounds& box) const { return set_->clipped_bounds(id, box); }
+    PrimitiveKind kind(uint32_t id) const {
+        const Bounds box = bounds(id);
+        for (int a = 0; a < 3; ++a) {
+            if (std::isnan(box.min[a]) || std::isnan(box.max[a])) return PrimitiveKind::removed;
+        }
+        if (box.empty()) return PrimitiveKind::empty;
+        return max_abs(box.min) <= kLargestCoordinate<double> && max_abs(box.max) <= kLargestCoordinate<double> ? PrimitiveKind::bounded : PrimitiveKind::unbounded;
+    }
+    const std::shared_ptr<const PrimitiveSet>& set() const { return set_; }
+
+  private:
+    std::shared_ptr<const PrimitiveSet> set_;
+};
+
+class CustomLeaf {
+  public:
+    using Real = double;
+    using Source = PrimitiveSetSource;
+    static constexpr uint32_t kBlock = 1;
+    static constexpr bool kMovesRay = false;
+
+    struct Probe {
+        Probe(const CustomLeaf&, const Ray& r, const LocalRay&, uint32_t) : ray(r) {}   // the instance of a hit is the set's own affair
+        const Ray& ray;
+    };
+
+    CustomLeaf(const Source& source, const std::vector<uint32_t>& order, const AccelOptions&) : set_(source.set()), ids_(order) {}
+
+    bool closest(const Probe& probe, uint32_t first, uint32_t count, Hit& hit, WorkCounters& work) const {
+        work.filtered += count;
+        return set_->intersect(ids(first, count), probe.ray, hit, work);
+    }
+    bool any(const Probe& probe, uint32_t first, uint32_t count, WorkCounters& work) const {
+        work.filtered += count;
+        return set_->occluded(ids(first, count), probe.ray, work);
+    }
+    void all(const Probe& probe, uint32_t first, uint32_t count, std::vector<Hit>& hits, WorkCounters& work) const {
+        work.filtered += count;
+        set_->all_hits(ids(first, count), probe.ray, hits, work);
+    }
+    size_t bytes() const { return ids_.capacity() * sizeof(uint32_t); }
+
+  private:
+    std::span<const uint32_t> ids(uint32_t first, uint32_t count) const { return std::span(ids_).subspan(first, count); }
+
+    std::shared_ptr<const PrimitiveSet> set_;
+    std::vector<uint32_t> ids_;
+};
+
+}  // namespace alidade

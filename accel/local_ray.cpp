@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "accel/local_ray.h"
+
+namespace alidade {
+
+bool can_hit(const Ray& ray, double largest) {
+    return is_finite(ray.origin) && max_abs(ray.origin) <= largest && is_finite(ray.dir) && max_abs(ray.dir) > 0 && ray.tmin <= ray.tmax;
+}
+
+double LocalRay::upper(double caller) const {
+    return padded_up((std::nextafter(caller, kInf) - shift * to_caller) * to_local);
+}
+
+double LocalRay::lower(double caller) const {
+    return padded_down((std::nextafter(caller, -kInf) - shift * to_caller) * to_local);
+}
+
+namespace {
+
+/// The largest |t| at which the ray can be in the box: along the largest component of the direction nothing overflows.
+double reach_of(const LocalRay& ray, const Bounds& box) {
+    int axis = 0;
+    for (int a = 1; a < 3; ++a) {
+        if (std::abs(ray.dir[a]) > std::abs(ray.dir[axis])) axis = a;
+    }
+    const double distance = std::max(std::abs(box.min[axis] - ray.origin[axis]), std::abs(box.max[axis] - ray.origin[axis]));
+    return padded_up(distance / std::abs(ray.dir[axis]));
+}
+
+/// The local interval in which the ray is in the box, padded; empty on a miss.
+void clip_to_box(LocalRay& ray, const Bounds& box, double tmin, double tmax) {
+    ray.reach = reach_of(ray, box);
+    const SlabRay<double> slab(ray.origin, ray.dir, ray.reach);
+    double near = -std::numeric_limits<double>::max(), far = std::numeric_limits<double>::max();
+    slab.clip(box, near, far);
+    if (near <= far) {
+        ray.tmin = std::max(tmin, padded_down(near)), ray.tmax = std::min(tmax, padded_up(far));
+    } else {
+        ray.tmin = 0, ray.tmax = -1;
+    }
+}
+
+}  // namespace
+
+LocalRay local_ray(const Ray& ray, const Bounds& bounds, bool move) {
+    LocalRay local;
+    if (bounds.empty()) return local;
+    const int exponent = std::clamp(std::ilogb(max_abs(ray.dir)), -1000, 1000);
+    local.to_local = std::ldexp(1.0, exponent), local.to_caller = std::ldexp(1.0, -exponent);
+    local.origin = quantized(ray.origin), local.dir = quantized(ray.dir * local.to_caller);
+    clip_to_box(local, bounds, -kInf, kInf);
+    if (!local.enters_box()) return local;
+    if (move && (local.tmin > 0 || local.tmax < 0)) {
+        local.shift = local.tmin;
+        local.origin = quantized(local.origin + local.shift * local.dir);
+    }
+    clip_to_box(local, bounds, local.lower(ray.tmin), local.upper(ray.tmax));
+    return local;
+}
+
+}  // namespace alidade

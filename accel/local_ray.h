@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: Apache-2.0
+/// The entry point that all structures share: the ray is moved, in double, to where it enters the bounds of the primitives.
+#pragma once
+
+#include "accel/slab.h"
+#include "core/ray.h"
+
+namespace alidade {
+
+/// Coordinates of rays and of double vertices are rounded to multiples of 2^-300, so that exact signs (triangles/exact_sign.h) cannot underflow.
+inline double quantized(double x) {
+    constexpr double shift = 0x1.8p-248;   // its ulp is 2^-300
+    return std::abs(x) < 0x1p-249 ? (x + shift) - shift : x;
+}
+inline Vec3 quantized(const Vec3& v) { return {quantized(v.x), quantized(v.y), quantized(v.z)}; }
+
+/// The ray that structures and leaves see. From here on (origin, dir) *is* the ray: every decision is about these numbers, exactly, and they
+/// depend on the caller's ray and on the bounds alone, so that all structures decide the same.
+struct LocalRay {
+    Vec3 origin{0}, dir{0};             ///< dir is the caller's times a power of two: its largest component is in [1, 2)
+    double shift = 0;                   ///< local t of the new origin, seen from the caller's origin
+    double to_caller = 1, to_local = 1; ///< powers of two
+    double tmin = 0, tmax = -1;         ///< local interval that holds all hits; empty if the ray misses the bounds
+    double reach = 0;                   ///< bounds |t| in it
+
+    bool enters_box() const { return tmin <= tmax; }
+    double caller_t(double t) const { return shift * to_caller + t * to_caller; }
+    /// Not less than any local t whose caller_t is at most `caller`, and the same from below.
+    double upper(double caller) const;
+    double lower(double caller) const;
+};
+
+/// Does `ray` have a direction, no NaN, and an origin within `largest` (kLargestCoordinate)? Others hit nothing.
+bool can_hit(const Ray& ray, double largest);
+
+/// `ray`, which can hit, made ready for primitives within `bounds` (finite or empty). `move`: to the entry into the bounds. Custom primitives
+/// answer in the caller's t, so for them the ray stays where it is.
+LocalRay local_ray(const Ray& ray, const Bounds& bounds, bool move);
+
+}  // namespace alidade

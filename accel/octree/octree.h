@@ -1,0 +1,157 @@
+// SPDX-License-Identifier: Apache-2.0
+/// Octree: cells halved along their long axes, deeper where more primitives are.
+#pragma once
+
+#include "accel/query.h"
+
+#include <array>
+
+namespace alidade {
+
+struct OctreeNode {
+    static constexpr uint32_t kInner = ~uint32_t(0);
+    uint32_t first = 0;   ///< place of a leaf's references, or index of the first of eight children
+    uint32_t count = 0;   ///< of references, or kInner
+
+    bool inner() const { return count == kInner; }
+    bool empty() const { return count == 0; }
+};
+
+/// A cell's middle planes. An axis that is much shorter than the longest, both measured in typical primitives, is not halved: all of it is the lower half.
+struct OctreeSplit {
+    OctreeSplit(const Bounds& box, const Vec3& typical);
+    /// Child `octant`: bit a is set for the upper half of axis a. Neighbours share their plane exactly.
+    Bounds child(const Bounds& box, uint32_t octant) const;
+    bool exists(uint32_t octant) const { return (octant & ~halved) == 0; }
+
+    Vec3 middle;
+    uint32_t halved = 0;   ///< bit a: axis a is
+};
+
+inline constexpr uint32_t kOctreeDepth = 24;
+
+/// Cells hold at most this many references, unless dividing them does not pay.
+inline constexpr uint32_t kOctreeLeaf = 8;
+
+/// References are at most this many times the primitives: a cell is not divided if its part of the budget would not suffice.
+inline constexpr double kOctreeGrowth = 12;
+
+/// Expected cost of dividing a cell, children with the counts given, in primitive tests of a ray that hits it. Probabilities are ratios of areas.
+double octree_division_cost(const Bounds& box, const OctreeSplit& split, const std::array<size_t, 8>& counts);
+
+template <class Leaf> class Octree {
+  public:
+    Octree(BuildInput<typename Leaf::Source>& input, int, BuildStats& stats) : box_(input.bounds), typical_(input.typical_extent()) {
+        std::vector<Task> tasks;
+        const double budget = kOctreeGrowth * double(input.ids.size());
+        nodes_.emplace_back();
+        tasks.push_back({0, 0, 1.0, box_, std::move(input.ids), budget});
+        while (!tasks.empty()) {
+            const Task task = std::move(tasks.back());
+            tasks.pop_back();
+            stats.depth = std::max(stats.depth, size_t(task.depth));
+            if (!divide(task, input.source, tasks, stats)) make_leaf(task, input.order, stats);
+        }
+        nodes_.shrink_to_fit();
+        stats.nodes = nodes_.size();
+    }
+
+    template <class Query> void traverse(const LocalRay& ray, Query& query, WorkCounters& work) const {
+        std::array<Cell, 7 * kOctreeDepth + 8> stack;
+        const SlabRay<double> slab(ray.origin, ray.dir, ray.reach);
+        stack[0] = {box_, ray.tmin, 0};
+        for (size_t waiting = 1; waiting > 0;) {
+            const Cell cell = stack[--waiting];
+            if (cell.entry > query.limit()) continue;
+            const OctreeNode node = nodes_[cell.node];
+            if (node.inner()) {
+                waiting = push_children(cell, node.first, slab, ray.tmin, query.limit(), stack.data(), waiting, work);
+            } else if (query.visit(node.first, node.count)) {
+                return;
+            }
+        }
+    }
+    size_t bytes() const { return nodes_.capacity() * sizeof(OctreeNode); }
+
+  private:
+    struct Task {
+        uint32_t node, depth;
+        double probability;   ///< that a ray which hits the root's box hits this one
+        Bounds box;
+        std::vector<uint32_t> ids;
+        double budget;
+    };
+    struct Cell {
+        Bounds box;
+        double entry;
+        uint32_t node;
+    };
+
+    bool divide(const Task& task, const typename Leaf::Source& source, std::vector<Task>& tasks, BuildStats& stats) {
+        if (task.ids.size() <= kOctreeLeaf || task.depth >= kOctreeDepth) return false;
+        const OctreeSplit split(task.box, typical_);
+        std::array<std::vector<uint32_t>, 8> parts;
+        std::array<size_t, 8> counts{};
+        size_t total = 0;
+        for (uint32_t octant = 0; octant < 8; ++octant) {
+            if (!split.exists(octant)) continue;
+            const Bounds box = split.child(task.box, octant);
+            for (const uint32_t id : task.ids) {
+                if (!source.clipped_bounds(id, box).empty()) parts[octant].push_back(id);
+            }
+            total += counts[octant] = parts[octant].size();
+        }
+        if (double(total) > task.budget || octree_division_cost(task.box, split, counts) >= double(task.ids.size())) return false;
+        const auto first = uint32_t(nodes_.size());
+        nodes_[task.node] = {first, OctreeNode::kInner};
+        nodes_.resize(nodes_.size() + 8);
+        stats.sah_cost += 8 * task.probability;
+        const double area = task.box.half_area();
+        for (uint32_t octant = 8; octant-- > 0;) {
+            if (parts[octant].empty()) continue;
+            const Bounds box = split.child(task.box, octant);
+            const double share = area > 0 ? box.half_area() / area : 1;
+            tasks.push_back({first + octant, task.depth + 1, task.probability * share, box, std::move(parts[octant]), task.budget * double(counts[octant]) / double(total)});
+        }
+        return true;
+    }
+
+    void make_leaf(const Task& task, std::vector<uint32_t>& order, BuildStats& stats) {
+        nodes_[task.node] = {uint32_t(order.size()), uint32_t(task.ids.size())};
+        order.insert(order.end(), task.ids.begin(), task.ids.end());
+        ++stats.leaves;
+        stats.sah_cost += task.probability * double(task.ids.size());
+    }
+
+    /// Pushes the children that the ray may enter, the farthest first: along each axis the half on the side of the origin comes first.
+    size_t push_children(const Cell& cell, uint32_t first, const SlabRay<double>& slab, double start, double limit, Cell* stack, size_t waiting,
+                         WorkCounters& work) const {
+        const OctreeSplit split(cell.box, typical_);
+        double enter[3][2], leave[3][2];
+        uint32_t backward = 0;
+        for (int a = 0; a < 3; ++a) {
+            const double low = cell.box.min[a], high = cell.box.max[a], middle = split.middle[a];
+            enter[a][0] = slab.enter_slab(a, low, middle), leave[a][0] = slab.leave_slab(a, low, middle);
+            enter[a][1] = slab.enter_slab(a, middle, high), leave[a][1] = slab.leave_slab(a, middle, high);
+            backward |= uint32_t(slab.negative(a)) << a;
+        }
+        for (uint32_t i = 8; i-- > 0;) {
+            const uint32_t octant = i ^ backward;
+            if (nodes_[first + octant].empty()) continue;
+            double near = start, far = limit;
+            for (int a = 0; a < 3; ++a) {
+                const uint32_t half = octant >> a & 1;
+                SlabRay<double>::narrow(enter[a][half], leave[a][half], near, far);
+            }
+            ++work.boxes;
+            if (near <= SlabRay<double>::padded(far)) stack[waiting++] = {split.child(cell.box, octant), near, first + octant};
+        }
+        return waiting;
+    }
+
+    Bounds box_;
+    Vec3 typical_;
+    std::vector<OctreeNode> nodes_;
+};
+
+}  // namespace alidade

@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: Apache-2.0
+/// The three questions. A structure asks a query how far it need look (limit, in local t) and shows it ranges of primitives (visit, true to stop).
+#pragma once
+
+#include "accel/leaf.h"
+
+#include <algorithm>
+#include <tuple>
+
+namespace alidade {
+
+template <class Leaf> class ClosestQuery {
+  public:
+    ClosestQuery(const Leaf& leaf, const Ray& ray, const LocalRay& local, Hit& hit, WorkCounters& work, uint32_t instance)
+        : leaf_(leaf), probe_(leaf, ray, local, instance), local_(local), hit_(hit), work_(work) {
+        shorten();
+    }
+    double limit() const { return limit_; }
+    bool visit(uint32_t first, uint32_t count) {
+        if (leaf_.closest(probe_, first, count, hit_, work_)) found_ = true, shorten();
+        return false;
+    }
+    bool found() const { return found_; }
+
+  private:
+    void shorten() { limit_ = std::min(local_.tmax, local_.upper(hit_.t)); }
+
+    const Leaf& leaf_;
+    typename Leaf::Probe probe_;
+    const LocalRay& local_;
+    Hit& hit_;
+    WorkCounters& work_;
+    double limit_ = 0;
+    bool found_ = false;
+};
+
+template <class Leaf> class AnyQuery {
+  public:
+    AnyQuery(const Leaf& leaf, const Ray& ray, const LocalRay& local, WorkCounters& work)
+        : leaf_(leaf), probe_(leaf, ray, local, kNoId), limit_(local.tmax), work_(work) {}
+    double limit() const { return limit_; }
+    bool visit(uint32_t first, uint32_t count) { return found_ = leaf_.any(probe_, first, count, work_); }
+    bool found() const { return found_; }
+
+  private:
+    const Leaf& leaf_;
+    typename Leaf::Probe probe_;
+    double limit_;
+    WorkCounters& work_;
+    bool found_ = false;
+};
+
+template <class Leaf> class AllQuery {
+  public:
+    AllQuery(const Leaf& leaf, const Ray& ray, const LocalRay& local, std::vector<Hit>& hits, WorkCounters& work, uint32_t instance)
+        : leaf_(leaf), probe_(leaf, ray, local, instance), limit_(local.tmax), hits_(hits), old_(hits.size()), work_(work) {}
+    double limit() const { return limit_; }
+    bool visit(uint32_t first, uint32_t count) {
+        leaf_.all(probe_, first, count, hits_, work_);
+        return false;
+    }
+    /// Puts the new hits in order. A structure may hold a primitive in several places, so a hit may have been found more than once.
+    void finish() {
+        const auto key = [](const Hit& h) { return std::tuple(h.t, h.instance, h.primitive, h.part); };
+        const auto begin = hits_.begin() + std::ptrdiff_t(old_);
+        std::sort(begin, hits_.end(), [&](const Hit& a, const Hit& b) { return key(a) < key(b); });
+        hits_.erase(std::unique(begin, hits_.end(), [&](const Hit& a, const Hit& b) { return key(a) == key(b); }), hits_.end());
+    }
+
+  private:
+    const Leaf& leaf_;
+    typename Leaf::Probe probe_;
+    double limit_;
+    std::vector<Hit>& hits_;
+    size_t old_;
+    WorkCounters& work_;
+};
+
+}  // namespace alidade

@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "accel/accelerator.h"
+
+namespace alidade {
+
+template <class Leaf> class Brute;
+template <class Leaf> class Bvh;
+template <class Leaf> class Grid;
+template <class Leaf> class Octree;
+
+/// Defined in structure.h, instantiated by each structure's .cpp.
+template <template <class> class Structure> std::unique_ptr<Accelerator> over_triangles(const TriangleView& mesh, const AccelOptions& options);
+template <template <class> class Structure> std::unique_ptr<Accelerator> over_set(std::shared_ptr<const PrimitiveSet> set, const AccelOptions& options);
+
+static constexpr AcceleratorEntry kTable[] = {
+    {"brute", "tests every primitive; the oracle", over_triangles<Brute>, over_set<Brute>},
+    {"bvh", "binary tree of boxes, split by the surface area heuristic over bins", over_triangles<Bvh>, over_set<Bvh>},
+    {"grid", "uniform grid of cells, walked one by one", over_triangles<Grid>, over_set<Grid>},
+    {"octree", "cells halved along their long axes, deeper where more primitives are", over_triangles<Octree>, over_set<Octree>},
+};
+
+std::span<const AcceleratorEntry> accelerators() { return kTable; }
+
+const AcceleratorEntry* find_accelerator(std::string_view name) {
+    const std::string_view wanted = name == "auto" ? "bvh" : name;
+    for (const AcceleratorEntry& entry : kTable) {
+        if (wanted == entry.name) return &entry;
+    }
+    return nullptr;
+}
+
+}  // namespace alidade

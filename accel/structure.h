@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: Apache-2.0
+/// Makes an Accelerator of a structure and a leaf: everything that all structures share stands here.
+#pragma once
+
+#include "accel/accelerator.h"
+#include "accel/custom_leaf.h"
+#include "accel/query.h"
+#include "accel/triangles/triangle_leaf.h"
+
+#include <chrono>
+#include <optional>
+
+namespace alidade {
+
+/// A structure has a constructor (BuildInput&, threads, BuildStats&), `traverse(local ray, query, work)`, and `bytes()`.
+template <template <class> class Structure, class Leaf> class StructureAccelerator final : public Accelerator {
+  public:
+    StructureAccelerator(const typename Leaf::Source& source, const AccelOptions& options) {
+        const auto start = std::chrono::steady_clock::now();
+        std::vector<uint32_t> order, ids = sort_out(source, order);
+        unbounded_ = uint32_t(order.size());
+        stats_.primitives = ids.size() + order.size();
+        BuildInput<typename Leaf::Source> input{source, std::move(ids), bounds_, order};
+        structure_.emplace(input, options.threads, stats_);
+        stats_.references = order.size() - size_t(std::count(order.begin(), order.end(), kPadding));
+        leaf_.emplace(source, order, options);
+        stats_.bytes = sizeof(*this) + structure_->bytes() + leaf_->bytes();
+        stats_.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    }
+
+    bool intersect(const Ray& ray, Hit& hit, WorkCounters& work, uint32_t instance) const override {
+        if (!can_hit(ray, kLargestCoordinate<typename Leaf::Real>)) return false;
+        const LocalRay local = local_ray(ray, bounds_, Leaf::kMovesRay);
+        ClosestQuery<Leaf> query(*leaf_, ray, local, hit, work, instance);
+        ask(local, query, work);
+        return query.found();
+    }
+
+    bool occluded(const Ray& ray, WorkCounters& work) const override {
+        if (!can_hit(ray, kLargestCoordinate<typename Leaf::Real>)) return false;
+        const LocalRay local = local_ray(ray, bounds_, Leaf::kMovesRay);
+        AnyQuery<Leaf> query(*leaf_, ray, local, work);
+        ask(local, query, work);
+        return query.found();
+    }
+
+    void all_hits(const Ray& ray, std::vector<Hit>& hits, WorkCounters& work, uint32_t instance) const override {
+        if (!can_hit(ray, kLargestCoordinate<typename Leaf::Real>)) return;
+        const LocalRay local = local_ray(ray, bounds_, Leaf::kMovesRay);
+        AllQuery<Leaf> query(*leaf_, ray, local, hits, work, instance);
+        ask(local, query, work);
+        query.finish();
+    }
+
+    Bounds bounds() const override { return bounds_; }
+    const BuildStats& stats() const override { return stats_; }
+
+  private:
+    template <class Query> void ask(const LocalRay& local, Query& query, WorkCounters& work) const {
+        if (unbounded_ && query.visit(0, unbounded_)) return;
+        if (!local.enters_box()) return;
+        ++work.rays;
+        structure_->traverse(local, query, work);
+    }
+
+    /// Returns the bounded primitives; puts the unbounded ones into `order`, the hopeless ones into stats_.removed; empty ones are dropped.
+    std::vector<uint32_t> sort_out(const typename Leaf::Source& source, std::vector<uint32_t>& order) {
+        std::vector<uint32_t> ids;
+        ids.reserve(source.size());
+        for (uint32_t id = 0; id < source.size(); ++id) {
+            switch (source.kind(id)) {
+                case PrimitiveKind::bounded: ids.push_back(id), bounds_.extend(source.bounds(id)); break;
+                case PrimitiveKind::unbounded: order.push_back(id); break;
+                case PrimitiveKind::removed: stats_.removed.push_back(id); break;
+                case PrimitiveKind::empty: break;
+            }
+        }
+        return ids;
+    }
+
+    Bounds bounds_;
+    BuildStats stats_;
+    uint32_t unbounded_ = 0;
+    std::optional<Structure<Leaf>> structure_;
+    std::optional<Leaf> leaf_;
+};
+
+/// The two columns of the registry. Each structure's .cpp instantiates them.
+template <template <class> class Structure> std::unique_ptr<Accelerator> over_triangles(const TriangleView& mesh, const AccelOptions& options) {
+    if (options.precision == Precision::double_) {
+        return std::make_unique<StructureAccelerator<Structure, TriangleLeaf<double>>>(TriangleSource<double>(mesh), options);
+    }
+    return std::make_unique<StructureAccelerator<Structure, TriangleLeaf<float>>>(TriangleSource<float>(mesh), options);
+}
+
+template <template <class> class Structure>
+std::unique_ptr<Accelerator> over_set(std::shared_ptr<const PrimitiveSet> set, const AccelOptions& options) {
+    return std::make_unique<StructureAccelerator<Structure, CustomLeaf>>(PrimitiveSetSource(std::move(set)), options);
+}
+
+}  // namespace alidade

@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "accel/triangles/decide.h"
+
+#include "accel/triangles/exact_sign.h"
+
+namespace alidade {
+
+namespace {
+
+/// Weights need not be better than this, so that t and (u, v) are right to float.
+constexpr double kWeightError = 0x1p-34;
+/// Nor t than this, relatively.
+constexpr double kDepthError = 0x1p-30;
+
+/// Edge functions of the sides opposite to each corner; all signs are exact.
+struct EdgeFunctions {
+    std::array<double, 3> e;
+    std::array<double, 3> z;   ///< depths of the corners along the shear axis
+    double depth = 0;          ///< largest |z|
+    double error = 0;          ///< of each function
+
+    double sum() const { return e[0] + e[1] + e[2]; }
+    bool outside() const {
+        const bool positive = e[0] > 0 || e[1] > 0 || e[2] > 0, negative = e[0] < 0 || e[1] < 0 || e[2] < 0;
+        return positive == negative;   // on both sides, or edge-on
+    }
+};
+
+EdgeFunctions edge_functions(const DecideRay& ray, const Corners& corners, uint64_t& exact) {
+    using Error = EdgeError<double>;
+    EdgeFunctions f;
+    std::array<double, 3> x, y;
+    double mx = 0, my = 0;
+    for (size_t c = 0; c < 3; ++c) {
+        const Vec3 p = corners[c] - ray.origin;
+        f.z[c] = p[ray.axes.z];
+        x[c] = p[ray.axes.x] - ray.shear_x * f.z[c];
+        y[c] = p[ray.axes.y] - ray.shear_y * f.z[c];
+        mx = std::max(mx, std::abs(x[c])), my = std::max(my, std::abs(y[c])), f.depth = std::max(f.depth, std::abs(f.z[c]));
+    }
+    for (size_t c = 0; c < 3; ++c) {
+        const size_t i = (c + 1) % 3, j = (c + 2) % 3;
+        f.e[c] = x[i] * y[j] - y[i] * x[j];
+    }
+    const double dx = Error::corner(0, Error::slope(ray.shear_x), mx, f.depth), dy = Error::corner(0, Error::slope(ray.shear_y), my, f.depth);
+    const double error = Error::edge(dx, dy, mx, my);
+    const bool positive = f.e[0] > error || f.e[1] > error || f.e[2] > error, negative = f.e[0] < -error || f.e[1] < -error || f.e[2] < -error;
+    if (positive && negative) return f;   // surely outside: the other sign does not matter
+    f.error = error;
+    const bool blurred = !(error <= kWeightError * std::abs(f.sum()));
+    for (size_t c = 0; c < 3; ++c) {
+        if (!blurred && std::abs(f.e[c]) > error) continue;
+        f.e[c] = exact_edge(ray.dir, ray.origin, corners[(c + 1) % 3], corners[(c + 2) % 3]) / ray.dir[ray.axes.z];
+        ++exact;
+    }
+    if (blurred) f.error = 0;
+    return f;
+}
+
+/// t from the plane, n.(a - o) / n.d with n = (b - a) x (c - a), where the depths of the corners cancel: close to a triangle that is large.
+double t_of_plane(const DecideRay& ray, const Corners& c, uint64_t& exact) {
+    Vec3 high = c[0] - ray.origin, low;
+    for (int a = 0; a < 3; ++a) {
+        const double part = high[a] - c[0][a];
+        low[a] = (c[0][a] - (high[a] - part)) - (ray.origin[a] + part);   // the difference is high + low, exactly
+    }
+    const double scale = std::ldexp(1.0, std::clamp(std::ilogb(max_abs(high)), -1000, 1000));
+    const double along = exact_edge(high / scale, c[0], c[1], c[2]) + exact_edge(low / scale, c[0], c[1], c[2]);
+    exact += 3;
+    return along / exact_edge(ray.dir, c[0], c[1], c[2]) * scale;
+}
+
+/// Moves t into the interval in which the ray is in the box of the corners: where boxes are culled by t, the hit is then inside.
+double clamped_to_box(const DecideRay& ray, const Corners& corners, double t) {
+    double enter = -kInf, leave = kInf;
+    for (int a = 0; a < 3; ++a) {
+        if (ray.dir[a] == 0) continue;
+        const auto [low, high] = std::minmax({corners[0][a], corners[1][a], corners[2][a]});
+        const double t0 = (low - ray.origin[a]) / ray.dir[a], t1 = (high - ray.origin[a]) / ray.dir[a];
+        enter = std::max(enter, std::min(t0, t1)), leave = std::min(leave, std::max(t0, t1));
+    }
+    return std::min(std::max(t, enter), leave);
+}
+
+}  // namespace
+
+std::optional<TriangleCrossing> decide(const DecideRay& ray, const Corners& corners, uint64_t& exact) {
+    const EdgeFunctions f = edge_functions(ray, corners, exact);
+    if (f.outside()) return std::nullopt;
+    const double sum = f.sum(), a = f.e[0] / sum, b = f.e[1] / sum, c = f.e[2] / sum;
+    const double depth = (a * f.z[0] + b * f.z[1]) + c * f.z[2], error = (3 * f.error / std::abs(sum) + 8 * kUnitRoundoff<double>) * f.depth;
+    const double t = error <= kDepthError * std::abs(depth) ? depth / ray.dir[ray.axes.z] : t_of_plane(ray, corners, exact);
+    return TriangleCrossing{clamped_to_box(ray, corners, t), b, c};
+}
+
+ErrorBound plane_error(const Ray& ray, double t, const Corners& corners) {
+    const Vec3 e = corners[1] - corners[0], f = corners[2] - corners[0], q = ray.at(t) - corners[0];
+    const Vec3 normal = cross(e, f), area = {std::abs(e.y * f.z) + std::abs(e.z * f.y), std::abs(e.z * f.x) + std::abs(e.x * f.z), std::abs(e.x * f.y) + std::abs(e.y * f.x)};
+    const Vec3 travel = t * ray.dir;
+    const double size = length(normal);
+    double wrong = 0, far = 0;
+    for (int i = 0; i < 3; ++i) {
+        const double rounding = gamma_bound(3) * (std::abs(ray.origin[i]) + std::abs(travel[i]) + std::abs(q[i]));   // of at(), however it is evaluated, and of q
+        wrong += gamma_bound(8) * area[i] * std::abs(q[i]) + std::abs(normal[i]) * rounding;
+        far += std::abs(q[i]) + rounding;
+    }
+    const double bound = (std::abs(dot(normal, q)) + wrong) / size * (1 + gamma_bound(16));
+    return {bound < far ? bound : far};   // the plane is not farther than a corner; also for needles whose normal is all rounding
+}
+
+}  // namespace alidade

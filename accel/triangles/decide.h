@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: Apache-2.0
+/// The decision on a triangle that passed the filter: an exact one, and t, u, v refined in double.
+#pragma once
+
+#include "accel/triangles/edge_filter.h"
+
+#include <optional>
+
+namespace alidade {
+
+using Corners = std::array<Vec3, 3>;
+
+struct DecideRay {
+    explicit DecideRay(const LocalRay& ray)
+        : origin(ray.origin), dir(ray.dir), axes(ray.dir), shear_x(dir[axes.x] / dir[axes.z]), shear_y(dir[axes.y] / dir[axes.z]) {}
+
+    Vec3 origin, dir;
+    ShearAxes axes;
+    double shear_x, shear_y;
+};
+
+struct TriangleCrossing {
+    double t;      ///< local, within the interval in which the ray is in the triangle's box as computed in double
+    double u, v;   ///< weights of the second and third corner
+};
+
+/// Where the line crosses the triangle. The decision is that of exact arithmetic on the ray and corners as they are; an edge or a corner counts as hit, a triangle
+/// seen edge-on does not. So the line through any point of a closed mesh hits one of the triangles there. `exact` counts signs that needed more than double.
+std::optional<TriangleCrossing> decide(const DecideRay& ray, const Corners& corners, uint64_t& exact);
+
+/// How far ray.at(t) may be from the plane of the triangle. Derived in docs/numerics.md, "The error of a hit".
+ErrorBound plane_error(const Ray& ray, double t, const Corners& corners);
+
+}  // namespace alidade

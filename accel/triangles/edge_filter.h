@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: Apache-2.0
+/// The first test of triangles: eight at once, in the precision of the mesh. It rejects only those that are surely outside.
+#pragma once
+
+#include "accel/accelerator.h"
+#include "accel/local_ray.h"
+
+#include <array>
+
+namespace alidade {
+
+inline constexpr uint32_t kLanes = 8;
+
+/// Eight triangles, coordinate by coordinate: v[3 * corner + axis][lane], and their ids in the source arrays.
+template <class T> struct alignas(64) TriangleBlock {
+    T v[9][kLanes] = {};
+    uint32_t id[kLanes] = {};
+
+    std::array<Vec3, 3> corners(uint32_t lane) const {
+        std::array<Vec3, 3> c;
+        for (int i = 0; i < 9; ++i) c[size_t(i / 3)][i % 3] = double(v[i][lane]);
+        return c;
+    }
+};
+
+/// The axes by the size of the direction's components: z is along the largest, the order stays cyclic so that orientations are kept.
+struct ShearAxes {
+    int x, y, z;
+    explicit ShearAxes(const Vec3& dir) {
+        z = std::abs(dir.x) >= std::abs(dir.y) ? (std::abs(dir.x) >= std::abs(dir.z) ? 0 : 2) : (std::abs(dir.y) >= std::abs(dir.z) ? 1 : 2);
+        x = (z + 1) % 3, y = (z + 2) % 3;
+    }
+};
+
+/// The error of computed edge functions: one that is greater in magnitude has the sign of the exact one. Derived in docs/numerics.md, "The edge functions".
+/// `origin`: bounds |origin| of a sheared axis, 0 if the origin was not rounded; `slope`: bounds the shear of the axis; `m`: largest sheared coordinate of
+/// the corners; `depth`: largest |z| of the corners.
+template <class T> struct EdgeError {
+    static constexpr T u = kUnitRoundoff<T>;
+    static constexpr T kOrigin = T(1.25) * u, kSheared = T(3.25) * u, kDepth = T(4.5) * u, kLinear = T(2.25), kSquare = T(3);
+    static constexpr T kQuanta = 8 * std::numeric_limits<T>::denorm_min();
+
+    static T corner(T origin, T slope, T m, T depth) { return kOrigin * origin + kSheared * m + kDepth * (slope * depth) + kQuanta; }
+    static T edge(T dx, T dy, T mx, T my) { return kLinear * (dx * my + dy * mx) + kSquare * (dx * dy) + kQuanta; }
+    /// Bounds a rounded shear: what underflow took from it is put back.
+    static T slope(T shear) { return std::abs(shear) + 2 * std::numeric_limits<T>::min(); }
+};
+
+/// What the filter needs of a ray: p - origin is sheared along the direction, x' = x - shear[0] z, y' = y - shear[1] z.
+template <class T> struct FilterRay {
+    explicit FilterRay(const LocalRay& ray) : axes(ray.dir), origin{T(ray.origin[axes.x]), T(ray.origin[axes.y]), T(ray.origin[axes.z])} {
+        shear[0] = T(ray.dir[axes.x] / ray.dir[axes.z]), shear[1] = T(ray.dir[axes.y] / ray.dir[axes.z]);
+        for (int i = 0; i < 2; ++i) {
+            slope[i] = EdgeError<T>::slope(shear[i]);
+            farthest[i] = std::abs(origin[i]) + slope[i] * std::abs(origin[2]);
+        }
+    }
+
+    ShearAxes axes;
+    T origin[3], shear[2];
+    T slope[2], farthest[2];   ///< for EdgeError::corner
+};
+
+/// Bit i is set if triangle i of the block may be hit by the line of the ray.
+template <class T> using EdgeFilter = uint32_t (*)(const TriangleBlock<T>&, const FilterRay<T>&);
+
+/// The filter for these instructions; the scalar one if this machine does not have them. All give the same bits.
+template <class T> EdgeFilter<T> edge_filter(Isa isa);
+template <> EdgeFilter<float> edge_filter<float>(Isa isa);
+template <> EdgeFilter<double> edge_filter<double>(Isa isa);
+
+}  // namespace alidade

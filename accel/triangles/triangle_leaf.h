@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: Apache-2.0
+/// Leaves of triangles packed by eights in the order of traversal: no index, no vertex array, no virtual call.
+#pragma once
+
+#include "accel/triangles/triangle_source.h"
+
+#include <bit>
+
+namespace alidade {
+
+template <class R> class TriangleLeaf {
+  public:
+    using Real = R;
+    using Source = TriangleSource<R>;
+    static constexpr uint32_t kBlock = kLanes;
+    static constexpr bool kMovesRay = true;
+
+    struct Probe {
+        Probe(const TriangleLeaf&, const Ray& r, const LocalRay& l, uint32_t id) : ray(r), local(l), filter(l), decide(l), instance(id) {}
+        const Ray& ray;
+        const LocalRay& local;
+        FilterRay<R> filter;
+        DecideRay decide;
+        uint32_t instance;
+    };
+
+    TriangleLeaf(const Source& source, const std::vector<uint32_t>& order, const AccelOptions& options)
+        : blocks_((order.size() + kLanes - 1) / kLanes), filter_(edge_filter<R>(options.isa)) {
+        for (uint32_t place = 0; place < order.size(); ++place) {
+            if (order[place] == kPadding) continue;
+            TriangleBlock<R>& block = blocks_[place / kLanes];
+            const uint32_t lane = place % kLanes;
+            const Corners corners = source.corners(order[place]);
+            for (int i = 0; i < 9; ++i) block.v[i][lane] = R(corners[size_t(i / 3)][i % 3]);
+            block.id[lane] = order[place];
+        }
+    }
+
+    bool closest(const Probe& probe, uint32_t first, uint32_t count, Hit& hit, WorkCounters& work) const {
+        bool found = false;
+        for_each_hit(probe, first, count, work, [&](const Found& f) {
+            if (!comes_before(f.t, probe.instance, f.id, hit)) return false;
+            hit = make_hit(probe, f);
+            found = true;
+            return false;
+        });
+        return found;
+    }
+
+    bool any(const Probe& probe, uint32_t first, uint32_t count, WorkCounters& work) const {
+        return for_each_hit(probe, first, count, work, [](const Found&) { return true; });
+    }
+
+    void all(const Probe& probe, uint32_t first, uint32_t count, std::vector<Hit>& hits, WorkCounters& work) const {
+        for_each_hit(probe, first, count, work, [&](const Found& f) {
+            hits.push_back(make_hit(probe, f));
+            return false;
+        });
+    }
+
+    size_t bytes() const { return blocks_.capacity() * sizeof(TriangleBlock<R>); }
+
+  private:
+    struct Found {
+        double t;   ///< the caller's
+        uint32_t id;
+        const TriangleCrossing& crossing;
+        const Corners& corners;
+    };
+
+    /// Calls found(Found) for each hit in the range until it returns true; then returns true.
+    template <class F> bool for_each_hit(const Probe& probe, uint32_t first, uint32_t count, WorkCounters& work, F&& found) const {
+        work.filtered += count;
+        for (uint32_t block = first / kLanes, end = first + count; block * kLanes < end; ++block) {
+            const uint32_t start = block * kLanes;
+            uint32_t bits = filter_(blocks_[block], probe.filter);
+            if (start < first) bits &= ~uint32_t(0) << (first - start);
+            if (end - start < kLanes) bits &= (1u << (end - start)) - 1;
+            for (; bits; bits &= bits - 1) {
+                if (decide_lane(probe, blocks_[block], uint32_t(std::countr_zero(bits)), work, found)) return true;
+            }
+        }
+        return false;
+    }
+
+    template <class F> static bool decide_lane(const Probe& probe, const TriangleBlock<R>& block, uint32_t lane, WorkCounters& work, F&& found) {
+        ++work.primitives;
+        const Corners corners = block.corners(lane);
+        const auto crossing = decide(probe.decide, corners, work.exact);
+        if (!crossing) return false;
+        const double t = probe.local.caller_t(crossing->t);
+        if (!(t >= probe.ray.tmin && t <= probe.ray.tmax && std::isfinite(t))) return false;
+        return found(Found{t, block.id[lane], *crossing, corners});
+    }
+
+    static Hit make_hit(const Probe& probe, const Found& f) {
+        return {f.t, probe.instance, f.id, 0, float(f.crossing.u), float(f.crossing.v), plane_error(probe.ray, f.t, f.corners)};
+    }
+
+    std::vector<TriangleBlock<R>> blocks_;
+    EdgeFilter<R> filter_;
+};
+
+}  // namespace alidade

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "accel/triangles/triangle_source.h"
+
+#include "accel/triangles/exact_sign.h"
+
+namespace alidade {
+
+template <class R> PrimitiveKind TriangleSource<R>::kind(uint32_t id) const {
+    const Index3& t = mesh_.triangles[id];
+    if (std::max({t.x, t.y, t.z}) >= mesh_.positions.size()) return PrimitiveKind::removed;
+    const Corners c = corners(id);
+    for (const Vec3& p : c) {
+        if (!is_finite(p) || max_abs(p) > kLargestCoordinate<R>) return PrimitiveKind::removed;
+    }
+    return collinear(c[0], c[1], c[2]) ? PrimitiveKind::removed : PrimitiveKind::bounded;
+}
+
+template <class R> Bounds TriangleSource<R>::clipped_bounds(uint32_t id, const Bounds& box) const {
+    const Corners c = corners(id);
+    const Bounds common = intersection(bounds(id), box);
+    if (common.empty()) return common;
+    const Vec3 e = c[1] - c[0], f = c[2] - c[0], normal = cross(e, f);
+    const Vec3 center = common.center(), half = common.max - center, q = center - c[0];
+    double reach = 0;
+    for (int i = 0; i < 3; ++i) {
+        const int j = (i + 1) % 3, k = (i + 2) % 3;
+        const double rounding = gamma_bound(12) * (std::abs(e[j] * f[k]) + std::abs(e[k] * f[j]));
+        reach += (std::abs(normal[i]) + rounding) * std::max(half[i], center[i] - common.min[i]) + rounding * std::abs(q[i]) +
+                 gamma_bound(12) * std::abs(normal[i]) * (std::abs(center[i]) + std::abs(c[0][i]));
+    }
+    return std::abs(dot(normal, q)) > reach ? Bounds() : common;
+}
+
+template class TriangleSource<float>;
+template class TriangleSource<double>;
+
+}  // namespace alidade

@@ -1,0 +1,134 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/image.h"
+
+#include "core/image/codec.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <new>
+
+namespace alidade {
+namespace {
+
+using image::Bytes;
+using image::Result;
+using image::Stored;
+
+/// A format that is read and written without the module. `magic` are the bytes a file begins with.
+struct Format {
+    const char* ending;
+    std::vector<std::string_view> magic;
+    Result<Stored> (*decode)(std::span<const std::byte>);
+    Result<Bytes> (*encode)(const Picture&);
+};
+
+const std::vector<Format>& formats() {
+    static const std::vector<Format> table = {
+        {".png", {"\x89PNG"}, image::decode_png, image::encode_png},
+        {".exr", {"\x76\x2f\x31\x01"}, image::decode_exr, image::encode_exr},
+        {".ppm", {"P2", "P3", "P5", "P6"}, image::decode_pnm, image::encode_ppm},
+        {".pfm", {"PF", "Pf"}, image::decode_pnm, image::encode_pfm},
+    };
+    return table;
+}
+
+bool starts_with(std::span<const std::byte> bytes, std::string_view magic) {
+    return bytes.size() >= magic.size() && std::equal(magic.begin(), magic.end(), bytes.begin(), [](char a, std::byte b) { return std::byte(a) == b; });
+}
+
+/// ".png" of "a/b.PNG"; nothing for a name without an ending.
+std::string lower_ending(const std::string& path) {
+    const size_t slash = path.find_last_of('/'), dot = path.find_last_of('.');
+    if (dot == std::string::npos || (slash != std::string::npos && dot < slash)) return {};
+    std::string ending = path.substr(dot);
+    for (char& c : ending) c = c >= 'A' && c <= 'Z' ? char(c - 'A' + 'a') : c;
+    return ending;
+}
+
+const Format* find_format(const std::string& ending) {
+    for (const Format& f : formats())
+        if (ending == f.ending) return &f;
+    return nullptr;
+}
+
+Result<Stored> decode_stored(std::span<const std::byte> bytes) {
+    if (bytes.empty()) return tl::unexpected(std::string("the picture is empty"));
+    for (const Format& f : formats())
+        for (const std::string_view magic : f.magic)
+            if (starts_with(bytes, magic)) return f.decode(bytes);
+    return image::decode_by_module(bytes);
+}
+
+/// Takes the sRGB curve off the colour channels. Integer files have few different values: each is computed once.
+void linearize(Stored& stored) {
+    std::vector<float> table;
+    if (stored.levels) {
+        table.resize(size_t(stored.levels) + 1);
+        for (size_t k = 0; k < table.size(); ++k) table[k] = float(srgb_to_linear(double(k) / stored.levels));
+    }
+    Picture& picture = stored.picture;
+    const image::ColorChannels colors = image::color_channels(picture);
+    for (int c = 0; c < colors.count; ++c)
+        for (size_t i = size_t(colors.index[c]); i < picture.values.size(); i += size_t(picture.channels)) {
+            float& value = picture.values[i];
+            value = table.empty() ? float(srgb_to_linear(value)) : table[size_t(std::lround(value * float(stored.levels)))];
+        }
+}
+
+Result<Bytes> encode_picture(const Picture& picture, const std::string& ending) {
+    if (ending.empty()) return tl::unexpected(std::string("the name has no ending that says which format to write"));
+    if (picture.width <= 0 || picture.height <= 0 || picture.channels <= 0) return tl::unexpected(std::string("the picture is empty"));
+    if (const Format* format = find_format(ending)) return format->encode(picture);
+    return image::encode_by_module(picture, ending);
+}
+
+constexpr const char* kNoMemory = "not enough memory";
+
+}  // namespace
+
+namespace image {
+
+Result<void> check_size(uint64_t width, uint64_t height, uint64_t channels, size_t file_bytes) {
+    constexpr uint64_t kMaxSide = 1 << 20, kMaxChannels = 1024, kMaxValues = uint64_t(1) << 30;
+    constexpr uint64_t kValuesPerByte = 8256, kAlwaysAllowed = uint64_t(1) << 22;
+    if (width == 0 || height == 0 || channels == 0) return tl::unexpected(fmt::format("it claims {} x {} pixels of {} channels", width, height, channels));
+    if (width > kMaxSide || height > kMaxSide || channels > kMaxChannels || width * height > kMaxValues / channels)
+        return tl::unexpected(fmt::format("it claims {} x {} pixels of {} channels, more than the limit of {} values", width, height, channels, kMaxValues));
+    const uint64_t values = width * height * channels;
+    if (values > kAlwaysAllowed && values / kValuesPerByte > file_bytes)
+        return tl::unexpected(fmt::format("it claims {} x {} pixels of {} channels, but has only {} bytes", width, height, channels, file_bytes));
+    return {};
+}
+
+}  // namespace image
+
+tl::expected<Picture, std::string> decode_picture(std::span<const std::byte> bytes, Encoding encoding) try {
+    Result<Stored> stored = decode_stored(bytes);
+    if (!stored) return tl::unexpected(std::move(stored.error()));
+    if (encoding == Encoding::srgb || (encoding == Encoding::automatic && stored->levels)) linearize(*stored);
+    return std::move(stored->picture);
+} catch (const std::bad_alloc&) {
+    return tl::unexpected(std::string(kNoMemory));
+}
+
+tl::expected<Picture, std::string> read_picture(const std::string& path, Encoding encoding) {
+    const auto bytes = read_file(path);
+    if (!bytes) return tl::unexpected(bytes.error());
+    auto picture = decode_picture(*bytes, encoding);
+    if (!picture) return tl::unexpected(fmt::format("cannot read {}: {}", path, picture.error()));
+    return picture;
+}
+
+tl::expected<void, std::string> write_picture(const std::string& path, const Picture& picture) try {
+    const Result<Bytes> bytes = encode_picture(picture, lower_ending(path));
+    if (!bytes) return tl::unexpected(fmt::format("cannot write {}: {}", path, bytes.error()));
+    return write_file(path, *bytes);
+} catch (const std::bad_alloc&) {
+    return tl::unexpected(fmt::format("cannot write {}: {}", path, kNoMemory));
+}
+
+bool can_write_picture(const std::string& path) { return find_format(lower_ending(path)) != nullptr; }
+
+}  // namespace alidade

@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: Apache-2.0
+/// The sRGB curve, and the way from linear floats to 8-bit codes.
+#include "core/image/codec.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace alidade {
+
+// Both directions: IEC 61966-2-1:1999.
+double srgb_to_linear(double encoded) { return encoded <= 0.04045 ? encoded / 12.92 : std::pow((encoded + 0.055) / 1.055, 2.4); }
+double linear_to_srgb(double linear) { return linear <= 0.0031308 ? linear * 12.92 : 1.055 * std::pow(linear, 1 / 2.4) - 0.055; }
+
+namespace image {
+namespace {
+
+/// The code whose encoded value k / 255 is nearest to linear_to_srgb(`linear`). Asked of the inverse curve at the 255 midpoints, so it is
+/// monotonic by construction and costs eight comparisons, not a power.
+uint8_t srgb_code(float linear) {
+    static const auto midpoints = [] {
+        std::array<float, 255> table{};
+        for (size_t k = 0; k < table.size(); ++k) table[k] = float(srgb_to_linear((double(k) + 0.5) / 255));
+        return table;
+    }();
+    return uint8_t(std::upper_bound(midpoints.begin(), midpoints.end(), linear) - midpoints.begin());
+}
+
+uint8_t linear_code(float value) { return uint8_t(std::lround(std::clamp(value, 0.0f, 1.0f) * 255)); }
+
+}  // namespace
+
+ColorChannels color_channels(const Picture& picture) {
+    auto find = [&](const char* name) {
+        const auto at = std::find(picture.names.begin(), picture.names.end(), name);
+        return at == picture.names.end() ? -1 : int(at - picture.names.begin());
+    };
+    ColorChannels found{3, {find("R"), find("G"), find("B")}, find("A")};
+    if (found.index[0] < 0 || found.index[1] < 0 || found.index[2] < 0) {
+        const int y = find("Y");
+        found = {y < 0 ? 0 : 1, {y, y, y}, found.alpha};
+    }
+    return found;
+}
+
+bool is_transparent(const Picture& picture, const ColorChannels& colors) {
+    if (colors.alpha < 0) return false;
+    for (size_t i = size_t(colors.alpha); i < picture.values.size(); i += size_t(picture.channels))
+        if (picture.values[i] != 1) return true;
+    return false;
+}
+
+std::vector<float> straight_colors(const Picture& picture, const ColorChannels& colors, bool with_alpha) {
+    const size_t pixels = size_t(picture.width) * size_t(picture.height);
+    std::vector<float> out;
+    out.reserve(pixels * size_t(colors.count + with_alpha));
+    for (size_t p = 0; p < pixels; ++p) {
+        const float* pixel = &picture.values[p * size_t(picture.channels)];
+        const float alpha = colors.alpha < 0 ? 1.0f : pixel[colors.alpha];
+        for (int c = 0; c < colors.count; ++c) out.push_back(alpha == 0 || alpha == 1 ? pixel[colors.index[c]] : pixel[colors.index[c]] / alpha);
+        if (with_alpha) out.push_back(alpha);
+    }
+    return out;
+}
+
+std::vector<uint8_t> encode_8bit(const Picture& picture, const ColorChannels& colors, bool with_alpha) {
+    const std::vector<float> values = straight_colors(picture, colors, with_alpha);
+    const size_t channels = size_t(colors.count + with_alpha);
+    std::vector<uint8_t> codes(values.size());
+    for (size_t i = 0; i < values.size(); ++i) {
+        if (std::isnan(values[i])) continue;
+        const bool is_alpha = with_alpha && i % channels == channels - 1;
+        codes[i] = is_alpha ? linear_code(values[i]) : srgb_code(values[i]);
+    }
+    return codes;
+}
+
+}  // namespace image
+}  // namespace alidade

@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: Apache-2.0
+/// Whole files: read within a limit, written all or nothing.
+#include "core/image.h"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <atomic>
+#include <cerrno>
+#include <cstdio>
+#include <cstring>
+
+namespace alidade {
+namespace {
+
+/// An open file descriptor, closed at the end of its scope.
+class File {
+  public:
+    explicit File(int descriptor) : descriptor_(descriptor) {}
+    ~File() { close(); }
+    File(const File&) = delete;
+    File& operator=(const File&) = delete;
+
+    bool is_open() const { return descriptor_ >= 0; }
+    int get() const { return descriptor_; }
+    /// False if the last bytes could not be written (a full disc may say so only here).
+    bool close() {
+        if (descriptor_ < 0) return true;
+        const int result = ::close(descriptor_);
+        descriptor_ = -1;
+        return result == 0;
+    }
+
+  private:
+    int descriptor_;
+};
+
+tl::unexpected<std::string> failure(const char* verb, const std::string& path, const std::string& why) {
+    return tl::unexpected(fmt::format("cannot {} {}: {}", verb, path, why));
+}
+
+std::string last_error() { return std::strerror(errno); }
+
+bool write_all(File& file, std::span<const std::byte> bytes) {
+    while (!bytes.empty()) {
+        const ssize_t n = ::write(file.get(), bytes.data(), bytes.size());
+        if (n < 0 && errno == EINTR) continue;
+        if (n < 0) return false;
+        bytes = bytes.subspan(size_t(n));
+    }
+    return file.close();
+}
+
+}  // namespace
+
+tl::expected<std::vector<std::byte>, std::string> read_file(const std::string& path, uint64_t limit) {
+    const File file(::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK));   // non-blocking: a pipe without a writer must not hang us
+    if (!file.is_open()) return failure("read", path, last_error());
+    struct stat status {};
+    if (::fstat(file.get(), &status) != 0) return failure("read", path, last_error());
+    if (S_ISDIR(status.st_mode)) return failure("read", path, "it is a directory");
+    if (!S_ISREG(status.st_mode)) return failure("read", path, "it is not a regular file");
+    if (uint64_t(status.st_size) > limit) return failure("read", path, fmt::format("it has {} bytes, the limit is {}", status.st_size, limit));
+
+    std::vector<std::byte> bytes(static_cast<size_t>(status.st_size));
+    size_t filled = 0;
+    while (filled < bytes.size()) {
+        const ssize_t n = ::read(file.get(), bytes.data() + filled, bytes.size() - filled);
+        if (n < 0 && errno == EINTR) continue;
+        if (n < 0) return failure("read", path, last_error());
+        if (n == 0) break;   // it shrank meanwhile
+        filled += size_t(n);
+    }
+    bytes.resize(filled);
+    return bytes;
+}
+
+tl::expected<void, std::string> write_file(const std::string& path, std::span<const std::byte> bytes) {
+    static std::atomic<unsigned> count{0};
+    const std::string temporary = fmt::format("{}.{}-{}.part", path, ::getpid(), count++);
+    File file(::open(temporary.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666));
+    if (!file.is_open()) return failure("write", path, last_error());
+    if (write_all(file, bytes) && std::rename(temporary.c_str(), path.c_str()) == 0) return {};
+    const std::string why = last_error();
+    ::unlink(temporary.c_str());
+    return failure("write", path, why);
+}
+
+}  // namespace alidade

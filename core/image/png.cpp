@@ -1,0 +1,136 @@
+// SPDX-License-Identifier: Apache-2.0
+/// PNG, by libpng. Its gAMA, cHRM and iCCP chunks are not applied (glTF 2.0, section 3.8.4.1, forbids it): Encoding says what the numbers mean.
+#include "core/image/codec.h"
+
+#include <fmt/format.h>
+#include <png.h>
+
+#include <bit>
+#include <csetjmp>
+#include <cstdio>
+#include <cstring>
+
+namespace alidade::image {
+namespace {
+
+/// libpng's reader and what its callbacks need. libpng reports an error by longjmp, which skips destructors: so the functions that call
+/// setjmp (read_header, read_rows) own nothing, and everything that must be freed lives here or in their callers.
+struct Reader {
+    png_structp png = nullptr;
+    png_infop info = nullptr;
+    std::span<const std::byte> rest;
+    char error[160] = "";
+
+    ~Reader() { png_destroy_read_struct(&png, &info, nullptr); }
+};
+
+struct Header {
+    png_uint_32 width = 0, height = 0;
+    int bits = 0, channels = 0;   ///< of a decoded pixel; filled after the transforms are set
+};
+
+void on_error(png_structp png, png_const_charp message) {
+    auto* reader = static_cast<Reader*>(png_get_error_ptr(png));
+    std::snprintf(reader->error, sizeof reader->error, "%s", message);
+    png_longjmp(png, 1);
+}
+
+void on_warning(png_structp, png_const_charp) {}
+
+void on_read(png_structp png, png_bytep out, size_t size) {
+    auto* reader = static_cast<Reader*>(png_get_io_ptr(png));
+    if (reader->rest.size() < size) png_error(png, "the file ends too early");
+    std::memcpy(out, reader->rest.data(), size);
+    reader->rest = reader->rest.subspan(size);
+}
+
+/// Reads up to the pixels and asks for whole samples of 8 or 16 bits, true colour instead of a palette, alpha instead of tRNS.
+bool read_header(Reader& reader, Header& header) {
+    if (setjmp(png_jmpbuf(reader.png))) return false;
+    png_set_read_fn(reader.png, &reader, on_read);
+    png_read_info(reader.png, reader.info);
+    png_set_expand(reader.png);
+    if constexpr (std::endian::native == std::endian::little) png_set_swap(reader.png);
+    png_set_interlace_handling(reader.png);
+    header.width = png_get_image_width(reader.png, reader.info);
+    header.height = png_get_image_height(reader.png, reader.info);
+    png_read_update_info(reader.png, reader.info);
+    header.bits = png_get_bit_depth(reader.png, reader.info);
+    header.channels = png_get_channels(reader.png, reader.info);
+    return true;
+}
+
+bool read_rows(Reader& reader, png_bytepp rows) {
+    if (setjmp(png_jmpbuf(reader.png))) return false;
+    png_read_image(reader.png, rows);
+    png_read_end(reader.png, nullptr);
+    return true;
+}
+
+/// The file's samples as bytes, row after row. libpng makes its row buffers, a few bytes a pixel of one row, before the pixels are counted;
+/// its own limit on the width bounds them.
+Result<std::vector<uint8_t>> read_samples(Reader& reader, Header& header) {
+    auto refused = [&] { return tl::unexpected(fmt::format("broken PNG: {}", reader.error)); };
+    const size_t file_bytes = reader.rest.size();
+    if (!read_header(reader, header)) return refused();
+    if (auto fits = check_size(header.width, header.height, uint64_t(header.channels), file_bytes); !fits) return tl::unexpected(fits.error());
+
+    const size_t stride = size_t(header.width) * size_t(header.channels) * size_t(header.bits / 8);
+    std::vector<uint8_t> samples(stride * header.height);
+    std::vector<png_bytep> rows(header.height);
+    for (size_t y = 0; y < rows.size(); ++y) rows[y] = &samples[y * stride];
+    if (!read_rows(reader, rows.data())) return refused();
+    return samples;
+}
+
+std::vector<std::string> channel_names(int count) {
+    switch (count) {
+        case 1: return {"Y"};
+        case 2: return {"Y", "A"};
+        case 3: return {"R", "G", "B"};
+        default: return {"R", "G", "B", "A"};
+    }
+}
+
+}  // namespace
+
+Result<Stored> decode_png(std::span<const std::byte> bytes) {
+    Reader reader;
+    reader.rest = bytes;
+    reader.png = png_create_read_struct(PNG_LIBPNG_VER_STRING, &reader, on_error, on_warning);
+    if (reader.png) reader.info = png_create_info_struct(reader.png);
+    if (!reader.info) return tl::unexpected(std::string("not enough memory"));
+
+    Header header;
+    const Result<std::vector<uint8_t>> samples = read_samples(reader, header);
+    if (!samples) return tl::unexpected(samples.error());
+    Stored stored{Picture(int(header.width), int(header.height), channel_names(header.channels)), header.bits == 16 ? 65535u : 255u};
+    for (size_t i = 0; i < stored.picture.values.size(); ++i) {
+        uint16_t sample = (*samples)[header.bits == 16 ? 2 * i : i];
+        if (header.bits == 16) std::memcpy(&sample, &(*samples)[2 * i], 2);
+        stored.picture.values[i] = float(double(sample) / stored.levels);
+    }
+    return stored;
+}
+
+Result<Bytes> encode_png(const Picture& picture) {
+    const ColorChannels colors = color_channels(picture);
+    if (colors.count == 0) return tl::unexpected(std::string("PNG holds colour, but the picture has no channels R, G, B or Y"));
+    const bool with_alpha = is_transparent(picture, colors);
+    const std::vector<uint8_t> codes = encode_8bit(picture, colors, with_alpha);
+
+    png_image out{};
+    out.version = PNG_IMAGE_VERSION;
+    out.width = png_uint_32(picture.width);
+    out.height = png_uint_32(picture.height);
+    out.format = (colors.count == 3 ? PNG_FORMAT_FLAG_COLOR : 0u) | (with_alpha ? PNG_FORMAT_FLAG_ALPHA : 0u);
+    png_alloc_size_t size = PNG_IMAGE_PNG_SIZE_MAX(out);
+    Bytes bytes(size);
+    const int done = png_image_write_to_memory(&out, bytes.data(), &size, 0, codes.data(), 0, nullptr);
+    png_image_free(&out);
+    if (!done) return tl::unexpected(std::string(out.message));
+    bytes.resize(size);
+    return bytes;
+}
+
+}  // namespace alidade::image

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/parallel.h"
+
+#include <algorithm>
+#include <tbb/global_control.h>
+#include <tbb/parallel_for.h>
+#include <tbb/task_arena.h>
+
+namespace alidade {
+
+int hardware_threads() { return tbb::this_task_arena::max_concurrency(); }
+
+void parallel_for(size_t count, int threads, const std::function<void(size_t)>& body) {
+    if (threads <= 0) threads = hardware_threads();
+    if (threads == 1 || count < 2) {
+        for (size_t i = 0; i < count; ++i) body(i);
+        return;
+    }
+    // More threads than the machine has are asked for by tests; TBB would warn and give fewer.
+    const tbb::global_control allowed(tbb::global_control::max_allowed_parallelism, size_t(std::max(threads, hardware_threads())));
+    tbb::task_arena arena(threads);
+    arena.execute([&] {
+        tbb::parallel_for(tbb::blocked_range<size_t>(0, count, 1), [&](const auto& range) {
+            for (size_t i = range.begin(); i < range.end(); ++i) body(i);
+        }, tbb::simple_partitioner());
+    });
+}
+
+}  // namespace alidade

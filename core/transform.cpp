@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/transform.h"
+
+namespace alidade {
+
+Bounds Transform::bounds(const Bounds& b) const {
+    if (b.empty()) return {};
+    Bounds out{translation, translation};
+    for (int column = 0; column < 3; ++column) {
+        for (int row = 0; row < 3; ++row) {
+            const double k = linear[column][row];
+            if (k == 0) continue;   // 0 * infinity says nothing
+            out.min[row] += std::min(k * b.min[column], k * b.max[column]);
+            out.max[row] += std::max(k * b.min[column], k * b.max[column]);
+        }
+    }
+    // Six roundings a side at the most; an unbounded side stays unbounded.
+    for (int row = 0; row < 3; ++row) {
+        double size = std::abs(translation[row]);
+        for (int column = 0; column < 3; ++column) {
+            if (linear[column][row] != 0) size += std::abs(linear[column][row]) * std::max(std::abs(b.min[column]), std::abs(b.max[column]));
+        }
+        if (std::isfinite(size)) out.min[row] -= gamma_bound(6) * size, out.max[row] += gamma_bound(6) * size;
+    }
+    return out;
+}
+
+Ray Transform::ray(const Ray& r) const {
+    Ray out = r;
+    out.origin = point(r.origin);
+    out.dir = vector(r.dir);
+    return out;
+}
+
+bool Transform::is_finite() const {
+    return alidade::is_finite(linear[0]) && alidade::is_finite(linear[1]) && alidade::is_finite(linear[2]) && alidade::is_finite(translation);
+}
+
+double Transform::norm() const {
+    const Vec3 columns{length(linear[0]), length(linear[1]), length(linear[2])};
+    return length(columns);
+}
+
+Transform Transform::rotate(const Vec3& axis, double angle) {
+    const double s = std::sin(angle / 2);
+    return from_quaternion({s * axis.x, s * axis.y, s * axis.z, std::cos(angle / 2)});
+}
+
+Transform Transform::from_quaternion(const Vec4& q) {
+    const double x = q.x, y = q.y, z = q.z, w = q.w;
+    return {Mat3(1 - 2 * (y * y + z * z), 2 * (x * y + z * w), 2 * (x * z - y * w),
+                 2 * (x * y - z * w), 1 - 2 * (x * x + z * z), 2 * (y * z + x * w),
+                 2 * (x * z + y * w), 2 * (y * z - x * w), 1 - 2 * (x * x + y * y)),
+            Vec3(0)};
+}
+
+Transform operator*(const Transform& a, const Transform& b) { return {a.linear * b.linear, a.linear * b.translation + a.translation}; }
+
+namespace {
+
+/// The power of two that brings |m| into [1/2, 1); 1 for 0.
+double normalising_scale(double m) { return m > 0 ? std::ldexp(1.0, -std::ilogb(m) - 1) : 1.0; }
+
+}  // namespace
+
+std::optional<Transform> inverse(const Transform& a) {
+    if (!a.is_finite()) return std::nullopt;
+    Mat3 m = a.linear;
+    Vec3 column_scale(1), row_scale(1);
+    for (int c = 0; c < 3; ++c) column_scale[c] = normalising_scale(max_abs(m[c])), m[c] *= column_scale[c];
+    for (int r = 0; r < 3; ++r) {
+        row_scale[r] = normalising_scale(std::max({std::abs(m[0][r]), std::abs(m[1][r]), std::abs(m[2][r])}));
+        for (int c = 0; c < 3; ++c) m[c][r] *= row_scale[r];
+    }
+    const Vec3 rows[3] = {cross(m[1], m[2]), cross(m[2], m[0]), cross(m[0], m[1])};   // of the adjugate
+    const double det = dot(m[0], rows[0]);
+    if (!(std::abs(det) > gamma_bound(16))) return std::nullopt;   // |det| <= 1 here: below this it is all rounding
+    Transform out;
+    for (int r = 0; r < 3; ++r)
+        for (int c = 0; c < 3; ++c) out.linear[c][r] = rows[r][c] / det * column_scale[r] * row_scale[c];
+    out.translation = -(out.linear * a.translation);
+    if (!out.is_finite()) return std::nullopt;
+    return out;
+}
+
+}  // namespace alidade

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "eval/shapes/rows.h"
+
+namespace alidade {
+
+LineInterval inside_bounds(const Ray& ray, const Bounds& bounds) {
+    LineInterval inside;
+    for (int axis = 0; axis < 3; ++axis) {
+        const double o = ray.origin[axis], d = ray.dir[axis];
+        if (d == 0) {   // 0 / 0 says nothing: parallel to the slab, the line is in it as a whole or not at all; its faces belong to it
+            if (!(bounds.min[axis] <= o && o <= bounds.max[axis])) return {kInf, -kInf};
+            continue;
+        }
+        const double a = (bounds.min[axis] - o) / d, b = (bounds.max[axis] - o) / d;
+        if (std::isnan(a) || std::isnan(b)) return {kInf, -kInf};
+        inside.entry = std::max(inside.entry, std::min(a, b));
+        inside.exit = std::min(inside.exit, std::max(a, b));
+    }
+    return inside;
+}
+
+double clamp_to_bounds(double t, const Ray& ray, const Bounds& bounds) {
+    const LineInterval inside = inside_bounds(ray, bounds);
+    return inside.empty() ? t : std::clamp(t, inside.entry, inside.exit);
+}
+
+}  // namespace alidade

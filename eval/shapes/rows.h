@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: Apache-2.0
+/// The rows of the table of shapes, each defined in the file of its shape.
+#pragma once
+
+#include "eval/shapes/shape_ops.h"
+
+namespace alidade {
+
+extern const ShapeOps kSphereOps, kPlaneOps, kBoxOps;
+
+/// The index of the shape `T` in ShapeGeometry.
+template <class T, size_t I = 0> constexpr size_t kind_of() {
+    if constexpr (std::is_same_v<std::variant_alternative_t<I, ShapeGeometry>, T>) return I;
+    else return kind_of<T, I + 1>();
+}
+
+/// False for the rays that hit nothing (core/ray.h), but for a zero direction, which no shape's equation has a solution for.
+inline bool is_finite(const Ray& ray) { return is_finite(ray.origin) && is_finite(ray.dir); }
+
+/// The part of the line of a ray inside a box: all t with entry <= t <= exit, none if entry > exit.
+struct LineInterval {
+    double entry = -kInf, exit = kInf;
+    bool empty() const { return !(entry <= exit); }
+};
+/// As computed in double: (plane - origin) / dir on each axis, a division, since a multiplication with the rounded 1 / dir would add a rounding.
+LineInterval inside_bounds(const Ray& ray, const Bounds& bounds);
+
+/// Bounds the rounding of one component of ray.at(t), whether or not the compiler fuses it.
+inline double at_rounding(const Ray& ray, double t, int axis) { return gamma_bound(2) * (std::abs(ray.origin[axis]) + std::abs(t * ray.dir[axis])); }
+/// Bounds how far the rounding of ray.at(t) moves the point, in any direction.
+inline double at_rounding(const Ray& ray, double t) { return gamma_bound(5) * (max_abs(ray.origin) + std::abs(t) * max_abs(ray.dir)); }   // 5 > 2 sqrt(3) + 1
+
+}  // namespace alidade

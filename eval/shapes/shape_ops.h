@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: Apache-2.0
+/// Closed-form shapes: the table of what can be asked of each. A shape is one file and one row.
+#pragma once
+
+#include "core/bounds.h"
+#include "core/ray.h"
+#include "scene/shape.h"
+
+#include <span>
+
+namespace alidade {
+
+/// Where the line of a ray crosses a surface.
+struct Crossing {
+    double t = 0;
+    uint32_t part = 0;
+    ErrorBound error;   ///< distance of ray.at(t) from the true surface along its normal, in the shape's space
+};
+
+/// The crossings of one line, in order of t.
+struct Crossings {
+    static constexpr int kMax = 4;
+    Crossing at[kMax];
+    int count = 0;
+    void add(double t, uint32_t part, ErrorBound error) { at[count++] = {t, part, error}; }
+};
+
+/// What shading needs of a point on a shape, in the shape's space.
+struct SurfacePoint {
+    Vec3 normal{0, 0, 1};     ///< geometric, unit, outward
+    Vec2 uv{0};               ///< POV-Ray's uv_mapping of the shape (manual, 3.4.6.5.5 "UV mapping")
+    Vec3 dpdu{1, 0, 0}, dpdv{0, 1, 0};
+};
+
+struct ShapeOps {
+    const char* name;
+    const char* doc;
+    size_t kind;                                                         ///< the index of its struct in ShapeGeometry
+    Bounds (*bounds)(const ShapeGeometry&);                              ///< infinite where the shape is
+    /// All crossings of the whole line of the ray (its tmin and tmax do not matter). With bounds b: entry(b) <= t <= exit(b), as computed in double.
+    Crossings (*crossings)(const ShapeGeometry&, const Ray&);
+    SurfacePoint (*surface)(const ShapeGeometry&, const Vec3& point, uint32_t part);
+    bool (*inside)(const ShapeGeometry&, const Vec3& point);             ///< on the surface counts as inside
+};
+
+/// One row for each closed-form shape. Meshes have none: accel/ intersects them.
+std::span<const ShapeOps> shapes();
+const ShapeOps* find_shape(const ShapeGeometry& geometry);
+
+/// Clamps `t` into the interval in which the line of `ray` is inside `bounds`, as computed in double by every accelerator: the rule that makes
+/// them agree (docs/numerics.md). Returns `t` itself if the line misses the box.
+double clamp_to_bounds(double t, const Ray& ray, const Bounds& bounds);
+
+}  // namespace alidade

@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "eval/shapes/rows.h"
+
+namespace alidade {
+
+namespace {
+
+/// a - b as the rounded difference and what the rounding took away, exactly.
+/// Source   D. E. Knuth, "The Art of Computer Programming", vol. 2, 3rd ed., theorem 4.2.2 B (TwoSum).
+struct Difference {
+    Vec3 rounded, rest;
+    Difference(const Vec3& a, const Vec3& b) : rounded(a - b) {
+        const Vec3 of_b = rounded - a, of_a = rounded - of_b;
+        rest = (a - of_a) - (b + of_b);
+    }
+};
+
+/// Where the line of a ray comes nearest to the centre of a sphere: at t = shift + rest, at the point `nearest` relative to the centre.
+struct Approach {
+    double shift, rest;
+    Vec3 nearest;
+};
+
+/// Re-centred twice: the first shift is rounded, and what is left of dot(nearest, dir) measures by how much. Neither a far origin nor a far centre
+/// costs digits: the difference origin - centre is carried exactly, and the fused multiply-add rounds only its small result.
+Approach approach(const Vec3& center, const Ray& ray) {
+    const double a = dot(ray.dir, ray.dir);
+    const Difference from_center(ray.origin, center);
+    Approach p;
+    p.shift = -dot(from_center.rounded, ray.dir) / a;
+    for (int i = 0; i < 3; ++i) p.nearest[i] = std::fma(p.shift, ray.dir[i], from_center.rounded[i]);
+    p.nearest += from_center.rest;
+    p.rest = -dot(p.nearest, ray.dir) / a;
+    p.nearest += p.rest * ray.dir;
+    return p;
+}
+
+/// A bound on the distance of ray.at(t) from the sphere: the distance found by evaluating it there, and the roundings of that evaluation (of the
+/// difference, the square root of the sum of squares, and the last difference: 5 at the most) and of ray.at(t) itself.
+ErrorBound distance_bound(const Sphere& s, const Ray& ray, double t) {
+    const Vec3 p = ray.at(t) - s.center;
+    const double from_center = std::sqrt(dot(p, p)), radius = std::abs(s.radius);
+    return {std::abs(from_center - radius) + gamma_bound(8) * (from_center + radius) + at_rounding(ray, t)};
+}
+
+Bounds sphere_bounds(const ShapeGeometry& geometry) { return bounds(geometry); }
+
+/// Units    the shape's space; `t` counts multiples of |ray.dir|, which need not be 1. Lengths may be from 1e-140 to 1e140.
+/// Method   the ray is moved to its point nearest to the centre, twice: what is left of the linear coefficient is only rounding, so nothing cancels
+///          however far the origin is. After E. Haines et al., "Precision Improvements for Ray/Sphere Intersection", Ray Tracing Gems (2019), ch. 7.
+/// Error    of t: <= 4 ulp for origins up to 1e8 radii away and rays that pass within 0.99 of the centre, wherever it is (measured 3.1 at 4 radii, 0.6
+///          from 100 radii on); towards the silhouette, the square root turns it into 2e-16 (distance + 4 / half chord), in radii. Held by
+///          tests/eval/sphere_test.cpp against 113-bit arithmetic.
+/// A tangent is one crossing twice, so that entries and exits always pair; a NaN is a miss.
+Crossings sphere_crossings(const ShapeGeometry& geometry, const Ray& ray) {
+    const Sphere& s = std::get<Sphere>(geometry);
+    Crossings out;
+    const Approach p = approach(s.center, ray);
+    const double square = s.radius * s.radius - dot(p.nearest, p.nearest);
+    if (!(square >= 0) || !std::isfinite(p.shift) || !is_finite(ray)) return out;
+    const LineInterval inside = inside_bounds(ray, sphere_bounds(geometry));
+    if (inside.empty()) return out;   // accelerators would not ask
+    const double half = std::sqrt(square / dot(ray.dir, ray.dir));
+    for (const double t : {p.shift + (p.rest - half), p.shift + (p.rest + half)}) {
+        const double clamped = std::clamp(t, inside.entry, inside.exit);
+        out.add(clamped, 0, distance_bound(s, ray, clamped));
+    }
+    return out;
+}
+
+/// u runs around the y axis from +x by +z, v from the pole -y (0) to the pole +y (1): with the radius r and p relative to the centre,
+/// u = atan2(p.z, p.x) / 2 pi (+ 1 if negative), v = 1/2 + asin(p.y / r) / pi. At a pole u is 0, and dpdu has the direction and length that it would
+/// have on the equator, so that it is never zero.
+SurfacePoint sphere_surface(const ShapeGeometry& geometry, const Vec3& point, uint32_t) {
+    const Sphere& s = std::get<Sphere>(geometry);
+    SurfacePoint out;
+    out.normal = normalized(point - s.center);
+    const double radius = std::abs(s.radius), around = std::hypot(out.normal.x, out.normal.z);
+    const double u = std::atan2(out.normal.z, out.normal.x) / (2 * kPi);
+    out.uv = {u < 0 ? u + 1 : u, 0.5 + std::atan2(out.normal.y, around) / kPi};
+    const bool pole = around == 0;
+    const double cosine = pole ? 1 : out.normal.x / around, sine = pole ? 0 : out.normal.z / around;
+    out.dpdu = (2 * kPi * radius * (pole ? 1 : around)) * Vec3(-sine, 0, cosine);
+    out.dpdv = (kPi * radius) * Vec3(-out.normal.y * cosine, around, -out.normal.y * sine);
+    return out;
+}
+
+bool sphere_inside(const ShapeGeometry& geometry, const Vec3& point) {
+    const Sphere& s = std::get<Sphere>(geometry);
+    return length(point - s.center) <= std::abs(s.radius);
+}
+
+}  // namespace
+
+const ShapeOps kSphereOps = {"sphere", "all points at one distance from a centre", kind_of<Sphere>(), sphere_bounds, sphere_crossings, sphere_surface, sphere_inside};
+
+}  // namespace alidade

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: Apache-2.0
+/// File -> Scene. The table is the list of formats; a format is one row and one folder.
+#pragma once
+
+#include "core/diagnostics.h"
+#include "scene/scene.h"
+
+#include <span>
+#include <tl/expected.hpp>
+
+namespace alidade {
+
+enum class LightUnitsOption { automatic, photometric, raw };
+
+struct ImportOptions {
+    std::vector<std::string> include_paths;          ///< -I
+    std::vector<std::string> declarations;           ///< NAME=VALUE
+    bool strict = false;                             ///< warnings about what is not understood become errors
+    LightUnitsOption light_units = LightUnitsOption::automatic;
+    uint64_t max_file_bytes = uint64_t(1) << 34;
+};
+
+/// A scene that passed validate(), and what its importer had to say.
+struct Imported {
+    Scene scene;
+    Diagnostics diagnostics;
+};
+
+using ImportResult = tl::expected<Imported, Diagnostics>;
+
+struct ImporterEntry {
+    const char* name;
+    const char* extensions;   ///< separated by spaces, with the dot
+    const char* doc;
+    /// Does the file's beginning look like this format? Asked before the ending of the name is.
+    bool (*recognises)(std::span<const std::byte> head);
+    ImportResult (*import)(const std::string& path, const ImportOptions& options);
+};
+
+std::span<const ImporterEntry> importers();
+
+/// Picks the importer by content, then by ending; reads, validates. Never throws on bad input.
+ImportResult import_scene(const std::string& path, const ImportOptions& options = {});
+
+}  // namespace alidade

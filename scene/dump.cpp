@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "scene/dump_line.h"
+#include "scene/queries.h"
+
+namespace alidade {
+
+namespace {
+
+void dump_kind(Line& line, const PointLight&) { line.word("point"); }
+void dump_kind(Line& line, const SpotLight& s) { line.word("spot").always("inner_angle", s.inner_angle).always("outer_angle", s.outer_angle); }
+void dump_kind(Line& line, const DirectionalLight&) { line.word("directional"); }
+void dump_kind(Line& line, const AreaLight& a) {
+    const AreaLight usual;
+    line.word("area").always("form", a.form).field("width", a.width, usual.width).field("height", a.height, usual.height)
+        .field("radius", a.radius, usual.radius).field("samples_u", a.samples_u, usual.samples_u).field("samples_v", a.samples_v, usual.samples_v)
+        .field("adaptive", a.adaptive).field("jitter", a.jitter).field("circular", a.circular).field("orient", a.orient);
+}
+
+void dump_light(std::string& out, size_t i, const Light& light) {
+    const Light usual;
+    Line line(out, fmt::format("light {}", i));
+    std::visit([&](const auto& kind) { dump_kind(line, kind); }, light.kind);
+    line.field("name", light.name).field("intensity", light.intensity, usual.intensity).field("range", light.range, usual.range);
+    if (light.fade) line.word("fade").always("distance", light.fade->distance).always("power", light.fade->power);
+    line.field("inverse_square", light.inverse_square, true).field("shadowless", light.shadowless);
+    line.field("media_interaction", light.media_interaction, true).field("looks_like", light.looks_like);
+    line.field("projected_through", light.projected_through).field("from", light.from);
+}
+
+void dump_camera(std::string& out, size_t i, const Camera& c) {
+    const Camera usual;
+    Line(out, fmt::format("camera {}", i)).always("projection", c.projection).field("name", c.name).field("location", c.location)
+        .field("direction", c.direction, usual.direction).field("right", c.right, usual.right).field("up", c.up, usual.up).field("fit", c.fit)
+        .field("angle", c.angle).field("aperture", c.aperture).field("focal_point", c.focal_point, usual.focal_point)
+        .field("blur_samples", c.blur_samples).field("from", c.from);
+}
+
+void dump_animation(std::string& out, size_t i, const Animation& animation) {
+    Line(out, fmt::format("animation {}", i)).field("name", animation.name);
+    for (const Channel& c : animation.channels)
+        Line(out, "  channel").always("node", c.target).always("path", c.path).always("interpolation", c.interpolation)
+            .field("width", c.width, Channel().width).always("times", c.times).always("values", c.values);
+}
+
+void dump_atmosphere(std::string& out, const Atmosphere& a) {
+    const Fog usual;
+    Line(out, "atmosphere").field("background", a.background).field("environment", a.environment).field("environment_image", a.environment_image)
+        .field("environment_strength", a.environment_strength, Atmosphere().environment_strength);
+    for (const Fog& f : a.fogs)
+        Line(out, "  fog").field("type", f.type, usual.type).field("distance", f.distance).field("offset", f.offset).field("altitude", f.altitude)
+            .field("turbulence", f.turbulence).field("color", f.color, usual.color).field("up", f.up, usual.up);
+    if (a.sky) Line(out, "  sky").always("pigments", a.sky->pigments).field("transform", a.sky->transform);
+    dump_media(out, a.media);
+}
+
+void dump_settings(std::string& out, const RenderSettings& r) {
+    const RenderSettings usual;
+    Line(out, "settings").field("max_depth", r.max_depth).field("adc_bailout", r.adc_bailout, usual.adc_bailout)
+        .field("ambient_light", r.ambient_light, usual.ambient_light).field("assumed_gamma", r.assumed_gamma, usual.assumed_gamma)
+        .field("light_units", r.light_units).field("why_light_units", r.why_light_units).field("default_spp", r.default_spp, usual.default_spp)
+        .field("generator", r.generator);
+}
+
+}  // namespace
+
+std::string dump(const Scene& scene) {
+    std::string out;
+    for (size_t i = 0; i < scene.files.size(); ++i) Line(out, fmt::format("file {}", i)).always("path", scene.files[i].path);
+    dump_settings(out, scene.settings);
+    dump_atmosphere(out, scene.atmosphere);
+    dump_nodes(out, scene);
+    dump_shapes(out, scene);
+    dump_surfaces(out, scene);
+    for (size_t i = 0; i < scene.lights.size(); ++i) dump_light(out, i, scene.lights[i]);
+    for (size_t i = 0; i < scene.cameras.size(); ++i) dump_camera(out, i, scene.cameras[i]);
+    for (size_t i = 0; i < scene.skins.size(); ++i)
+        Line(out, fmt::format("skin {}", i)).field("name", scene.skins[i].name).always("joints", scene.skins[i].joints)
+            .field("inverse_bind", scene.skins[i].inverse_bind);
+    for (size_t i = 0; i < scene.animations.size(); ++i) dump_animation(out, i, scene.animations[i]);
+    for (size_t i = 0; i < scene.functions.size(); ++i)
+        Line(out, fmt::format("function {}", i)).field("parameters", scene.functions[i].parameters).field("constants", scene.functions[i].constants)
+            .field("code", scene.functions[i].code);
+    return out;
+}
+
+}  // namespace alidade

@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "scene/dump_line.h"
+
+namespace alidade {
+
+namespace {
+
+void dump_shape(std::string& out, const std::string& head, const ShapeEntry& entry, const Sphere& s) {
+    Line(out, head).word("sphere").field("name", entry.name).always("center", s.center).always("radius", s.radius).field("from", entry.from);
+}
+
+void dump_shape(std::string& out, const std::string& head, const ShapeEntry& entry, const Plane& p) {
+    Line(out, head).word("plane").field("name", entry.name).always("normal", p.normal).always("distance", p.distance).field("from", entry.from);
+}
+
+void dump_shape(std::string& out, const std::string& head, const ShapeEntry& entry, const Box& b) {
+    Line(out, head).word("box").field("name", entry.name).always("a", b.a).always("b", b.b).field("from", entry.from);
+}
+
+template <class T> void dump_attribute(std::string& out, const std::string& name, const Attribute<T>& a) {
+    if (a.values.empty() && a.corners.empty()) return;
+    Line(out, "  " + name).always("values", a.values).field("corners", a.corners);
+}
+
+void dump_shape(std::string& out, const std::string& head, const ShapeEntry& entry, const Mesh& mesh) {
+    Line(out, head).word("mesh").field("name", entry.name).field("origin", mesh.origin).field("from", entry.from);
+    Line(out, "  positions").always("values", mesh.positions).field("exact", mesh.exact_positions);
+    Line(out, "  triangles").always("vertices", mesh.triangles).field("slots", mesh.slots).field("faces", mesh.faces);
+    dump_attribute(out, "normals", mesh.normals);
+    for (size_t i = 0; i < mesh.uvs.size(); ++i) dump_attribute(out, fmt::format("uv {}", i), mesh.uvs[i]);
+    dump_attribute(out, "tangents", mesh.tangents);
+    for (size_t i = 0; i < mesh.colors.size(); ++i) dump_attribute(out, fmt::format("colors {}", i), mesh.colors[i]);
+    for (size_t i = 0; i < mesh.morphs.size(); ++i) {
+        const MorphTarget& target = mesh.morphs[i];
+        Line(out, fmt::format("  morph {}", i))
+            .field("positions", target.positions).field("normals", target.normals).field("tangents", target.tangents);
+    }
+    if (!mesh.morph_weights.empty()) Line(out, "  morph weights").always("values", mesh.morph_weights);
+    dump_attribute(out, "joints", mesh.joints);
+    dump_attribute(out, "weights", mesh.weights);
+}
+
+}  // namespace
+
+void dump_shapes(std::string& out, const Scene& scene) {
+    for (size_t i = 0; i < scene.shapes.size(); ++i) {
+        const ShapeEntry& entry = scene.shapes[i];
+        std::visit([&](const auto& shape) { dump_shape(out, fmt::format("shape {}", i), entry, shape); }, entry.geometry);
+    }
+}
+
+}  // namespace alidade

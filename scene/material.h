@@ -1,0 +1,151 @@
+// SPDX-License-Identifier: Apache-2.0
+/// What surfaces and interiors are made of: a graph of signals shared by two families of surfaces.
+#pragma once
+
+#include "core/source.h"
+#include "core/transform.h"
+#include "scene/ids.h"
+
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+namespace alidade {
+
+/// A picture, still encoded as the file holds it: decoded by compile(), and only if a used material reads it.
+struct Image {
+    std::string name;
+    std::string path;                 ///< of a file to read, resolved and allowed by the importer; or
+    std::vector<std::byte> bytes;     ///< the encoded file itself (GLB, data: URI)
+    SourcePos from;
+};
+
+// ---- Signals: functions of a surface point (and its texture coordinates) with up to four channels ----
+
+struct ConstantSignal {
+    Vec4 value{0, 0, 0, 1};
+};
+
+enum class Wrap { repeat, clamp, mirror, once };
+enum class Filter { nearest, linear };
+
+/// An image looked up at texture coordinates.
+struct ImageSignal {
+    ImageId image;
+    uint32_t uv_set = 0;
+    Wrap wrap_u = Wrap::repeat, wrap_v = Wrap::repeat;
+    Filter filter = Filter::linear;
+    bool srgb = false;        ///< colour channels are sRGB-encoded; alpha never is
+    Mat3 uv_transform{1.0};   ///< applied to (u, v, 1)
+};
+
+/// Component by component.
+struct ProductSignal {
+    SignalId a, b;
+};
+
+/// One channel (0..3) of another signal, in all four.
+struct ChannelSignal {
+    SignalId of;
+    int channel = 0;
+};
+
+/// A map entry: at `value` of the pattern stands `signal`.
+struct MapEntry {
+    double value = 0;
+    SignalId signal;
+};
+
+enum class WarpKind { transform, turbulence, black_hole, repeat, planar, cylindrical, spherical, toroidal, cubic };
+
+/// A distortion of the point before a pattern is looked up. `parameters` by kind, in the order of POV-Ray's manual, 3.5.11 "Warps".
+struct Warp {
+    WarpKind kind = WarpKind::transform;
+    Transform transform;
+    std::vector<double> parameters;
+};
+
+/// A pattern of the point (a name in the pattern registry) mapped to signals.
+struct PatternSignal {
+    std::string pattern;
+    std::vector<double> parameters;
+    std::vector<MapEntry> map;
+    std::vector<Warp> warps;
+};
+
+/// A user function of (x, y, z); `program` is an index into Scene::functions.
+struct FunctionSignal {
+    uint32_t program = 0;
+};
+
+struct Signal {
+    std::variant<ConstantSignal, ImageSignal, ProductSignal, ChannelSignal, PatternSignal, FunctionSignal> what;
+    SourcePos from;
+};
+
+// ---- Surfaces ----
+
+enum class AlphaMode { opaque, mask, blend };
+
+/// glTF 2.0 metal-rough (section 3.9 and appendix B), with the ratified extensions that a ray tracer can model.
+struct GltfPbr {
+    SignalId base_color;                      ///< RGBA; the mesh's vertex colour multiplies it
+    std::optional<SignalId> metallic, roughness;   ///< one channel each; absent: 1
+    std::optional<SignalId> normal;           ///< tangent space, encoded in 0..1
+    double normal_scale = 1;
+    std::optional<SignalId> occlusion;        ///< kept for exporters; a ray tracer finds its own occlusion
+    std::optional<SignalId> emissive;
+    double emissive_strength = 1;             ///< KHR_materials_emissive_strength
+    AlphaMode alpha_mode = AlphaMode::opaque;
+    double alpha_cutoff = 0.5;
+    bool double_sided = false;
+    bool unlit = false;                       ///< KHR_materials_unlit
+    double ior = 1.5;                         ///< KHR_materials_ior
+    std::optional<SignalId> transmission;     ///< KHR_materials_transmission; absent: 0
+    std::optional<SignalId> specular, specular_color;                        ///< KHR_materials_specular
+    std::optional<SignalId> clearcoat, clearcoat_roughness, clearcoat_normal;   ///< KHR_materials_clearcoat
+};
+
+/// POV-Ray's finish (manual, 3.4.3 "Finish"), with its pigment and normal.
+struct PovFinish {
+    SignalId pigment;                         ///< RGB, filter, transmit
+    double filter = 0, transmit = 0;
+    std::optional<SignalId> normal;
+    double normal_amount = 0.5;
+    Color ambient{0.1}, emission{0};
+    double diffuse = 0.6, brilliance = 1, diffuse_back = 0;
+    double phong = 0, phong_size = 40, specular = 0, roughness = 0.05, metallic = 0, crand = 0;
+    Color reflection_min{0}, reflection_max{0};
+    double reflection_falloff = 1, reflection_exponent = 1, reflection_metallic = 0;
+    bool reflection_fresnel = false, conserve_energy = false;
+};
+
+/// Layers from the bottom up; glTF materials and plain POV textures have one.
+struct Material {
+    std::string name;
+    std::vector<std::variant<GltfPbr, PovFinish>> layers;
+    bool uv_mapped = false;   ///< POV: patterns are looked up at (u, v, 0)
+    SourcePos from;
+};
+
+/// What fills a solid.
+struct Interior {
+    double ior = 1, dispersion = 1;
+    int dispersion_samples = 7;
+    double caustics = 0;
+    double fade_distance = 0, fade_power = 0;
+    Color fade_color{0};
+    Color attenuation_color{1};            ///< KHR_materials_volume: the colour that white becomes ...
+    double attenuation_distance = kInf;    ///< ... after this distance
+    struct Medium {
+        Color absorption{0}, emission{0}, scattering{0};
+        int scattering_type = 1;
+        double eccentricity = 0, extinction = 1;
+        std::vector<SignalId> density;
+    };
+    std::vector<Medium> media;
+    SourcePos from;
+};
+
+}  // namespace alidade

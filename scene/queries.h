@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: Apache-2.0
+/// What can be asked of a Scene without rendering it.
+#pragma once
+
+#include "core/diagnostics.h"
+#include "scene/scene.h"
+
+#include <functional>
+
+namespace alidade {
+
+/// Checks everything that later stages rely on: ids in range, an acyclic graph, finite numbers, attribute sizes, triangle indices, invertible
+/// transforms of what is drawn. Errors make the scene unusable; warnings name what will be left out.
+Diagnostics validate(const Scene& scene);
+
+/// A thing that a scene may need and that costs something where it is modelled.
+enum class Requirement {
+    textures, alpha_mask, alpha_blend, normal_maps, vertex_colors, emission, mirror, transmission, absorption, media, fog,
+    point_lights, spot_lights, directional_lights, area_lights, environment, csg, clipping, instances, mirrored_instances,
+    analytic_shapes, unbounded_shapes, meshes, animation, skins, morphs, depth_of_field, orthographic, patterns, functions,
+};
+const char* name(Requirement r);
+
+struct RequiredBy {
+    Requirement what;
+    size_t count = 0;        ///< how many things ask for it
+    SourcePos first;         ///< the first of them
+};
+
+/// What the part of `scene` that can be reached from its roots requires, in the order of the enumeration.
+std::vector<RequiredBy> requirements(const Scene& scene);
+
+/// The scene at `time` seconds: all animations at once, each clamped to its range. Ids and topology stay, so that compile() can refit.
+Scene pose(const Scene& scene, double time);
+
+/// One line a thing, numbers with the fewest digits that read back as the same number: equal scenes give equal text.
+std::string dump(const Scene& scene);
+
+/// A node reached from a root, with everything that it inherits on the way.
+struct Visit {
+    NodeId node;
+    Transform to_world;
+    std::vector<NodeId> path;   ///< from the root to the node
+};
+/// Calls `visitor` for every path from a root to a node, in document order; hidden subtrees are left out. `visitor` returns false to end the walk.
+/// The scene must have passed validate().
+void visit_paths(const Scene& scene, const std::function<bool(const Visit&)>& visitor);
+
+/// The box of everything bounded that can be seen, in world space (empty if there is none). Cheap: boxes of boxes.
+Bounds world_bounds(const Scene& scene);
+
+}  // namespace alidade

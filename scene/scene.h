@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: Apache-2.0
+/// The scene graph: what the file says, as plain values and indices. No pointers, no virtual functions; copyable, comparable by dump().
+#pragma once
+
+#include "scene/animation.h"
+#include "scene/camera.h"
+#include "scene/light.h"
+#include "scene/material.h"
+#include "scene/shape.h"
+
+#include <map>
+
+namespace alidade {
+
+enum class CsgKind { none, union_, merge, intersection, difference };   ///< of a node's children
+
+struct NodeFlags {
+    bool visible = true;        ///< KHR_node_visibility: false hides the node and all below
+    bool shadow = true;         ///< POV no_shadow
+    bool image = true;          ///< POV no_image
+    bool reflection = true;     ///< POV no_reflection
+    bool hollow = false;
+    bool double_illuminate = false;
+};
+
+struct Nothing {};
+
+/// A node of an acyclic graph; one with several parents is an instance. Materials and interior are inherited from the nearest ancestor that
+/// carries one, and are evaluated in the space of the node that carries them.
+struct Node {
+    std::string name;
+    Transform to_parent;
+    std::optional<Trs> trs;                   ///< where the file gives it: to_parent is made from it, and animations change it
+    std::variant<Nothing, ShapeId, LightId, CameraId> what;
+    std::vector<std::optional<MaterialId>> materials, inside_materials;   ///< by the shape's material slot; a slot without one takes the default
+    std::optional<InteriorId> interior;
+    CsgKind csg = CsgKind::none;
+    bool inverse = false;
+    std::vector<NodeId> children, clips, bounds;   ///< clips: POV clipped_by; bounds: POV bounded_by
+    NodeFlags flags;
+    std::vector<LightId> light_group;         ///< POV light_group: these lights shine on this node's subtree alone
+    bool global_lights = true;
+    std::optional<SkinId> skin;
+    std::vector<double> morph_weights;        ///< empty: the mesh's own
+    SourcePos from;
+};
+
+struct Fog {
+    int type = 1;
+    double distance = 0, offset = 0, altitude = 0, turbulence = 0;
+    Vec4 color{0};
+    Vec3 up{0, 1, 0};
+};
+
+struct SkySphere {
+    std::vector<SignalId> pigments;
+    Transform transform;
+};
+
+/// What surrounds everything.
+struct Atmosphere {
+    Color background{0};
+    std::optional<Color> environment;         ///< a constant sky: it lights, and is seen
+    std::optional<ImageId> environment_image;   ///< equirectangular
+    double environment_strength = 1;
+    std::vector<Fog> fogs;
+    std::optional<SkySphere> sky;
+    std::vector<Interior::Medium> media;
+};
+
+enum class LightUnits { radiometric, photometric };   ///< photometric: candela and lux, 683 lm/W
+
+/// What the file asks of the renderer; the command line has the last word.
+struct RenderSettings {
+    std::optional<int> max_depth;             ///< POV max_trace_level
+    double adc_bailout = 1.0 / 255;
+    Color ambient_light{1};
+    double assumed_gamma = 1;
+    LightUnits light_units = LightUnits::radiometric;
+    std::string why_light_units;
+    int default_spp = 16;                     ///< POV scenes: 1, the pixel's centre
+    std::string generator;                    ///< what wrote the file
+};
+
+/// A user function, compiled by the language that declared it (eval runs it).
+struct FunctionProgram {
+    std::vector<std::string> parameters;
+    std::vector<double> constants;
+    std::vector<uint32_t> code;
+};
+
+struct Scene {
+    std::vector<Node> nodes;
+    std::vector<NodeId> roots;                ///< of the chosen scene
+    std::vector<ShapeEntry> shapes;
+    std::vector<Signal> signals;
+    std::vector<Material> materials;
+    std::vector<Interior> interiors;
+    std::vector<Image> images;
+    std::vector<Light> lights;
+    std::vector<Camera> cameras;
+    std::vector<Skin> skins;
+    std::vector<Animation> animations;
+    std::vector<FunctionProgram> functions;
+    Atmosphere atmosphere;
+    RenderSettings settings;
+    std::vector<SourceFile> files;
+};
+
+}  // namespace alidade

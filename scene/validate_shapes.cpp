@@ -1,0 +1,125 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "scene/validation.h"
+
+namespace alidade {
+
+namespace {
+
+template <class V> bool finite_components(const V& value) {
+    for (int i = 0; i < V::length(); ++i)
+        if (!std::isfinite(value[i])) return false;
+    return true;
+}
+
+/// Examines one shape; what it says starts with the shape's name.
+class ShapeCheck {
+  public:
+    ShapeCheck(Validation& v, const ShapeEntry& entry, size_t index) : v_(v), from_(entry.from), who_(label("shape", index, entry.name).text()) {}
+
+    void operator()(const Sphere& s) const {
+        if (!is_finite(s.center) || !std::isfinite(s.radius)) return not_finite();
+        if (s.radius == 0) warning("is a sphere of radius 0: it cannot be seen");
+    }
+
+    void operator()(const Plane& p) const {
+        if (!is_finite(p.normal) || !std::isfinite(p.distance)) return not_finite();
+        if (p.normal == Vec3(0)) warning("is a plane without a normal: it is left out", "give it a normal that is not <0, 0, 0>");
+    }
+
+    void operator()(const Box& b) const {
+        if (!is_finite(b.a) || !is_finite(b.b)) return not_finite();
+        const Vec3 size = glm::abs(b.a - b.b);
+        if (int(size.x == 0) + int(size.y == 0) + int(size.z == 0) > 1) warning("is a box without area: it cannot be seen");
+    }
+
+    void operator()(const Mesh& mesh) const {
+        if (!is_finite(mesh.origin)) return not_finite();
+        if (!positions(mesh)) return;
+        per_triangle(mesh.slots, mesh, "material slots");
+        if (!mesh.slots.empty() && *std::max_element(mesh.slots.begin(), mesh.slots.end()) >= kMostSlots) error(fmt::format("has a material slot beyond {}", kMostSlots - 1));
+        per_triangle(mesh.faces, mesh, "face numbers");
+        attribute(mesh.normals, mesh, "normals");
+        attribute(mesh.tangents, mesh, "tangents");
+        for (const auto& uv : mesh.uvs) attribute(uv, mesh, "texture coordinates");
+        for (const auto& color : mesh.colors) attribute(color, mesh, "colors");
+        attribute(mesh.weights, mesh, "joint weights");
+        attribute(mesh.joints, mesh, "joints");
+        if (mesh.joints.present() != mesh.weights.present()) error("has joints without weights, or weights without joints");
+        morphs(mesh);
+    }
+
+  private:
+    void error(const std::string& what, std::string hint = {}) const { v_.error(from_, who_ + " " + what, std::move(hint)); }
+    void warning(const std::string& what, std::string hint = {}) const { v_.warning(from_, who_ + " " + what, std::move(hint)); }
+    void not_finite() const { warning("has a number that is not finite: it is left out"); }
+
+    /// False if a triangle points at nothing.
+    bool positions(const Mesh& mesh) const {
+        const size_t count = mesh.positions.size();
+        if (!mesh.exact_positions.empty() && mesh.exact_positions.size() != count)
+            error(fmt::format("has {} exact positions for {} positions", mesh.exact_positions.size(), count));
+        size_t out_of_range = 0, first = 0, not_finite = 0;
+        for (size_t i = 0; i < mesh.triangles.size(); ++i) {
+            const Index3& t = mesh.triangles[i];
+            if (std::max({t.x, t.y, t.z}) >= count) {
+                if (out_of_range++ == 0) first = i;
+                continue;
+            }
+            if (!finite_vertex(mesh, t.x) || !finite_vertex(mesh, t.y) || !finite_vertex(mesh, t.z)) ++not_finite;
+        }
+        if (out_of_range) {
+            const Index3& t = mesh.triangles[first];
+            error(fmt::format("has {} triangles with vertices that do not exist; the first, triangle {}, names vertex {} of {}", out_of_range, first,
+                              std::max({t.x, t.y, t.z}), count));
+        }
+        if (not_finite) warning(fmt::format("has {} triangles with a vertex that is not finite: they are left out", not_finite));
+        return out_of_range == 0;
+    }
+
+    static bool finite_vertex(const Mesh& mesh, uint32_t i) {
+        return finite_components(mesh.positions[i]) && (i >= mesh.exact_positions.size() || is_finite(mesh.exact_positions[i]));
+    }
+
+    void per_triangle(const std::vector<uint32_t>& values, const Mesh& mesh, const char* what) const {
+        if (!values.empty() && values.size() != mesh.triangles.size()) error(fmt::format("has {} {} for {} triangles", values.size(), what, mesh.triangles.size()));
+    }
+
+    template <class T> void attribute(const Attribute<T>& a, const Mesh& mesh, const char* what) const {
+        if (a.corners.empty()) {
+            if (a.present() && a.values.size() != mesh.positions.size())
+                error(fmt::format("has {} {} for {} positions", a.values.size(), what, mesh.positions.size()));
+        } else if (a.corners.size() != 3 * mesh.triangles.size()) {
+            error(fmt::format("has {} corners with {} for {} triangles", a.corners.size(), what, mesh.triangles.size()));
+        } else if (const uint32_t largest = *std::max_element(a.corners.begin(), a.corners.end()); largest >= a.values.size()) {
+            error(fmt::format("has a corner that names number {} of {} {}", largest, a.values.size(), what));
+        }
+        if constexpr (!std::is_same_v<T, Joints4>) {
+            const auto broken = std::count_if(a.values.begin(), a.values.end(), [](const T& x) { return !finite_components(x); });
+            if (broken) warning(fmt::format("has {} {} that are not finite: shading there is undefined", broken, what));
+        }
+    }
+
+    void morphs(const Mesh& mesh) const {
+        for (size_t i = 0; i < mesh.morphs.size(); ++i) {
+            const MorphTarget& target = mesh.morphs[i];
+            for (const auto* deltas : {&target.positions, &target.normals, &target.tangents}) {
+                if (!deltas->empty() && deltas->size() != mesh.positions.size())
+                    error(fmt::format("has {} deltas in morph target {} for {} positions", deltas->size(), i, mesh.positions.size()));
+            }
+        }
+        if (!mesh.morph_weights.empty() && mesh.morph_weights.size() != mesh.morphs.size())
+            error(fmt::format("has {} morph weights for {} morph targets", mesh.morph_weights.size(), mesh.morphs.size()));
+    }
+
+    Validation& v_;
+    const SourcePos& from_;
+    std::string who_;
+};
+
+}  // namespace
+
+void check_shapes(Validation& v) {
+    for (size_t i = 0; i < v.scene.shapes.size(); ++i) std::visit(ShapeCheck(v, v.scene.shapes[i], i), v.scene.shapes[i].geometry);
+}
+
+}  // namespace alidade

@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "scene/graph.h"
+#include "scene/validation.h"
+
+namespace alidade {
+
+namespace {
+
+bool finite(const Vec4& v) { return is_finite(Vec3(v)) && std::isfinite(v.w); }
+
+bool finite(const Signal& signal) {
+    if (const auto* constant = std::get_if<ConstantSignal>(&signal.what)) return finite(constant->value);
+    if (const auto* image = std::get_if<ImageSignal>(&signal.what)) return Transform{image->uv_transform, Vec3(0)}.is_finite();
+    if (const auto* pattern = std::get_if<PatternSignal>(&signal.what)) {
+        const auto is_finite_number = [](double x) { return std::isfinite(x); };
+        return std::all_of(pattern->parameters.begin(), pattern->parameters.end(), is_finite_number) &&
+               std::all_of(pattern->map.begin(), pattern->map.end(), [](const MapEntry& e) { return std::isfinite(e.value); }) &&
+               std::all_of(pattern->warps.begin(), pattern->warps.end(), [&](const Warp& w) {
+                   return w.transform.is_finite() && std::all_of(w.parameters.begin(), w.parameters.end(), is_finite_number);
+               });
+    }
+    return true;
+}
+
+bool finite(const GltfPbr& g) { return is_finite(Vec3(g.normal_scale, g.emissive_strength, g.alpha_cutoff)) && std::isfinite(g.ior); }
+
+bool finite(const PovFinish& p) {
+    return is_finite(p.ambient) && is_finite(p.emission) && is_finite(p.reflection_min) && is_finite(p.reflection_max) &&
+           is_finite(Vec3(p.filter, p.transmit, p.normal_amount)) && is_finite(Vec3(p.diffuse, p.brilliance, p.diffuse_back)) &&
+           is_finite(Vec3(p.phong, p.phong_size, p.specular)) && is_finite(Vec3(p.roughness, p.metallic, p.crand)) &&
+           is_finite(Vec3(p.reflection_falloff, p.reflection_exponent, p.reflection_metallic));
+}
+
+void check_signals(Validation& v) {
+    const std::vector<Signal>& signals = v.scene.signals;
+    for (size_t i = 0; i < signals.size(); ++i) {
+        if (!finite(signals[i])) v.error(signals[i].from, label("signal", i).text() + " has a number that is not finite");
+        const auto* channel = std::get_if<ChannelSignal>(&signals[i].what);
+        if (channel && (channel->channel < 0 || channel->channel > 3))
+            v.error(signals[i].from, fmt::format("{} reads channel {}: there are channels 0 to 3", label("signal", i).text(), channel->channel));
+    }
+    const auto operands = [&](uint32_t i, const auto& f) { for_each_operand(signals[i], [&](SignalId id) { f(id.index); }); };
+    if (const auto cycle = topological_order(signals.size(), operands).on_cycle)
+        v.error(signals[*cycle].from, label("signal", *cycle).text() + " reads itself, directly or through others");
+}
+
+void check_material(Validation& v, const Material& material, const Label& who) {
+    if (material.layers.empty()) v.error(material.from, who.text() + " has no layers");
+    for (const auto& layer : material.layers) {
+        if (!std::visit([](const auto& surface) { return finite(surface); }, layer)) v.error(material.from, who.text() + " has a number that is not finite");
+        if (const auto* g = std::get_if<GltfPbr>(&layer); g && g->ior < 1 && g->ior != 0)   // 0 is KHR_materials_ior's "reflects everything"
+            v.warning(material.from, fmt::format("{} has the refractive index {}, which is less than 1", who.text(), g->ior));
+    }
+}
+
+}  // namespace
+
+void check_media(Validation& v, const std::vector<Interior::Medium>& media, const SourcePos& from, const Label& who) {
+    for (const Interior::Medium& m : media) {
+        if (!is_finite(m.absorption) || !is_finite(m.emission) || !is_finite(m.scattering) || !is_finite(Vec3(m.eccentricity, m.extinction, 0)))
+            v.error(from, who.text() + " has a medium with a number that is not finite");
+    }
+}
+
+void check_surfaces(Validation& v) {
+    const Scene& s = v.scene;
+    for (size_t i = 0; i < s.images.size(); ++i) {
+        if (s.images[i].path.empty() && s.images[i].bytes.empty())
+            v.error(s.images[i].from, label("image", i, s.images[i].name).text() + " has neither a file nor bytes");
+    }
+    check_signals(v);
+    for (size_t i = 0; i < s.materials.size(); ++i) check_material(v, s.materials[i], label("material", i, s.materials[i].name));
+    for (size_t i = 0; i < s.interiors.size(); ++i) {
+        const Interior& in = s.interiors[i];
+        const Label who = label("interior", i);
+        if (!is_finite(Vec3(in.ior, in.dispersion, in.caustics)) || !is_finite(Vec3(in.fade_distance, in.fade_power, 0)) || !is_finite(in.fade_color) ||
+            !is_finite(in.attenuation_color) || std::isnan(in.attenuation_distance))
+            v.error(in.from, who.text() + " has a number that is not finite");
+        else if (in.ior <= 0)
+            v.error(in.from, fmt::format("{} has the refractive index {}: it must be greater than 0", who.text(), in.ior));
+        check_media(v, in.media, in.from, who);
+    }
+}
+
+}  // namespace alidade

@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "scene/validation.h"
+
+namespace alidade {
+
+namespace {
+
+/// What is wrong with the form of a light, or nothing.
+std::string fault(const PointLight&) { return {}; }
+std::string fault(const DirectionalLight&) { return {}; }
+std::string fault(const SpotLight& spot) {
+    if (!(spot.inner_angle >= 0) || !(spot.outer_angle <= kPi) || !(spot.inner_angle <= spot.outer_angle))
+        return fmt::format("has a cone from {} to {} radians: 0 <= inner <= outer <= pi must hold", spot.inner_angle, spot.outer_angle);
+    return {};
+}
+std::string fault(const AreaLight& area) {
+    if (area.form == AreaLight::Form::rectangle) {
+        if (!(area.width >= 0 && std::isfinite(area.width) && area.height >= 0 && std::isfinite(area.height)))
+            return fmt::format("has the size {} by {}", area.width, area.height);
+    } else if (!(area.radius >= 0 && std::isfinite(area.radius))) {
+        return fmt::format("has the radius {}", area.radius);
+    }
+    if (area.samples_u < 1 || area.samples_v < 1) return fmt::format("has a grid of {} by {} samples", area.samples_u, area.samples_v);
+    return {};
+}
+
+void check_light(Validation& v, const Light& light, const Label& who) {
+    if (!is_finite(light.intensity)) v.error(light.from, who.text() + " has an intensity that is not finite");
+    if (!(light.range > 0)) v.error(light.from, fmt::format("{} has the range {}: it must be greater than 0", who.text(), light.range));
+    if (light.fade && !(std::isfinite(light.fade->distance) && std::isfinite(light.fade->power)))
+        v.error(light.from, who.text() + " fades by a number that is not finite");
+    const std::string form = std::visit([](const auto& kind) { return fault(kind); }, light.kind);
+    if (!form.empty()) v.error(light.from, who.text() + " " + form);
+}
+
+void check_camera(Validation& v, const Camera& c, const Label& who) {
+    if (!is_finite(c.location) || !is_finite(c.direction) || !is_finite(c.right) || !is_finite(c.up) || !is_finite(c.focal_point) ||
+        !is_finite(Vec3(c.angle, c.aperture, 0)))
+        return v.error(c.from, who.text() + " has a number that is not finite");
+    if (c.aperture < 0) v.error(c.from, fmt::format("{} has the aperture {}: it cannot be negative", who.text(), c.aperture));
+    if (c.blur_samples < 0) v.error(c.from, fmt::format("{} has {} blur samples", who.text(), c.blur_samples));
+    // Of unit vectors: a wide or a long lens is no fault.
+    if (dot(normalized(c.direction), cross(normalized(c.right), normalized(c.up))) == 0)
+        v.warning(c.from, who.text() + " has its right, up and direction in one plane: its picture is a line at the most");
+}
+
+}  // namespace
+
+void check_lights_and_cameras(Validation& v) {
+    for (size_t i = 0; i < v.scene.lights.size(); ++i) check_light(v, v.scene.lights[i], label("light", i, v.scene.lights[i].name));
+    for (size_t i = 0; i < v.scene.cameras.size(); ++i) check_camera(v, v.scene.cameras[i], label("camera", i, v.scene.cameras[i].name));
+}
+
+void check_atmosphere(Validation& v) {
+    const Atmosphere& a = v.scene.atmosphere;
+    if (!is_finite(a.background)) v.error({}, "the background has a number that is not finite");
+    if ((a.environment && !is_finite(*a.environment)) || !std::isfinite(a.environment_strength))
+        v.error({}, "the environment has a number that is not finite");
+    for (const Fog& fog : a.fogs) {
+        if (!is_finite(Vec3(fog.color)) || !std::isfinite(fog.color.w) || !is_finite(fog.up) || !is_finite(Vec3(fog.distance, fog.offset, fog.altitude)) ||
+            !std::isfinite(fog.turbulence))
+            v.error({}, "a fog has a number that is not finite");
+    }
+    if (a.sky && !a.sky->transform.is_finite()) v.error({}, "the sky's transform is not finite");
+    check_media(v, a.media, {}, label("the atmosphere"));
+    const RenderSettings& r = v.scene.settings;
+    if (!std::isfinite(r.adc_bailout) || !std::isfinite(r.assumed_gamma) || !is_finite(r.ambient_light))
+        v.error({}, "the render settings have a number that is not finite");
+}
+
+}  // namespace alidade

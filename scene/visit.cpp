@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "scene/queries.h"
+
+namespace alidade {
+
+namespace {
+
+struct Frame {
+    Transform to_world;
+    size_t next_child = 0;
+};
+
+/// The paths below one root; false if the visitor ended the walk. The stack is explicit: its depth is the file's choice.
+bool visit_below(const Scene& scene, NodeId root, const std::function<bool(const Visit&)>& visitor) {
+    Visit visit;
+    std::vector<Frame> frames;
+    auto enter = [&](NodeId id, const Transform& parent_to_world) {
+        const Node& node = scene.nodes[id.index];
+        if (!node.flags.visible) return true;
+        visit.node = id;
+        visit.to_world = parent_to_world * node.to_parent;
+        visit.path.push_back(id);
+        frames.push_back({visit.to_world, 0});
+        return visitor(visit);
+    };
+    if (!enter(root, Transform())) return false;
+    while (!frames.empty()) {
+        Frame& frame = frames.back();
+        const std::vector<NodeId>& children = scene.nodes[visit.path.back().index].children;
+        if (frame.next_child == children.size()) {
+            frames.pop_back();
+            visit.path.pop_back();
+            continue;
+        }
+        const Transform to_world = frame.to_world;   // a copy: entering a child may move the frames
+        if (!enter(children[frame.next_child++], to_world)) return false;
+    }
+    return true;
+}
+
+}  // namespace
+
+void visit_paths(const Scene& scene, const std::function<bool(const Visit&)>& visitor) {
+    for (const NodeId root : scene.roots)
+        if (!visit_below(scene, root, visitor)) return;
+}
+
+}  // namespace alidade

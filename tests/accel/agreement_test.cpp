@@ -1,0 +1,161 @@
+// SPDX-License-Identifier: Apache-2.0
+/// Every accelerator gives the answers of brute force, bit for bit: t, ids, u, v and error bound of the first hit, any hit, all hits.
+#include "tests/accel/compare.h"
+#include "tests/accel/rays.h"
+#include "tests/accel/run_size.h"
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+namespace alidade::test {
+namespace {
+
+constexpr double kScales[] = {1e-6, 1e-3, 1, 1e3, 1e6};  // a wrong epsilon shows only away from 1
+constexpr uint64_t kSeed = 20250101;
+
+struct Tally {
+    size_t rays = 0, hits = 0, failures = 0;
+};
+
+/// Compares every accelerator with brute force on `count` rays of a class; reports the first few differences.
+void compare(const Mesh& mesh, Precision precision, const RayClass& rays, size_t count, Tally& tally) {
+    const auto brute = brute_force(mesh, precision);
+    const auto entries = accelerators_under_test();
+    std::vector<std::unique_ptr<Accelerator>> structures;
+    for (const AcceleratorEntry* entry : entries) structures.push_back(build(*entry, mesh, {precision}));
+    for (size_t i = 0; i < count && tally.failures < 3; ++i) {
+        const Ray ray = rays.make(mesh, RandomKey(kSeed, 0, i, 0));
+        const Answers want = answers(*brute, ray);
+        ++tally.rays, tally.hits += want.first.valid();
+        for (size_t k = 0; k < structures.size(); ++k) {
+            const std::string what = difference(answers(*structures[k], ray), want);
+            if (what.empty()) continue;
+            ++tally.failures;
+            ADD_FAILURE() << entries[k]->name << ", " << mesh.name << ", " << name(precision) << ", " << rays.name << ", seed " << kSeed << ", ray "
+                          << i << ": " << describe(ray) << "\n"
+                          << what;
+        }
+    }
+}
+
+class EveryAccelerator : public testing::TestWithParam<std::tuple<Precision, double>> {};
+
+/// 5e5 rays for each precision over all scales; 1e7 in a full run.
+TEST_P(EveryAccelerator, AgreesWithBruteForce) {
+    const auto [precision, scale] = GetParam();
+    std::vector<Mesh> meshes;
+    for (const Mesh& mesh : small_meshes()) meshes.push_back(scaled(mesh, scale).read_at(precision));
+    const size_t count = run_size(500000, 10000000) / (std::size(kScales) * meshes.size() * ray_classes().size()) + 1;
+    size_t total = 0;
+    for (const RayClass& rays : ray_classes()) {
+        Tally tally;
+        for (const Mesh& mesh : meshes) compare(mesh, precision, rays, count, tally);
+        EXPECT_GE(double(tally.hits), rays.least_hits * double(tally.rays)) << rays.name << ": the test must exercise hits";
+        total += tally.rays;
+    }
+    RecordProperty("rays", std::to_string(total));
+    fmt::print("{} rays, {} accelerators\n", total, accelerators_under_test().size());
+}
+
+/// Found by a full run: rays just inside the bounds of a mesh whose sides differ by 2^100, where the planes of a grid are coarser than the distance.
+TEST(Replay, RaysThatRunJustInsideTheBounds) {
+    const Mesh mesh = scaled(wild_soup(12, 4), 1e6).read_at(Precision::float_);
+    const auto brute = brute_force(mesh, Precision::float_);
+    for (const auto& [origin, dir] : {std::pair{Vec3(-0x1.c17a72p-110, -0x1.4c020ap-107, 0x1.5e913cp+86), Vec3(0x1.1411fe2f4e4p-91, -0x1.192ffbfdf6p-91, -0x1.5e913cp+86)},
+                                      {Vec3(-0x1.c17a72p-110, 0x1.85f74ap+77, 0x1.28cff2p+86), Vec3(0x1.eb40c09c8p-100, -0x1.85f74ap+77, -0x1.28cff2p+86)},
+                                      {Vec3(0x1.ead062p-100, -0x1.193148p-91, 0x1.28cff2p+86), Vec3(0x1.131c5dcfp-91, 0x1.193147fa5a608p-91, -0x1.28cff2p+86)}}) {
+        Ray ray;
+        ray.origin = origin;
+        ray.dir = dir;
+        ASSERT_TRUE(answers(*brute, ray).first.valid());
+        for (const AcceleratorEntry* entry : accelerators_under_test())
+            EXPECT_EQ(difference(answers(*build(*entry, mesh, {Precision::float_}), ray), answers(*brute, ray)), "") << entry->name;
+    }
+}
+
+INSTANTIATE_TEST_SUITE_P(Registry, EveryAccelerator,
+                         testing::Combine(testing::Values(Precision::float_, Precision::double_), testing::ValuesIn(kScales)), [](const auto& info) {
+                             return test_name(fmt::format("{}_{:.0e}", name(std::get<0>(info.param)), std::get<1>(info.param)));
+                         });
+
+/// A hit at exactly tmin or tmax belongs to the ray, and one ulp further it does not.
+TEST(Interval, IsClosedToTheLastBit) {
+    for (const Precision precision : {Precision::float_, Precision::double_}) {
+        const Mesh mesh = geodesic_sphere(4).read_at(precision);
+        AccelOptions options;
+        options.precision = precision;
+        for (const AcceleratorEntry& entry : accelerators()) {
+            const auto accelerator = build(entry, mesh, options);
+            for (size_t i = 0; i < 2000; ++i) {
+                Ray ray = ray_classes().front().make(mesh, RandomKey(kSeed, 1, i, 0));
+                const Hit hit = first_hit(*accelerator, ray);
+                if (!hit.valid()) continue;
+                ray.tmin = ray.tmax = hit.t;
+                EXPECT_EQ(first_hit(*accelerator, ray).t, hit.t) << entry.name << ", ray " << i << ": " << describe(ray);
+                EXPECT_TRUE(is_occluded(*accelerator, ray)) << entry.name << ", ray " << i << ": " << describe(ray);
+                ray.tmin = 0, ray.tmax = std::nextafter(hit.t, 0);
+                EXPECT_FALSE(first_hit(*accelerator, ray).valid()) << entry.name << ", ray " << i << ": " << describe(ray);
+                EXPECT_FALSE(is_occluded(*accelerator, ray)) << entry.name << ", ray " << i << ": " << describe(ray);
+            }
+        }
+    }
+}
+
+/// `hit` is an input too: what comes before it replaces it, what comes behind leaves it alone, and a tie goes to the lower ids.
+TEST(PriorHit, IsReplacedOnlyByOneThatComesBefore) {
+    const Mesh mesh = cube_lattice(2, 3, 4).read_at(Precision::float_);
+    for (const AcceleratorEntry& entry : accelerators()) {
+        const auto accelerator = build(entry, mesh, {});
+        WorkCounters work;
+        size_t tried = 0;
+        for (size_t i = 0; i < 2000; ++i) {
+            const Ray ray = ray_classes().front().make(mesh, RandomKey(kSeed, 2, i, 0));
+            Hit first;
+            if (!accelerator->intersect(ray, first, work, 5)) continue;
+            EXPECT_EQ(first.instance, 5u);
+            ++tried;
+            for (const double t : {std::nextafter(first.t, -kInf), first.t, std::nextafter(first.t, kInf)}) {
+                for (const uint32_t instance : {4u, 5u, 6u}) {
+                    Hit prior = first;
+                    prior.t = t, prior.instance = instance, prior.u = 7;
+                    const bool expected = comes_before(first.t, 5, first.primitive, prior);
+                    Hit hit = prior;
+                    EXPECT_EQ(accelerator->intersect(ray, hit, work, 5), expected) << entry.name << ", " << describe(ray);
+                    EXPECT_EQ(difference(hit, expected ? first : prior), "") << entry.name << ", " << describe(ray);
+                }
+            }
+        }
+        EXPECT_GT(tried, 1000u) << "the test must exercise hits";
+    }
+}
+
+/// A mesh without doubles is the mesh with the doubles that its floats are.
+TEST(DoublePrecision, ReadsFloatPositionsWhereThereAreNoOthers) {
+    const Mesh mesh = torus(16, 10).read_at(Precision::float_);
+    AccelOptions options;
+    options.precision = Precision::double_;
+    for (const AcceleratorEntry& entry : accelerators()) {
+        const auto with = build(entry, mesh, options);
+        const auto without = entry.over_triangles({mesh.positions, {}, mesh.triangles}, options);
+        for (size_t i = 0; i < 500; ++i) {
+            const Ray ray = ray_classes().front().make(mesh, RandomKey(kSeed, 3, i, 0));
+            ASSERT_EQ(difference(answers(*without, ray), answers(*with, ray)), "") << entry.name << ", " << describe(ray);
+        }
+    }
+}
+
+TEST(Batch, GivesTheHitsOfSingleRays) {
+    const Mesh mesh = torus(16, 10).read_at(Precision::float_);
+    std::vector<Ray> rays;
+    for (size_t i = 0; i < 1000; ++i) rays.push_back(ray_classes()[i % ray_classes().size()].make(mesh, RandomKey(kSeed, 4, i, 0)));
+    for (const AcceleratorEntry& entry : accelerators()) {
+        const auto accelerator = build(entry, mesh, {});
+        std::vector<Hit> hits(rays.size(), Hit{-1, 0, 0, 0, 0, 0, {}});
+        WorkCounters work;
+        accelerator->intersect(rays, hits, work);
+        for (size_t i = 0; i < rays.size(); ++i) EXPECT_EQ(difference(hits[i], first_hit(*accelerator, rays[i])), "") << entry.name << " ray " << i;
+    }
+}
+
+}  // namespace
+}  // namespace alidade::test

@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: Apache-2.0
+/// Where brute force cannot follow, the structures check each other: they share the triangle test, but no line of build or traversal.
+#include "tests/accel/compare.h"
+#include "tests/accel/rays.h"
+#include "tests/accel/run_size.h"
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+namespace alidade::test {
+namespace {
+
+constexpr uint64_t kSeed = 20250202;
+
+/// `cost`: how much dearer a ray is here for structures that cannot adapt; there are so many times fewer of them.
+struct LargeMesh {
+    Mesh (*make)();
+    size_t cost;
+};
+
+constexpr LargeMesh kMeshes[] = {
+    {[] { return geodesic_sphere(71, 0.2); }, 1},
+    {[] { return soup(100000, 0.02, 4); }, 2},
+    {[] { return cube(90); }, 1},
+    {[] { return moved(torus(400, 120), Vec3(3, 2, 1), Vec3(1e3, 0, -1e4), "torus, stretched, + 1e4"); }, 1},
+    {[] { return cube_lattice(20, 20, 20); }, 4},
+    {[] { return slivers(20000, 1e-3, 5); }, 8},
+    {[] { return stadium(16, 16); }, 20},
+};
+
+class LargeMeshes : public testing::TestWithParam<std::tuple<size_t, Precision>> {};
+
+/// 2e5 rays over all meshes and both precisions; 1e7 in a full run.
+TEST_P(LargeMeshes, AllAcceleratorsAgree) {
+    const auto [index, precision] = GetParam();
+    const Mesh mesh = kMeshes[index].make().read_at(precision);
+    AccelOptions options;
+    options.precision = precision;
+    std::vector<std::unique_ptr<Accelerator>> structures;
+    const auto entries = accelerators_under_test();
+    for (const AcceleratorEntry* entry : entries) structures.push_back(build(*entry, mesh, options));
+    const size_t cases = 2 * std::size(kMeshes);
+    const size_t count = run_size(300000, 17000000) / cases / kMeshes[index].cost / ray_classes().size() + 1;
+    size_t hits = 0, differences = 0;
+    for (const RayClass& rays : ray_classes()) {
+        for (size_t i = 0; i < count && differences < 3; ++i) {
+            const Ray ray = rays.make(mesh, RandomKey(kSeed, 0, i, 0));
+            const Answers want = answers(*structures[0], ray);
+            hits += want.first.valid();
+            for (size_t k = 1; k < structures.size(); ++k) {
+                const std::string what = difference(answers(*structures[k], ray), want);
+                if (what.empty()) continue;
+                ++differences;
+                ADD_FAILURE() << entries[k]->name << " (got) and " << entries[0]->name << " (want): " << mesh.name << ", " << name(precision) << ", "
+                              << rays.name << ", seed " << kSeed << ", ray " << i << ": " << describe(ray) << "\n"
+                              << what;
+            }
+        }
+    }
+    EXPECT_GT(hits, count * ray_classes().size() / 2) << "the test must exercise hits";
+    RecordProperty("rays", std::to_string(count * ray_classes().size()));
+    fmt::print("{}: {} rays, {} hits\n", mesh.name, count * ray_classes().size(), hits);
+}
+
+INSTANTIATE_TEST_SUITE_P(Registry, LargeMeshes,
+                         testing::Combine(testing::Range(size_t(0), std::size(kMeshes)), testing::Values(Precision::float_, Precision::double_)),
+                         [](const auto& info) {
+                             return test_name(kMeshes[std::get<0>(info.param)].make().name + "_") + name(std::get<1>(info.param));
+                         });
+
+}  // namespace
+}  // namespace alidade::test

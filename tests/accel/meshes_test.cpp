@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: Apache-2.0
+/// The meshes are what they claim: a leak test on an open mesh would say nothing.
+#include "tests/accel/meshes.h"
+
+#include <gtest/gtest.h>
+
+namespace alidade::test {
+namespace {
+
+TEST(Meshes, HaveTheTrianglesTheyPromise) {
+    EXPECT_EQ(geodesic_sphere(4).triangles.size(), 320u);
+    EXPECT_EQ(geodesic_sphere(4).vertices.size(), 162u);  // Euler: V = T / 2 + 2
+    EXPECT_EQ(cube(5).triangles.size(), 300u);
+    EXPECT_EQ(cube(5).vertices.size(), 152u);
+    EXPECT_EQ(torus(16, 10).triangles.size(), 320u);
+    EXPECT_EQ(torus(16, 10).vertices.size(), 160u);  // genus 1: V = T / 2
+    EXPECT_EQ(tetrahedra(60, 1).triangles.size(), 240u);
+    EXPECT_EQ(cube_lattice(2, 3, 4).triangles.size(), 288u);
+    for (const Mesh& mesh : small_meshes()) EXPECT_LE(mesh.triangles.size(), 320u) << mesh.name;
+}
+
+TEST(Meshes, ClosedOnesAreClosed) {
+    for (const Mesh& mesh : closed_meshes()) {
+        EXPECT_TRUE(is_closed(mesh)) << mesh.name;
+        EXPECT_FALSE(mesh.inside.empty()) << mesh.name;
+    }
+    EXPECT_TRUE(is_closed(tetrahedra(60, 1)));
+    EXPECT_TRUE(is_closed(cube_lattice(2, 3, 4)));
+    EXPECT_FALSE(is_closed(soup(300, 0.3, 2)));
+    Mesh open = geodesic_sphere(4);
+    open.triangles.pop_back();
+    EXPECT_FALSE(is_closed(open));
+}
+
+/// How often the surface winds around `p`: the sum of the solid angles of its triangles over 4 pi.
+/// Source   van Oosterom and Strackee, "The Solid Angle of a Plane Triangle", IEEE Trans. Biomed. Eng. 30(2), 1983.
+double winding_number(const Mesh& mesh, const Vec3& p) {
+    double sum = 0;
+    for (size_t i = 0; i < mesh.triangles.size(); ++i) {
+        const Vec3 a = normalized(mesh.corner(i, 0) - p), b = normalized(mesh.corner(i, 1) - p), c = normalized(mesh.corner(i, 2) - p);
+        sum += std::atan2(dot(a, cross(b, c)), 1 + dot(a, b) + dot(b, c) + dot(c, a));
+    }
+    return sum / (2 * kPi);
+}
+
+/// What a leak test rests on: a ray from a point that is wound around once must hit.
+TEST(Meshes, InteriorBoxIsInside) {
+    for (const Mesh& mesh : closed_meshes()) {
+        const Mesh rounded = mesh.read_at(Precision::float_);
+        const Bounds& box = mesh.inside;
+        for (int c = 0; c < 8; ++c) {
+            const Vec3 corner(c & 1 ? box.max.x : box.min.x, c & 2 ? box.max.y : box.min.y, c & 4 ? box.max.z : box.min.z);
+            EXPECT_NEAR(winding_number(rounded, corner), 1, 1e-6) << mesh.name << ", corner " << c;
+        }
+        const Vec3 outside = box.center() + 10.0 * (box.max - box.min);
+        EXPECT_NEAR(winding_number(rounded, outside), 0, 1e-6) << mesh.name;
+    }
+}
+
+}  // namespace
+}  // namespace alidade::test

@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: Apache-2.0
+/// Work is part of the contract: a structure that skips nothing gives the right hits at the price of brute force, and no comparison of hits shows it.
+#include "tests/accel/compare.h"
+#include "tests/accel/rays.h"
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+namespace alidade::test {
+namespace {
+
+/// Counters of `count` rays aimed at random points of the mesh.
+WorkCounters work_of(const Accelerator& accelerator, const Mesh& mesh, size_t count, bool any_hit = false) {
+    WorkCounters work;
+    for (size_t i = 0; i < count; ++i) {
+        const Ray ray = ray_classes().front().make(mesh, RandomKey(51, 0, i, 0));
+        Hit hit;
+        any_hit ? accelerator.occluded(ray, work) : accelerator.intersect(ray, hit, work);
+    }
+    return work;
+}
+
+/// The counters count: brute force looks at every triangle.
+TEST(Work, OfBruteForceIsEveryTriangle) {
+    const Mesh mesh = torus(50, 40);
+    ASSERT_EQ(mesh.triangles.size(), 4000u);
+    const WorkCounters work = work_of(*brute_force(mesh, Precision::float_), mesh, 100);
+    EXPECT_EQ(work.filtered, work.rays * mesh.triangles.size());
+    EXPECT_GT(work.rays, 90u);
+    EXPECT_LE(work.rays, 100u);
+    EXPECT_GT(work.primitives, 90u);
+    EXPECT_LE(work.primitives, work.filtered);
+}
+
+class Work : public testing::TestWithParam<std::tuple<const AcceleratorEntry*, Precision>> {};
+
+TEST_P(Work, IsAtMostThreePercentOfTheTriangles) {
+    const auto [entry, precision] = GetParam();
+    const std::pair<Mesh, double> limits[] = {{torus(50, 40), 0.03}, {geodesic_sphere(14), 0.03}, {soup(4000, 0.05, 6), 0.03}};
+    for (const auto& [mesh, limit] : limits) {
+        const auto accelerator = build(*entry, mesh, {precision});
+        const size_t count = 2000, n = mesh.triangles.size();
+        for (const bool any_hit : {false, true}) {
+            const WorkCounters work = work_of(*accelerator, mesh, count, any_hit);
+            const double tests = double(work.filtered) / double(count), boxes = double(work.boxes) / double(count);
+            EXPECT_GE(work.primitives, count / 2) << "hits are decided in double";
+            EXPECT_GT(boxes, 1) << "something must have led the ray there";
+            EXPECT_LE(tests, limit * double(n)) << mesh.name;
+            EXPECT_LE(boxes, 0.1 * double(n)) << mesh.name;
+            fmt::print("{}{}: {:.1f} triangles of {}, {:.1f} boxes or cells a ray\n", mesh.name, any_hit ? ", any hit" : "", tests, n, boxes);
+        }
+    }
+}
+
+/// The exponent p of work ~ N^p, by least squares over the logarithms.
+double growth_exponent(const std::vector<std::pair<double, double>>& n_and_work) {
+    double sx = 0, sy = 0, sxx = 0, sxy = 0;
+    for (const auto& [n, work] : n_and_work) {
+        const double x = std::log(n), y = std::log(work);
+        sx += x, sy += y, sxx += x * x, sxy += x * y;
+    }
+    const double count = double(n_and_work.size());
+    return (count * sxy - sx * sy) / (count * sxx - sx * sx);
+}
+
+/// Over three decades on evenly spread triangles, on a surface and in space. Boxes, cells and triangles weigh the same.
+TEST_P(Work, GrowsSlowly) {
+    const auto [entry, precision] = GetParam();
+    const double limit = std::string_view(entry->name) == "bvh" ? 0.4 : 0.5;
+    using Make = Mesh (*)(double n);
+    const std::pair<const char*, Make> kinds[] = {
+        {"surface", [](double n) { return geodesic_sphere(int(std::lround(std::sqrt(n / 20))), 0.1); }},
+        {"soup", [](double n) { return soup(int(n), 0.5 / std::cbrt(n), 8); }},
+    };
+    for (const auto& [kind, make] : kinds) {
+        std::vector<std::pair<double, double>> n_and_work;
+        for (const double n : {1e3, 1e4, 1e5, 1e6}) {
+            if (n > 5e5 && precision == Precision::double_) continue;  // the float run has shown it
+            const Mesh mesh = make(n);
+            const size_t count = 1000;
+            const WorkCounters work = work_of(*build(*entry, mesh, {precision}), mesh, count);
+            n_and_work.emplace_back(double(mesh.triangles.size()), double(work.boxes + work.filtered) / double(count));
+            fmt::print("{}: N = {}, {:.1f} a ray\n", kind, mesh.triangles.size(), n_and_work.back().second);
+        }
+        const double exponent = growth_exponent(n_and_work);
+        fmt::print("{}: exponent {:.3f}\n", kind, exponent);
+        EXPECT_LE(exponent, limit) << kind;
+    }
+}
+
+INSTANTIATE_TEST_SUITE_P(Registry, Work,
+                         testing::Combine(testing::ValuesIn(accelerators_under_test()), testing::Values(Precision::float_, Precision::double_)),
+                         [](const auto& info) { return fmt::format("{}_{}", std::get<0>(info.param)->name, name(std::get<1>(info.param))); });
+
+}  // namespace
+}  // namespace alidade::test

@@ -1,0 +1,251 @@
+// SPDX-License-Identifier: Apache-2.0
+/// What holds for every row of the table of shapes.
+#include "tests/eval/shape_samples.h"
+
+#include <gtest/gtest.h>
+
+#include <set>
+
+namespace alidade {
+
+void PrintTo(const ShapeOps& row, std::ostream* out) { *out << row.name; }
+
+namespace {
+
+constexpr int kSamples = 3000;
+
+class EveryShape : public testing::TestWithParam<ShapeOps> {
+  protected:
+    const ShapeOps& row = GetParam();
+
+    /// Calls body(shape, ray, crossings) for random shapes and rays from `distance`; at least a quarter of the rays has to hit.
+    template <class Body> void for_samples(double distance, uint64_t seed, const Body& body) {
+        test::Draw draw(seed);
+        int hits = 0;
+        for (int i = 0; i < kSamples; ++i) {
+            const ShapeGeometry shape = test::sample_shape(row, i, draw);
+            const Ray ray = test::ray_from(distance, draw);
+            const Crossings crossings = row.crossings(shape, ray);
+            hits += crossings.count > 0;
+            body(shape, ray, crossings);
+            if (testing::Test::HasFatalFailure()) FAIL() << row.name << " sample " << i << " from " << distance;
+        }
+        EXPECT_GT(hits, kSamples / 4) << "the test must exercise hits";
+    }
+};
+
+/// Sorted, inside the box as computed in double, and within their error of it.
+TEST_P(EveryShape, BoundsHoldTheHits) {
+    for (const double distance : {0.5, 4.0, 1e4, 1e8}) {
+        for_samples(distance, 40, [&](const ShapeGeometry& shape, const Ray& ray, const Crossings& crossings) {
+            Bounds box = row.bounds(shape);
+            for (int i = 0; i < crossings.count; ++i) {
+                const Crossing& c = crossings.at[i];
+                ASSERT_TRUE(std::isfinite(c.t));
+                ASSERT_GE(c.error.along_normal, 0);
+                ASSERT_TRUE(i == 0 || crossings.at[i - 1].t <= c.t);
+                ASSERT_EQ(clamp_to_bounds(c.t, ray, box), c.t);
+                const double slack = 4 * std::numeric_limits<double>::epsilon() * (max_abs(ray.origin) + std::abs(c.t) * max_abs(ray.dir));
+                const Vec3 p = ray.at(c.t);
+                ASSERT_TRUE((Bounds{box.min - slack, box.max + slack}.contains(p)));
+            }
+        });
+    }
+}
+
+/// A ray from a hit point meets the surface there again: within the errors of both, along the normal.
+TEST_P(EveryShape, IsMetAgainFromItsHitPoints) {
+    for (const double distance : {4.0, 1e4, 1e8}) {
+        for_samples(distance, 41, [&](const ShapeGeometry& shape, const Ray& ray, const Crossings& crossings) {
+            for (int i = 0; i < crossings.count; ++i) {
+                Ray again = ray;
+                again.origin = ray.at(crossings.at[i].t);
+                const Vec3 normal = row.surface(shape, again.origin, crossings.at[i].part).normal;
+                const double speed = std::abs(dot(normal, ray.dir));
+                if (speed < 0.05 * length(ray.dir)) continue;   // grazing: the way along the ray is much longer than along the normal
+                const Crossings second = row.crossings(shape, again);
+                double nearest = kInf, error = 0;
+                for (int k = 0; k < second.count; ++k)
+                    if (std::abs(second.at[k].t) < nearest) nearest = std::abs(second.at[k].t), error = second.at[k].error.along_normal;
+                ASSERT_LE(nearest * speed, 1.5 * (crossings.at[i].error.along_normal + error));
+            }
+        });
+    }
+}
+
+/// Powers of two change no digit: neither of the scene nor of the ray's direction.
+TEST_P(EveryShape, ScaleByPowersOfTwoIsExact) {
+    for_samples(4, 42, [&](const ShapeGeometry& shape, const Ray& ray, const Crossings& crossings) {
+        for (const double k : {0x1p-40, 0x1p-3, 2.0, 0x1p40}) {
+            Ray scaled = ray, longer = ray;
+            scaled.origin *= k;
+            longer.dir *= k;
+            const Crossings of_scene = row.crossings(test::placed(shape, k, Vec3(0)), scaled), of_dir = row.crossings(shape, longer);
+            ASSERT_EQ(of_dir.count, crossings.count);
+            ASSERT_EQ(of_scene.count, crossings.count);
+            for (int i = 0; i < crossings.count; ++i) {
+                ASSERT_EQ(of_dir.at[i].t, crossings.at[i].t / k);
+                ASSERT_EQ(of_scene.at[i].t, crossings.at[i].t * k);
+                ASSERT_EQ(of_scene.at[i].part, crossings.at[i].part);
+            }
+        }
+    });
+}
+
+/// Shape and ray moved together: the same hits, within their errors.
+TEST_P(EveryShape, TranslationMovesTheHits) {
+    for_samples(4, 43, [&](const ShapeGeometry& shape, const Ray& ray, const Crossings& crossings) {
+        const Vec3 offset(1000, -500, 0.25);
+        Ray moved = ray;
+        moved.origin += offset;
+        const Crossings there = row.crossings(test::placed(shape, 1, offset), moved);
+        for (int i = 0; i < crossings.count; ++i) {
+            const Vec3 normal = row.surface(shape, ray.at(crossings.at[i].t), crossings.at[i].part).normal;
+            const double cosine = std::abs(dot(normal, normalized(ray.dir)));
+            if (cosine < 0.05) continue;
+            ASSERT_EQ(there.count, crossings.count);
+            ASSERT_NEAR(there.at[i].t * length(ray.dir), crossings.at[i].t * length(ray.dir), 2e-11);   // the numbers of the shape are rounded at 1000
+        }
+    });
+}
+
+/// The line is in and out of the solid by turns, and out of a bounded one at both ends.
+TEST_P(EveryShape, InsideAgreesWithTheCrossings) {
+    for (const double distance : {0.5, 4.0, 1e4}) {
+        for_samples(distance, 44, [&](const ShapeGeometry& shape, const Ray& ray, const Crossings& crossings) {
+            std::vector<double> cuts = {-1e6};
+            for (int i = 0; i < crossings.count; ++i) cuts.push_back(crossings.at[i].t);
+            cuts.push_back(1e6);
+            bool expected = row.inside(shape, ray.at(cuts.front()));
+            ASSERT_FALSE(expected && row.bounds(shape).finite());
+            for (size_t i = 0; i + 1 < cuts.size(); ++i, expected = !expected) {
+                if ((cuts[i + 1] - cuts[i]) * length(ray.dir) < 1e-9 * (1 + distance)) continue;   // too thin to have an inside
+                ASSERT_EQ(row.inside(shape, ray.at(0.5 * (cuts[i] + cuts[i + 1]))), expected) << "interval " << i;
+            }
+        });
+    }
+}
+
+TEST_P(EveryShape, NormalsAreUnitAndPointOutwards) {
+    for_samples(4, 45, [&](const ShapeGeometry& shape, const Ray& ray, const Crossings& crossings) {
+        for (int i = 0; i < crossings.count; ++i) {
+            const Vec3 p = ray.at(crossings.at[i].t);
+            const SurfacePoint s = row.surface(shape, p, crossings.at[i].part);
+            ASSERT_NEAR(length(s.normal), 1, 1e-15);
+            ASSERT_FALSE(row.inside(shape, p + 1e-9 * s.normal));
+            if (crossings.count < 2 || (crossings.at[1].t - crossings.at[0].t) * length(ray.dir) > 1e-3) {
+                ASSERT_TRUE(row.inside(shape, p - 1e-9 * s.normal));
+            }
+        }
+    });
+}
+
+/// Against the plane through three hits of neighbouring rays.
+TEST_P(EveryShape, NormalsAgreeWithNeighbouringHits) {
+    for_samples(4, 46, [&](const ShapeGeometry& shape, const Ray& ray, const Crossings& crossings) {
+        if (crossings.count == 0) return;
+        Vec3 side, up, p[3];
+        orthonormal_basis(normalized(ray.dir), side, up);
+        for (int k = 0; k < 3; ++k) {
+            Ray neighbour = ray;
+            neighbour.origin += 1e-6 * (k == 1 ? side : k == 2 ? up : Vec3(0));
+            const Crossings hits = row.crossings(shape, neighbour);
+            if (hits.count == 0 || hits.at[0].part != crossings.at[0].part) return;
+            p[k] = neighbour.at(hits.at[0].t);
+        }
+        const Vec3 normal = row.surface(shape, p[0], crossings.at[0].part).normal;
+        if (std::abs(dot(normal, normalized(ray.dir))) < 0.05) return;
+        ASSERT_LT(length(cross(normal, normalized(cross(p[1] - p[0], p[2] - p[0])))), 1e-3);
+    });
+}
+
+/// A step along dpdu changes u and not v, a step along dpdv the other way round; both lie in the surface.
+TEST_P(EveryShape, TangentsAreDerivativesOfTheTextureCoordinates) {
+    for_samples(4, 47, [&](const ShapeGeometry& shape, const Ray& ray, const Crossings& crossings) {
+        if (crossings.count == 0) return;
+        const Vec3 p = ray.at(crossings.at[0].t);
+        const uint32_t part = crossings.at[0].part;
+        const SurfacePoint s = row.surface(shape, p, part);
+        ASSERT_LT(std::abs(dot(s.normal, normalized(s.dpdu))), 1e-12);
+        ASSERT_LT(std::abs(dot(s.normal, normalized(s.dpdv))), 1e-12);
+        const double h = 1e-6;
+        if (length(s.dpdu) < 0.1 || length(s.dpdv) < 0.1) return;   // next to a pole the coordinates bend too much for differences
+        const Vec2 du = (row.surface(shape, p + h * s.dpdu, part).uv - row.surface(shape, p - h * s.dpdu, part).uv) / (2 * h);
+        const Vec2 dv = (row.surface(shape, p + h * s.dpdv, part).uv - row.surface(shape, p - h * s.dpdv, part).uv) / (2 * h);
+        if (std::abs(du.x) > 1000) return;   // across the seam
+        ASSERT_NEAR(du.x, 1, 1e-4);
+        ASSERT_NEAR(du.y, 0, 1e-4);
+        ASSERT_NEAR(dv.y, 1, 1e-4);
+        ASSERT_NEAR(dv.x, 0, 1e-4);
+    });
+}
+
+TEST_P(EveryShape, BrokenRaysHitNothing) {
+    const double nan = std::numeric_limits<double>::quiet_NaN();
+    const ShapeGeometry shape = test::default_shape(row.kind);
+    for (int axis = 0; axis < 3; ++axis) {
+        for (const double bad : {nan, kInf, -kInf}) {
+            Ray ray;
+            ray.origin = Vec3(0.25, 0.5, -7), ray.dir = Vec3(0, -0.1, 1);
+            ray.dir[axis] = bad;
+            EXPECT_EQ(row.crossings(shape, ray).count, 0) << "direction " << axis << " " << bad;
+            ray.dir = Vec3(0, -0.1, 1);
+            ray.origin[axis] = bad;
+            EXPECT_EQ(row.crossings(shape, ray).count, 0) << "origin " << axis << " " << bad;
+        }
+    }
+    Ray still;
+    still.dir = Vec3(0);
+    EXPECT_EQ(row.crossings(shape, still).count, 0);
+    still.origin = Vec3(0.25, 0, -1);
+    EXPECT_EQ(row.crossings(shape, still).count, 0);
+}
+
+#ifdef ALIDADE_HAS_QUAD
+/// The promise that shadow rays are built on: the true surface is within error.along_normal, of ray.at(t) as computed and as it is exactly.
+TEST_P(EveryShape, ErrorBoundsHoldAgainst113Bits) {
+    test::Draw draw(48);
+    double tightest = 0;   // the largest part of a bound that was needed
+    int hits = 0;
+    for (int i = 0; hits < 100000; ++i) {
+        ASSERT_LT(i, 1000000);
+        const double scale = draw.decades(-6, 6);
+        const ShapeGeometry shape = test::placed(test::sample_shape(row, i, draw), scale, scale * draw.vector(draw.decades(-1, 4)));
+        Ray ray = test::ray_from(draw.decades(-2, 8), draw);
+        ray.origin *= scale;
+        const Bounds box = row.bounds(shape);
+        if (box.finite()) ray.origin += box.center();
+        const Crossings crossings = row.crossings(shape, ray);
+        for (int k = 0; k < crossings.count; ++k, ++hits) {
+            const Crossing& c = crossings.at[k];
+            const test::QuadVec exact = test::QuadVec(ray.origin) + test::Quad(c.t) * test::QuadVec(ray.dir), computed(ray.at(c.t));
+            for (const test::QuadVec& p : {exact, computed}) {
+                const double distance = double(std::visit([&](const auto& s) { return test::distance(s, p, c.part); }, shape));
+                ASSERT_LE(distance, c.error.along_normal) << row.name << " " << i;
+                tightest = std::max(tightest, distance / c.error.along_normal);
+            }
+        }
+    }
+    std::printf("[          ] %s: at most %.2f of an error bound is needed\n", row.name, tightest);
+    EXPECT_GT(tightest, 0.05) << "a bound that is far too large costs contact shadows";
+}
+#endif
+
+INSTANTIATE_TEST_SUITE_P(Shapes, EveryShape, testing::ValuesIn(shapes().begin(), shapes().end()),
+                         [](const auto& info) { return std::string(info.param.name); });
+
+TEST(Shapes, EachRowHasItsKindNameAndText) {
+    std::set<std::string> names;
+    std::set<size_t> kinds;
+    for (const ShapeOps& row : shapes()) {
+        EXPECT_TRUE(names.insert(row.name).second);
+        EXPECT_TRUE(kinds.insert(row.kind).second);
+        EXPECT_GT(std::string(row.doc).size(), 5u);
+        EXPECT_EQ(find_shape(test::default_shape(row.kind)), &row);
+    }
+    EXPECT_EQ(find_shape(Mesh()), nullptr);
+    EXPECT_EQ(kinds.size() + 1, std::variant_size_v<ShapeGeometry>) << "every shape but the mesh has a row";
+}
+
+}  // namespace
+}  // namespace alidade

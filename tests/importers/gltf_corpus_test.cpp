@@ -1,0 +1,145 @@
+// SPDX-License-Identifier: Apache-2.0
+/// Files from the world: scenes exported by Blender, and a collection of valid and broken ones, where they are present.
+#include "importers/importer.h"
+#include "scene/queries.h"
+
+#include <filesystem>
+#include <fmt/format.h>
+#include <fstream>
+#include <gtest/gtest.h>
+
+namespace alidade {
+namespace {
+
+const std::string kData = SHARED_DATA;
+
+/// Triangles of the shapes, and of the shapes as often as nodes show them.
+struct Count {
+    size_t mesh_nodes = 0, unique = 0, instanced = 0, mirrored = 0;
+};
+Count count(const Scene& scene) {
+    Count out;
+    for (const ShapeEntry& s : scene.shapes) out.unique += std::get<Mesh>(s.geometry).triangles.size();
+    visit_paths(scene, [&](const Visit& visit) {
+        const auto* shape = std::get_if<ShapeId>(&scene.nodes[visit.node.index].what);
+        if (!shape) return true;
+        ++out.mesh_nodes;
+        out.instanced += std::get<Mesh>(scene.shapes[shape->index].geometry).triangles.size();
+        out.mirrored += visit.to_world.determinant() < 0;
+        return true;
+    });
+    return out;
+}
+
+class Blender : public testing::TestWithParam<const char*> {
+  protected:
+    void SetUp() override {
+        if (!std::filesystem::exists(kData + "/blender")) GTEST_SKIP() << "the shared scenes are not here";
+    }
+    Scene load(const std::string& name) const {
+        const auto result = import_scene(kData + "/blender/" + name + GetParam());
+        EXPECT_TRUE(result) << (result ? "" : result.error().text());
+        if (!result) return {};
+        EXPECT_EQ(result->diagnostics.list().size(), 0u) << result->diagnostics.text();
+        return result->scene;
+    }
+};
+
+TEST_P(Blender, Instances) {
+    const Scene scene = load("instances");
+    const Count n = count(scene);
+    EXPECT_EQ(scene.shapes.size(), 7u) << "geometry must not be copied";
+    EXPECT_EQ(n.mesh_nodes, 242u);
+    EXPECT_EQ(n.unique, 78734u);
+    EXPECT_EQ(n.instanced, 3778574u);
+    EXPECT_EQ(n.mirrored, 18u);
+    EXPECT_NEAR(scene.lights.at(0).intensity.x, 3, 1e-6) << "a sun of strength 3 W/m^2 in Blender";
+}
+
+TEST_P(Blender, Textured) {
+    const Scene scene = load("textured");
+    EXPECT_EQ(scene.images.size(), 6u);
+    size_t lookups = 0;
+    for (const Signal& s : scene.signals) lookups += std::holds_alternative<ImageSignal>(s.what);
+    EXPECT_EQ(lookups, 6u);
+    ASSERT_EQ(scene.lights.size(), 2u);
+    EXPECT_NEAR(scene.lights[0].intensity.x, 1500 / (4 * kPi), 1e-3) << "a spot of 1500 W in Blender";
+    EXPECT_NEAR(scene.lights[1].intensity.x, 1, 1e-6);
+}
+
+TEST_P(Blender, Primitives) {
+    const Scene scene = load("prims");
+    EXPECT_EQ(scene.shapes.size(), 7u);
+    EXPECT_NEAR(scene.lights.at(0).intensity.x, 1000 / (4 * kPi), 1e-3) << "a point light of 1000 W in Blender";
+}
+
+/// The text file and the binary one hold the same scene.
+TEST_P(Blender, BothFormsAgree) {
+    for (const char* name : {"instances", "prims"}) {
+        Scene one = load(name);
+        auto other = import_scene(kData + "/blender/" + name + ".glb");
+        ASSERT_TRUE(other);
+        one.files = other->scene.files;
+        EXPECT_TRUE(dump(one) == dump(other->scene)) << name;
+    }
+}
+INSTANTIATE_TEST_SUITE_P(Files, Blender, testing::Values(".glb", "_sep.gltf"), [](const auto& info) { return info.index ? "text" : "binary"; });
+
+// ---- the collection ----
+
+struct Row {
+    std::string file, kind, exercises;
+};
+
+/// The glTF rows of the manifest: comma-separated, with quotes where a field holds a comma.
+std::vector<Row> manifest() {
+    std::ifstream in(kData + "/manifest.csv");
+    std::vector<Row> rows;
+    for (std::string line; std::getline(in, line);) {
+        std::vector<std::string> fields(1);
+        bool quoted = false;
+        for (const char c : line) {
+            if (c == '"') quoted = !quoted;
+            else if (c == ',' && !quoted) fields.emplace_back();
+            else fields.back() += c;
+        }
+        const std::string ending = std::filesystem::path(fields[0]).extension().string();
+        if ((ending == ".gltf" || ending == ".glb") && fields.size() >= 9) rows.push_back({fields[0], fields[1], fields[8]});
+    }
+    return rows;
+}
+
+/// Valid files that are refused, each for a reason that the message gives. Draco, meshopt: compressed without a fallback.
+constexpr const char* kRefusedForAReason[] = {
+    "japanese-bridge-garden/scene.glb",        // requires EXT_meshopt_compression
+    "draco/2CylinderEngine.gltf",              // requires KHR_draco_mesh_compression
+    "BoxDraco.gltf",                           // compressed by Draco
+    "DracoSparseMesh.gltf",                    // requires KHR_draco_mesh_compression
+    "ACMEBox.gltf",                            // requires an extension that nobody knows
+    "integer_written_as_float.gltf",           // its buffers are placeholders without data
+    "teapots_galore_id.gltf",                  // a buffer view ends after its buffer
+};
+
+TEST(Collection, GoodFilesLoadAndBadOnesAreRefused) {
+    const std::vector<Row> rows = manifest();
+    if (rows.empty()) GTEST_SKIP() << "the collection is not here";
+    size_t good = 0, refused = 0;
+    for (const Row& row : rows) {
+        const auto result = import_scene(kData + "/" + row.file);
+        EXPECT_TRUE(result || result.error().has_errors()) << row.file;
+        if (row.kind == "good") {
+            const bool expected = std::none_of(std::begin(kRefusedForAReason), std::end(kRefusedForAReason),
+                                               [&](const char* end) { return row.file.find(end) != std::string::npos; });
+            EXPECT_EQ(bool(result), expected) << row.file << (result ? "" : "\n" + result.error().text());
+            good += bool(result);
+        } else if (row.exercises.find("must-refuse=yes") != std::string::npos) {
+            EXPECT_FALSE(result) << row.file << ": " << row.exercises;
+            refused += !result;
+        }
+    }
+    EXPECT_GE(good, 174u);
+    EXPECT_GE(refused, 54u);
+}
+
+}  // namespace
+}  // namespace alidade

@@ -1,0 +1,212 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "scene/queries.h"
+#include "tests/scene/sample_scene.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <functional>
+
+namespace alidade {
+namespace {
+
+using testing::HasSubstr;
+
+constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
+constexpr float kNanF = std::numeric_limits<float>::quiet_NaN();
+
+Mesh& mesh(Scene& s) { return std::get<Mesh>(s.shapes[3].geometry); }
+GltfPbr& gltf(Scene& s) { return std::get<GltfPbr>(s.materials[0].layers[0]); }
+Channel& move(Scene& s) { return s.animations[0].channels[0]; }
+
+struct Fault {
+    const char* name;
+    void (*break_it)(Scene&);
+    Severity severity;
+    const char* message;   ///< a part of the text of the diagnostic
+};
+
+const Fault kFaults[] = {
+    // References
+    {"RootOutOfRange", [](Scene& s) { s.roots = {NodeId{99}}; }, Severity::error, "the list of roots refers to node 99, but there are only 9"},
+    {"ChildOutOfRange", [](Scene& s) { s.nodes[1].children = {NodeId{9}}; }, Severity::error, "sample.gltf:/nodes/1: error: node 1 refers to node 9"},
+    {"ClipOutOfRange", [](Scene& s) { s.nodes[1].clips = {NodeId{9}}; }, Severity::error, "node 1 refers to node 9"},
+    {"BoundOutOfRange", [](Scene& s) { s.nodes[1].bounds = {NodeId{9}}; }, Severity::error, "node 1 refers to node 9"},
+    {"ShapeOutOfRange", [](Scene& s) { s.nodes[1].what = ShapeId{4}; }, Severity::error, "node 1 refers to shape 4, but there are only 4"},
+    {"LightOutOfRange", [](Scene& s) { s.nodes[1].what = LightId{1}; }, Severity::error, "node 1 refers to light 1"},
+    {"CameraOutOfRange", [](Scene& s) { s.nodes[1].what = CameraId{~0u}; }, Severity::error, "node 1 refers to camera 4294967295"},
+    {"MaterialOutOfRange", [](Scene& s) { s.nodes[1].materials[1] = MaterialId{2}; }, Severity::error, "node 1 refers to material 2"},
+    {"InsideMaterialOutOfRange", [](Scene& s) { s.nodes[1].inside_materials = {MaterialId{2}}; }, Severity::error, "refers to material 2"},
+    {"InteriorOutOfRange", [](Scene& s) { s.nodes[1].interior = InteriorId{1}; }, Severity::error, "node 1 refers to interior 1"},
+    {"LightGroupOutOfRange", [](Scene& s) { s.nodes[0].light_group = {LightId{7}}; }, Severity::error, "node 0 \"root\" refers to light 7"},
+    {"SkinOutOfRange", [](Scene& s) { s.nodes[1].skin = SkinId{1}; }, Severity::error, "node 1 refers to skin 1"},
+    {"OperandOutOfRange", [](Scene& s) { s.signals[2].what = ProductSignal{SignalId{0}, SignalId{6}}; }, Severity::error, "signal 2 refers to signal 6"},
+    {"ImageOutOfRange", [](Scene& s) { std::get<ImageSignal>(s.signals[1].what).image = ImageId{2}; }, Severity::error, "signal 1 refers to image 2"},
+    {"FunctionOutOfRange", [](Scene& s) { s.signals[5].what = FunctionSignal{1}; }, Severity::error, "signal 5 refers to function 1"},
+    {"MapEntryOutOfRange", [](Scene& s) { std::get<PatternSignal>(s.signals[4].what).map[0].signal = SignalId{8}; }, Severity::error, "refers to signal 8"},
+    {"BaseColorOutOfRange", [](Scene& s) { gltf(s).base_color = SignalId{6}; }, Severity::error, "material 0 refers to signal 6"},
+    {"OcclusionOutOfRange", [](Scene& s) { gltf(s).occlusion = SignalId{6}; }, Severity::error, "material 0 refers to signal 6"},
+    {"ClearcoatOutOfRange", [](Scene& s) { gltf(s).clearcoat_normal = SignalId{6}; }, Severity::error, "material 0 refers to signal 6"},
+    {"DensityOutOfRange", [](Scene& s) { s.interiors[0].media[0].density = {SignalId{6}}; }, Severity::error, "interior 0 refers to signal 6"},
+    {"AirDensityOutOfRange", [](Scene& s) { s.atmosphere.media[0].density = {SignalId{6}}; }, Severity::error, "the atmosphere refers to signal 6"},
+    {"SkyOutOfRange", [](Scene& s) { s.atmosphere.sky->pigments = {SignalId{6}}; }, Severity::error, "the sky refers to signal 6"},
+    {"EnvironmentOutOfRange", [](Scene& s) { s.atmosphere.environment_image = ImageId{2}; }, Severity::error, "the environment refers to image 2"},
+    {"LooksLikeOutOfRange", [](Scene& s) { s.lights[0].looks_like = NodeId{9}; }, Severity::error, "light 0 refers to node 9"},
+    {"ProjectedThroughOutOfRange", [](Scene& s) { s.lights[0].projected_through = NodeId{9}; }, Severity::error, "light 0 refers to node 9"},
+    {"JointOutOfRange", [](Scene& s) { s.skins[0].joints = {NodeId{9}}; }, Severity::error, "skin 0 refers to node 9"},
+    {"TargetOutOfRange", [](Scene& s) { move(s).target = NodeId{9}; }, Severity::error, "animation 0 refers to node 9"},
+    // Graphs
+    {"NodeInItself", [](Scene& s) { s.nodes[1].children = {NodeId{1}}; }, Severity::error, "sample.gltf:/nodes/1: error: node 1 is a part of itself"},
+    {"CycleThroughAClip", [](Scene& s) { s.nodes[6].clips = {NodeId{3}}; }, Severity::error, "is a part of itself"},
+    {"CycleThroughALight", [](Scene& s) { s.nodes[7].children = {NodeId{5}}; }, Severity::error, "is a part of itself"},
+    {"CycleOfSignals", [](Scene& s) { s.signals[0].what = ChannelSignal{SignalId{2}, 0}; }, Severity::error, "reads itself"},
+    {"FlattenedNode", [](Scene& s) { s.nodes[1].to_parent = Transform::scale({1, 0, 1}); }, Severity::warning, "node 1 has a transform that cannot be inverted: it and all below it are left out"},
+    {"FlattenedGroup", [](Scene& s) { s.nodes[0].to_parent = Transform::scale({1, 0, 1}); }, Severity::warning, "node 0 \"root\" has a transform that cannot be inverted"},
+    {"NanTransform", [](Scene& s) { s.nodes[1].to_parent.translation.x = kNan; }, Severity::warning, "node 1 has a transform that is not finite"},
+    {"MorphWeights", [](Scene& s) { s.nodes[1].morph_weights = {0, 0}; }, Severity::error, "node 1 has 2 morph weights for 1 morph targets"},
+    {"MorphWeightsOfASphere", [](Scene& s) { s.nodes[3].morph_weights = {1}; }, Severity::error, "node 3 has 1 morph weights for 0 morph targets"},
+    {"JointsWithoutSkin", [](Scene& s) { mesh(s).joints.values[2].y = 1; }, Severity::error, "node 1 has a mesh that names joint 1, but its skin has 1"},
+    {"InverseBindCount", [](Scene& s) { s.skins[0].inverse_bind.resize(2); }, Severity::error, "skin 0 has 2 inverse bind matrices for 1 joints"},
+    {"InverseBindNan", [](Scene& s) { s.skins[0].inverse_bind[0].linear[1][1] = kNan; }, Severity::error, "inverse bind matrix that is not finite"},
+    // Shapes
+    {"TriangleOutOfRange", [](Scene& s) { mesh(s).triangles[1].z = 4; }, Severity::error, "sample.gltf:/meshes/0: error: shape 3 \"quad\" has 1 triangles with vertices that do not exist; the first, triangle 1, names vertex 4 of 4"},
+    {"NanVertex", [](Scene& s) { mesh(s).positions[3].y = kNanF; }, Severity::warning, "has 1 triangles with a vertex that is not finite: they are left out"},
+    {"InfiniteVertex", [](Scene& s) { mesh(s).positions[0].y = std::numeric_limits<float>::infinity(); }, Severity::warning, "has 2 triangles with a vertex"},
+    {"NanExactVertex", [](Scene& s) { mesh(s).exact_positions[1].z = kNan; }, Severity::warning, "has 1 triangles with a vertex"},
+    {"NanMeshOrigin", [](Scene& s) { mesh(s).origin.x = kNan; }, Severity::warning, "has a number that is not finite: it is left out"},
+    {"ExactCount", [](Scene& s) { mesh(s).exact_positions.pop_back(); }, Severity::error, "has 3 exact positions for 4 positions"},
+    {"SlotCount", [](Scene& s) { mesh(s).slots.push_back(0); }, Severity::error, "has 3 material slots for 2 triangles"},
+    {"FaceCount", [](Scene& s) { mesh(s).faces.pop_back(); }, Severity::error, "has 1 face numbers for 2 triangles"},
+    {"CornerCount", [](Scene& s) { mesh(s).normals.corners.pop_back(); }, Severity::error, "has 5 corners with normals for 2 triangles"},
+    {"CornerOutOfRange", [](Scene& s) { mesh(s).normals.corners[5] = 1; }, Severity::error, "has a corner that names number 1 of 1 normals"},
+    {"CornersWithoutValues", [](Scene& s) { mesh(s).normals.values.clear(); }, Severity::error, "names number 0 of 0 normals"},
+    {"UvCount", [](Scene& s) { mesh(s).uvs[0].values.pop_back(); }, Severity::error, "has 3 texture coordinates for 4 positions"},
+    {"TangentCount", [](Scene& s) { mesh(s).tangents.values.pop_back(); }, Severity::error, "has 3 tangents for 4 positions"},
+    {"ColorCount", [](Scene& s) { mesh(s).colors[0].values.pop_back(); }, Severity::error, "has 3 colors for 4 positions"},
+    {"JointCount", [](Scene& s) { mesh(s).joints.values.pop_back(); }, Severity::error, "has 3 joints for 4 positions"},
+    {"WeightsMissing", [](Scene& s) { mesh(s).weights = {}; }, Severity::error, "has joints without weights, or weights without joints"},
+    {"NanNormal", [](Scene& s) { mesh(s).normals.values[0].x = kNanF; }, Severity::warning, "has 1 normals that are not finite"},
+    {"MorphCount", [](Scene& s) { mesh(s).morphs[0].normals.resize(3); }, Severity::error, "has 3 deltas in morph target 0 for 4 positions"},
+    {"MeshMorphWeights", [](Scene& s) { mesh(s).morph_weights = {1, 2}; }, Severity::error, "has 2 morph weights for 1 morph targets"},
+    {"SphereNan", [](Scene& s) { std::get<Sphere>(s.shapes[0].geometry).radius = kNan; }, Severity::warning, "shape 0 \"ball\" has a number that is not finite"},
+    {"SpherePoint", [](Scene& s) { std::get<Sphere>(s.shapes[0].geometry).radius = 0; }, Severity::warning, "sphere of radius 0"},
+    {"PlaneWithoutNormal", [](Scene& s) { std::get<Plane>(s.shapes[1].geometry).normal = Vec3(0); }, Severity::warning, "plane without a normal"},
+    {"PlaneNan", [](Scene& s) { std::get<Plane>(s.shapes[1].geometry).distance = kInf; }, Severity::warning, "shape 1 \"floor\" has a number that is not finite"},
+    {"BoxNan", [](Scene& s) { std::get<Box>(s.shapes[2].geometry).a.z = kNan; }, Severity::warning, "shape 2 has a number that is not finite"},
+    {"BoxLine", [](Scene& s) { std::get<Box>(s.shapes[2].geometry) = {Vec3(0), Vec3(0, 0, 1)}; }, Severity::warning, "box without area"},
+    // Surfaces
+    {"EmptyImage", [](Scene& s) { s.images[0].path.clear(); }, Severity::error, "image 0 \"wood\" has neither a file nor bytes"},
+    {"ChannelFour", [](Scene& s) { s.signals[3].what = ChannelSignal{SignalId{0}, 4}; }, Severity::error, "signal 3 reads channel 4"},
+    {"ConstantNan", [](Scene& s) { s.signals[0].what = ConstantSignal{Vec4(0, 0, 0, kNan)}; }, Severity::error, "signal 0 has a number that is not finite"},
+    {"UvTransformNan", [](Scene& s) { std::get<ImageSignal>(s.signals[1].what).uv_transform[2][0] = kNan; }, Severity::error, "signal 1 has a number"},
+    {"MapValueNan", [](Scene& s) { std::get<PatternSignal>(s.signals[4].what).map[1].value = kNan; }, Severity::error, "signal 4 has a number"},
+    {"WarpNan", [](Scene& s) { std::get<PatternSignal>(s.signals[4].what).warps[0].parameters = {kNan}; }, Severity::error, "signal 4 has a number"},
+    {"NoLayers", [](Scene& s) { s.materials[0].layers.clear(); }, Severity::error, "material 0 has no layers"},
+    {"GltfNan", [](Scene& s) { gltf(s).ior = kNan; }, Severity::error, "material 0 has a number that is not finite"},
+    {"GltfIorBelowOne", [](Scene& s) { gltf(s).ior = 0.5; }, Severity::warning, "material 0 has the refractive index 0.5"},
+    {"PovNan", [](Scene& s) { std::get<PovFinish>(s.materials[1].layers[1]).roughness = kNan; }, Severity::error, "material 1 has a number"},
+    {"InteriorNan", [](Scene& s) { s.interiors[0].fade_color.y = kNan; }, Severity::error, "interior 0 has a number that is not finite"},
+    {"InteriorIor", [](Scene& s) { s.interiors[0].ior = 0; }, Severity::error, "interior 0 has the refractive index 0"},
+    {"MediumNan", [](Scene& s) { s.interiors[0].media[0].absorption.x = kNan; }, Severity::error, "interior 0 has a medium with a number"},
+    // Lights, cameras, surroundings
+    {"IntensityNan", [](Scene& s) { s.lights[0].intensity.x = kNan; }, Severity::error, "light 0 has an intensity that is not finite"},
+    {"RangeZero", [](Scene& s) { s.lights[0].range = 0; }, Severity::error, "light 0 has the range 0"},
+    {"FadeNan", [](Scene& s) { s.lights[0].fade = LightFade{kNan, 2}; }, Severity::error, "light 0 fades by a number that is not finite"},
+    {"SpotTurnedInsideOut", [](Scene& s) { s.lights[0].kind = SpotLight{1, 0.5}; }, Severity::error, "light 0 has a cone from 1 to 0.5 radians"},
+    {"SpotNan", [](Scene& s) { s.lights[0].kind = SpotLight{0, kNan}; }, Severity::error, "light 0 has a cone from 0 to nan"},
+    {"AreaNegative", [](Scene& s) { AreaLight a; a.width = -1; s.lights[0].kind = a; }, Severity::error, "light 0 has the size -1 by 1"},
+    {"AreaRadius", [](Scene& s) { AreaLight a; a.form = AreaLight::Form::disc, a.radius = kInf; s.lights[0].kind = a; }, Severity::error, "light 0 has the radius inf"},
+    {"AreaGrid", [](Scene& s) { AreaLight a; a.samples_v = 0; s.lights[0].kind = a; }, Severity::error, "grid of 1 by 0 samples"},
+    {"CameraNan", [](Scene& s) { s.cameras[0].up.x = kNan; }, Severity::error, "camera 0 has a number that is not finite"},
+    {"CameraFlat", [](Scene& s) { s.cameras[0].up = s.cameras[0].right; }, Severity::warning, "camera 0 has its right, up and direction in one plane"},
+    {"ApertureNegative", [](Scene& s) { s.cameras[0].aperture = -1; }, Severity::error, "camera 0 has the aperture -1"},
+    {"BlurSamplesNegative", [](Scene& s) { s.cameras[0].blur_samples = -1; }, Severity::error, "camera 0 has -1 blur samples"},
+    {"BackgroundNan", [](Scene& s) { s.atmosphere.background.x = kNan; }, Severity::error, "the background has a number"},
+    {"EnvironmentNan", [](Scene& s) { s.atmosphere.environment = Color(kNan); }, Severity::error, "the environment has a number"},
+    {"FogNan", [](Scene& s) { s.atmosphere.fogs[0].distance = kNan; }, Severity::error, "a fog has a number"},
+    {"SkyNan", [](Scene& s) { s.atmosphere.sky->transform.translation.x = kNan; }, Severity::error, "the sky's transform is not finite"},
+    {"AirNan", [](Scene& s) { s.atmosphere.media[0].extinction = kNan; }, Severity::error, "the atmosphere has a medium with a number"},
+    {"SettingsNan", [](Scene& s) { s.settings.assumed_gamma = kNan; }, Severity::error, "the render settings have a number"},
+    // Animation
+    {"NoKeys", [](Scene& s) { move(s).times.clear(); }, Severity::error, "sample.gltf:/nodes/1: error: animation 0, channel 0, has no keys"},
+    {"KeysGoBack", [](Scene& s) { move(s).times = {1, 0}; }, Severity::error, "has times that do not increase"},
+    {"KeyNan", [](Scene& s) { move(s).times[1] = kNanF; }, Severity::error, "channel 0, has a number that is not finite"},
+    {"ValueCount", [](Scene& s) { move(s).values.pop_back(); }, Severity::error, "has 5 numbers for 2 keys: they should be 6"},
+    {"RotationWidth", [](Scene& s) { move(s).path = ChannelPath::rotation; }, Severity::error, "has 3 numbers a value where its target takes 4"},
+    {"WeightsWidth", [](Scene& s) { s.animations[0].channels[1].width = 2; }, Severity::error, "channel 1, has 2 numbers a value where its target takes 1"},
+    {"AnimatedMatrix", [](Scene& s) { s.nodes[1].trs.reset(); }, Severity::error, "moves a node whose place is given by a matrix"},
+};
+
+void PrintTo(const Fault& fault, std::ostream* out) { *out << fault.name; }
+
+class EveryFault : public testing::TestWithParam<Fault> {};
+
+/// One thing is broken: one message, with its severity and its place.
+TEST_P(EveryFault, IsReportedOnce) {
+    Scene scene = test::sample_scene();
+    GetParam().break_it(scene);
+    const Diagnostics said = validate(scene);
+    ASSERT_EQ(said.list().size(), 1u) << said.text();
+    EXPECT_EQ(said.list()[0].severity, GetParam().severity);
+    EXPECT_THAT(said.text(), HasSubstr(GetParam().message));
+}
+
+INSTANTIATE_TEST_SUITE_P(Validate, EveryFault, testing::ValuesIn(kFaults), [](const auto& info) { return std::string(info.param.name); });
+
+TEST(Validate, TheSampleSceneIsValid) { EXPECT_EQ(validate(test::sample_scene()).text(), ""); }
+
+TEST(Validate, AnEmptySceneIsValid) { EXPECT_EQ(validate(Scene()).text(), ""); }
+
+TEST(Validate, WhatPovRayDrawsIsNoFault) {
+    Scene s = test::sample_scene();
+    std::get<Sphere>(s.shapes[0].geometry).radius = -2;
+    std::get<Box>(s.shapes[2].geometry) = {Vec3(1, 2, 3), Vec3(-1, 2, -3)};   // corners in any order, and flat
+    s.cameras[0].direction *= 1e-3;
+    EXPECT_EQ(validate(s).text(), "");
+}
+
+TEST(Validate, ATransformThatDrawsNothingMayBeSingular) {
+    Scene s = test::sample_scene();
+    s.nodes[2].to_parent = Transform::scale(Vec3(0));   // a joint
+    s.nodes[5].to_parent = Transform::scale(Vec3(0));   // a light: but it looks like a box
+    EXPECT_EQ(validate(s).warnings(), 1u);
+    s.lights[0].looks_like.reset();
+    EXPECT_EQ(validate(s).warnings(), 0u);
+}
+
+/// The cycle is found wherever it is: here in a part that no root reaches, far behind its entry.
+TEST(Validate, NamesANodeOfTheCycle) {
+    std::vector<Node> nodes(1000);
+    for (uint32_t i = 1; i + 1 < 1000; ++i) nodes[i].children = {NodeId{i + 1}};
+    nodes[999].children = {NodeId{990}};
+    const Diagnostics said = validate(test::scene_of(nodes));
+    ASSERT_EQ(said.errors(), 1u);
+    EXPECT_THAT(said.text(), testing::ContainsRegex("error: node 99[0-9] is a part of itself"));
+}
+
+TEST(Validate, TwoFilesOfOneNameKeepTheirPlaces) {
+    Scene s = test::sample_scene();
+    s.files = {{"a.inc"}, {"a.inc"}, {"b.inc"}};
+    s.nodes[1].from = {2, 5, 1, ""};
+    s.nodes[1].to_parent = Transform::scale(Vec3(0));
+    EXPECT_THAT(validate(s).text(), HasSubstr("b.inc:5:1: warning"));
+}
+
+/// Linear time, no recursion: a chain and a fan of 300,000 nodes, and a diamond stair with 2^300000 paths.
+TEST(Validate, BigGraphs) {
+    constexpr uint32_t kCount = 300000;
+    const std::function<void(std::vector<Node>&, uint32_t)> links[] = {
+        [](auto& nodes, uint32_t i) { nodes[i].children = {NodeId{i + 1}}; },
+        [](auto& nodes, uint32_t i) { nodes[0].children.push_back(NodeId{i + 1}); },
+        [](auto& nodes, uint32_t i) { nodes[i].children = {NodeId{i + 1}, NodeId{i + 1}}; },
+    };
+    for (const auto& link : links) {
+        std::vector<Node> nodes(kCount);
+        for (uint32_t i = 0; i + 1 < kCount; ++i) link(nodes, i);
+        nodes.back().what = ShapeId{0};
+        EXPECT_EQ(validate(test::scene_of(std::move(nodes))).text(), "");
+    }
+}
+
+}  // namespace
+}  // namespace alidade

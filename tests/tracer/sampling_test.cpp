@@ -1,0 +1,233 @@
+// SPDX-License-Identifier: Apache-2.0
+/// Samplers, lights with an extent, skies and lenses, against what they converge to.
+#include "tests/tracer/scene_builder.h"
+#include "tracer/cameras.h"
+#include "tracer/lights.h"
+#include "tracer/sampler.h"
+#include "tracer/sky.h"
+
+#include <set>
+
+namespace alidade::test {
+namespace {
+
+TEST(Samplers, EveryRowIsUniformAndDeterministic) {
+    for (const SamplerEntry& sampler : samplers()) {
+        Vec2 mean(0), square(0);
+        double product = 0;
+        constexpr uint32_t kCount = 4096;
+        for (uint32_t i = 0; i < kCount; ++i) {
+            const Vec2 p = sampler.pair(RandomKey(1, 2, 3), i, kCount);
+            ASSERT_TRUE(p.x >= 0 && p.x < 1 && p.y >= 0 && p.y < 1) << sampler.name;
+            ASSERT_EQ(p, sampler.pair(RandomKey(1, 2, 3), i, kCount));
+            mean += p / double(kCount), square += p * p / double(kCount), product += p.x * p.y / kCount;
+        }
+        EXPECT_NEAR(mean.x, 0.5, 0.02) << sampler.name;
+        EXPECT_NEAR(mean.y, 0.5, 0.02) << sampler.name;
+        EXPECT_NEAR(square.x, 1 / 3.0, 0.02) << sampler.name;
+        EXPECT_NEAR(product, 0.25, 0.02) << sampler.name << ": the two dimensions do not know of each other";
+    }
+}
+
+/// Any power of two of Sobol pairs puts one sample into each elementary interval: 1 x n, 2 x n/2, ... n x 1.
+TEST(Samplers, SobolPairsAreNets) {
+    const SamplePair pair = find_sampler("sobol")->pair;
+    for (uint64_t domain = 0; domain < 20; ++domain)
+        for (uint32_t n : {1u, 4u, 16u, 64u, 256u})
+            for (uint32_t columns = 1; columns <= n; columns *= 2) {
+                std::set<std::pair<uint32_t, uint32_t>> cells;
+                for (uint32_t i = 0; i < n; ++i) {
+                    const Vec2 p = pair(RandomKey(domain, 0, 0), i, n);
+                    cells.insert({uint32_t(p.x * columns), uint32_t(p.y * (n / columns))});
+                }
+                ASSERT_EQ(cells.size(), n) << "domain " << domain << ", " << columns << " columns";
+            }
+}
+
+TEST(Samplers, StratifiedVisitsEveryCellOnce) {
+    const SamplePair pair = find_sampler("stratified")->pair;
+    for (const auto& [n, columns, rows] : {std::tuple{16u, 4u, 4u}, {12u, 4u, 3u}, {7u, 7u, 1u}, {100u, 10u, 10u}}) {
+        std::set<std::pair<uint32_t, uint32_t>> cells;
+        for (uint32_t i = 0; i < n; ++i) {
+            const Vec2 p = pair(RandomKey(5, 0, 9), i, n);
+            cells.insert({uint32_t(p.x * columns), uint32_t(p.y * rows)});
+        }
+        EXPECT_EQ(cells.size(), n);
+    }
+}
+
+/// The error of the mean of a smooth function falls faster with nets than with independent samples.
+TEST(Samplers, LowDiscrepancyBeatsChance) {
+    auto error = [](const char* name) {
+        double sum = 0;
+        for (uint64_t domain = 0; domain < 200; ++domain) {
+            double mean = 0;
+            for (uint32_t i = 0; i < 64; ++i) {
+                const Vec2 p = find_sampler(name)->pair(RandomKey(domain, 1, 1), i, 64);
+                mean += p.x * p.x * p.y / 64;
+            }
+            sum += std::pow(mean - 1 / 6.0, 2);
+        }
+        return std::sqrt(sum / 200);
+    };
+    EXPECT_LT(error("sobol"), error("random") / 5);
+    EXPECT_LT(error("stratified"), error("random") / 3);
+}
+
+PlacedLight area_light(AreaLight area, const Transform& t, double radiance) {
+    Light light;
+    light.kind = area;
+    light.intensity = Color(radiance);
+    return {light, t};
+}
+
+/// Mean irradiance on a surface at the origin with normal +y.
+double irradiance(const PlacedLight& light) {
+    double sum = 0;
+    constexpr uint32_t kCount = 1 << 14;
+    for (uint32_t i = 0; i < kCount; ++i) {
+        const Illumination e = illuminate(light, Vec3(0), samplers()[0].pair(RandomKey(3, 1, 4), i, kCount));
+        sum += e.irradiance.x * std::max(0.0, e.direction.y) / kCount;
+    }
+    return sum;
+}
+
+const Transform kDown = Transform::rotate({1, 0, 0}, -kPi / 2);   // -z to -y
+
+TEST(AreaLights, DiscByClosedForm) {
+    AreaLight disc;
+    disc.form = AreaLight::Form::disc;
+    disc.radius = 0.8;
+    for (double d : {0.3, 1.0, 10.0})
+        EXPECT_NEAR(irradiance(area_light(disc, Transform::translate({0, d, 0}) * kDown, 2)), 2 * kPi * 0.64 / (0.64 + d * d), 2e-3);
+    EXPECT_EQ(irradiance(area_light(disc, Transform::translate({0, 1, 0}) * Transform::rotate({1, 0, 0}, kPi / 2), 2)), 0) << "dark behind";
+}
+
+/// Four times the form factor of a rectangle over its corner. Source   Howell, "A Catalog of Radiation Heat Transfer Configuration Factors", B-3.
+TEST(AreaLights, RectangleByClosedForm) {
+    AreaLight area;
+    area.width = 1.6;
+    area.height = 0.6;
+    for (double d : {0.5, 2.0}) {
+        const double a = 0.8 / d, b = 0.3 / d, ra = std::sqrt(1 + a * a), rb = std::sqrt(1 + b * b);
+        const double factor = 4 / (2 * kPi) * (a / ra * std::atan(b / ra) + b / rb * std::atan(a / rb));
+        EXPECT_NEAR(irradiance(area_light(area, Transform::translate({0, d, 0}) * kDown, 3)), 3 * kPi * factor, 3e-3);
+        EXPECT_NEAR(irradiance(area_light(area, Transform::translate({0, d, 0}) * kDown * Transform::scale({2, 2, 1}), 3)) > 3 * kPi * factor, true, 0)
+            << "a scaled light is larger";
+    }
+}
+
+TEST(AreaLights, SphereByClosedForm) {
+    AreaLight sphere;
+    sphere.form = AreaLight::Form::sphere;
+    sphere.radius = 0.5;
+    for (double d : {0.51, 1.0, 100.0, 1e6})
+        EXPECT_NEAR(irradiance(area_light(sphere, Transform::translate({0, d, 0}), 4)) / (4 * kPi * 0.25 / (d * d)), 1, 2e-3) << d;
+    const Illumination e = illuminate(area_light(sphere, Transform::translate({0, 2, 0}), 1), Vec3(0), {0, 0.3});
+    EXPECT_NEAR(e.distance, 1.5, 1e-9) << "the near side";
+}
+
+/// A convex diffuse solid in a constant sky: every point sends back albedo times the sky, without noise.
+TEST(Skies, FurnaceOfAConvexSolid) {
+    SceneBuilder b;
+    b.object(Sphere{}, b.material(b.lambert(Color(0.5, 0.25, 1))));
+    b.scene.atmosphere.environment = Color(2);
+    b.camera({0, 0, 4}, {0, 0, 0}, 20);
+    const Film film = rendered(b.scene, centre_rays(8));
+    for (int y = 0; y < 8; ++y)
+        for (int x = 0; x < 8; ++x) {
+            EXPECT_NEAR(value(film.picture, x, y, "R"), 1, 1e-6);
+            EXPECT_NEAR(value(film.picture, x, y, "G"), 0.5, 1e-6);
+        }
+}
+
+/// Half the sky is hidden by a black wall that is infinitely high: half the light is left on the floor beside it.
+TEST(Skies, AWallHidesHalfOfIt) {
+    SceneBuilder b;
+    b.object(Plane{{0, 1, 0}, 0}, b.material(b.lambert(Color(1))));
+    b.object(Plane{{1, 0, 0}, 0}, b.material(b.lambert(Color(0))));
+    b.scene.atmosphere.environment = Color(1);
+    b.camera({1e-4, 1, 0}, {1e-4, 0, 0}, 1e-3, {0, 0, 1});
+    RenderOptions o = centre_rays(1);
+    o.spp = 4096;
+    EXPECT_NEAR(value(rendered(b.scene, o).picture, 0, 0, "R"), 0.5, 2e-3);
+}
+
+Picture gradient_sky() {
+    Picture p(16, 8, {"R", "G", "B"});
+    for (int y = 0; y < 8; ++y)
+        for (int x = 0; x < 16; ++x)
+            for (int c = 0; c < 3; ++c) p.at(x, y)[c] = float((x == 11 && y == 2 ? 50 : 0.2) + 0.1 * x + c);
+    return p;
+}
+
+/// The sum over samples of radiance cos / density is the irradiance that a sum over pixels gives; densities integrate to 1.
+TEST(Skies, ImageSamplesConvergeToTheSumOverPixels) {
+    const Sky sky(gradient_sky(), 0.5);
+    const Vec3 n = normalized(Vec3(0.3, 1, -0.2));
+    Color want(0);
+    constexpr int kFine = 40;
+    for (int y = 0; y < 8 * kFine; ++y)
+        for (int x = 0; x < 16 * kFine; ++x) {
+            const double theta = kPi * (y + 0.5) / (8 * kFine), phi = 2 * kPi * ((x + 0.5) / (16 * kFine) - 0.5);
+            const Vec3 d(std::sin(theta) * std::cos(phi), std::cos(theta), std::sin(theta) * std::sin(phi));
+            want += sky.radiance(d) * (std::max(0.0, dot(d, n)) * std::sin(theta) * (kPi / (8 * kFine)) * (2 * kPi / (16 * kFine)));
+        }
+    Color got(0);
+    double inverse = 0;
+    constexpr uint32_t kCount = 1 << 16;
+    for (uint32_t i = 0; i < kCount; ++i) {
+        const Sky::Sample s = sky.sample(n, samplers()[0].pair(RandomKey(2, 7, 1), i, kCount));
+        ASSERT_GT(s.density, 0);
+        EXPECT_EQ(s.radiance, sky.radiance(s.direction)) << i;
+        got += s.radiance * (std::max(0.0, dot(s.direction, n)) / s.density / kCount);
+        inverse += 1 / s.density / kCount;
+    }
+    EXPECT_NEAR(inverse, 4 * kPi, 0.02) << "the whole sphere is reached";
+    for (int c = 0; c < 3; ++c) EXPECT_NEAR(got[c] / want[c], 1, 0.01);
+}
+
+TEST(Lenses, RaysOfAPicturePointMeetInThePlaneOfFocus) {
+    Camera c;
+    c.right = {1.2, 0, 0};
+    c.aperture = 0.5;
+    c.focal_point = {0, 0, -7};
+    const CameraRays rays(c, 120, 100);
+    for (double x : {0.5, 60.0, 110.0}) {
+        const Ray pinhole = rays.at(x, 20);
+        const Vec3 meet = pinhole.at(-7 / pinhole.dir.z);
+        double widest = 0;
+        for (uint32_t i = 0; i < 64; ++i) {
+            const Ray ray = rays.at(x, 20, samplers()[0].pair(RandomKey(1, 1, 1), i, 64));
+            EXPECT_LT(length(ray.at((meet.z - ray.origin.z) / ray.dir.z) - meet), 1e-12);
+            widest = std::max(widest, length(ray.origin));
+        }
+        EXPECT_LE(widest, 0.25);
+        EXPECT_GT(widest, 0.23);
+    }
+}
+
+/// A point of light out of focus becomes a disc of the size that similar triangles give.
+TEST(Lenses, CircleOfConfusion) {
+    SceneBuilder b;
+    GltfPbr lamp = b.pbr(Color(0));
+    lamp.emissive = b.constant(Vec4(1));
+    b.object(Sphere{{0, 0, -10}, 1e-3}, b.material(lamp));
+    b.camera({0, 0, 0}, {0, 0, -1}, 20);
+    RenderOptions o = centre_rays(64);
+    o.spp = 4096;
+    o.aperture = 0.4;
+    o.focus = 5;
+    o.sampler = "sobol";
+    o.threads = 2;
+    const Film film = rendered(b.scene, o);
+    const double blur = 0.4 * (10 - 5) / 10 / 5, pixel = 2 * std::tan(10 * kPi / 180) / 64;   // diameter seen from the eye, and a pixel
+    double far = 0;
+    for (int y = 0; y < 64; ++y)
+        for (int x = 0; x < 64; ++x)
+            if (value(film.picture, x, y, "R") > 0) far = std::max(far, std::hypot(x - 31.5, y - 31.5));
+    EXPECT_NEAR(far, blur / 2 / pixel, 1.5);
+}
+
+}  // namespace
+}  // namespace alidade::test

@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: Apache-2.0
+/// Texture lookups against hand-made tables: wrap modes, filters, encodings, coordinate transforms, tangent frames.
+#include "tests/tracer/scene_builder.h"
+#include "tracer/shade_point.h"
+#include "tracer/surface.h"
+
+namespace alidade::test {
+namespace {
+
+std::vector<std::byte> pgm(int width, int height, const std::vector<int>& levels) {
+    std::string text = "P2\n" + std::to_string(width) + ' ' + std::to_string(height) + "\n255\n";
+    for (const int level : levels) text += std::to_string(level) + '\n';
+    const auto* begin = reinterpret_cast<const std::byte*>(text.data());
+    return {begin, begin + text.size()};
+}
+
+/// A 2 x 1 image: 0 on the left, 1 on the right.
+struct Lookup {
+    SceneBuilder b;
+    std::unique_ptr<Textures> textures;
+    ShadePoint point;
+
+    explicit Lookup(ImageSignal signal, std::vector<int> levels = {0, 255}) {
+        b.scene.images.push_back({"step", "", pgm(int(levels.size()), 1, levels), {}});
+        b.scene.signals.push_back({signal, {}});
+        Diagnostics said;
+        textures = std::make_unique<Textures>(b.scene, std::vector<SignalId>{{0}}, 1, said);
+        EXPECT_FALSE(said.has_errors()) << said.text();
+    }
+    double at(double u, double v = 0.5) {
+        point.shape_uv = {u, v};
+        return textures->evaluate({0}, point).x;
+    }
+};
+
+TEST(Textures, LinearFilterBetweenTexelCentres) {
+    ImageSignal s;
+    s.wrap_u = Wrap::clamp;
+    Lookup look(s);
+    EXPECT_EQ(look.at(0.25), 0);
+    EXPECT_EQ(look.at(0.75), 1);
+    EXPECT_NEAR(look.at(0.5), 0.5, 1e-12);
+    EXPECT_NEAR(look.at(0.625), 0.75, 1e-12);
+    EXPECT_EQ(look.at(-3), 0);
+    EXPECT_EQ(look.at(3), 1);
+}
+
+TEST(Textures, WrapModes) {
+    for (const auto& [wrap, u, want] : {std::tuple{Wrap::repeat, 1.25, 0.0}, {Wrap::repeat, -0.25, 1.0}, {Wrap::repeat, 0.0, 0.0}, {Wrap::clamp, -0.2, 0.0},
+                                        {Wrap::clamp, 1.2, 1.0}, {Wrap::mirror, 1.25, 1.0}, {Wrap::mirror, 1.75, 0.0}, {Wrap::mirror, -0.25, 0.0},
+                                        {Wrap::mirror, -0.75, 1.0}, {Wrap::once, 1.25, 0.0}, {Wrap::once, 0.75, 1.0}}) {
+        ImageSignal s;
+        s.wrap_u = wrap;
+        s.filter = Filter::nearest;
+        Lookup look(s);
+        EXPECT_EQ(look.at(u), want) << int(wrap) << ' ' << u;
+    }
+    ImageSignal s;
+    Lookup look(s);
+    EXPECT_NEAR(look.at(0.0), 0.5, 1e-12) << "linear filtering wraps too";
+    for (const Wrap any : {Wrap::repeat, Wrap::clamp, Wrap::mirror, Wrap::once}) {
+        s.wrap_u = any;
+        for (const double far : {1e300, -1e300, 16777215.5, kInf, std::numeric_limits<double>::quiet_NaN()}) EXPECT_LE(Lookup(s).at(far), 1) << "no crash";
+    }
+    s.wrap_u = Wrap::clamp;
+    EXPECT_EQ(Lookup(s).at(16777217), 1);
+}
+
+TEST(Textures, EncodingAndTransform) {
+    ImageSignal s;
+    s.wrap_u = s.wrap_v = Wrap::clamp;
+    EXPECT_NEAR(Lookup(s, {128}).at(0.5), 128 / 255.0, 1e-6);
+    s.srgb = true;
+    EXPECT_NEAR(Lookup(s, {128}).at(0.5), std::pow((128 / 255.0 + 0.055) / 1.055, 2.4), 1e-6);
+    s.srgb = false;
+    s.uv_transform = Mat3(-1, 0, 0, 0, 1, 0, 1, 0, 1);   // u' = 1 - u
+    EXPECT_EQ(Lookup(s).at(0.25), 1);
+}
+
+/// The tangent frame of a square whose u grows to the right and v downwards is (right, up), mirrored or not, turned or not.
+TEST(Textures, TangentFrameFollowsTheTextureCoordinates) {
+    for (const Transform& t : {Transform(), Transform::rotate({0, 0, 1}, 1), Transform::scale({-1, 1, 1}), Transform::scale({2, 0.5, 3})}) {
+        SceneBuilder b;
+        b.object(square(), b.material(b.lambert(Color(1))), t);
+        const auto scene = compiled(b.scene);
+        Ray ray;
+        ray.origin = {0.01, 0.02, 2};
+        ray.dir = {0, 0, -1};
+        Hit hit;
+        WorkCounters work;
+        ASSERT_TRUE(scene->top->intersect(ray, hit, work));
+        ShadePoint p = shade_point(*scene, ray, hit);
+        tangent_frame(*scene, 0, p);
+        EXPECT_LT(length(p.tangent - normalized(t.vector({1, 0, 0}))), 1e-12);
+        EXPECT_LT(length(p.bitangent - normalized(t.vector({0, 1, 0}))), 1e-12);
+        EXPECT_LT(length(p.geometric_normal - Vec3(0, 0, 1)), 1e-12) << "mirroring keeps the front in front";
+    }
+}
+
+/// A normal map on a texture coordinate set that the mesh has no values for: some frame, and no crash.
+TEST(Textures, TangentFrameWithoutTextureCoordinates) {
+    SceneBuilder b;
+    Mesh m = square();
+    m.uvs.resize(2);
+    std::swap(m.uvs[0], m.uvs[1]);
+    GltfPbr bumpy = b.lambert(Color(1));
+    bumpy.normal = b.constant({0.5, 0.5, 1, 1});
+    b.object(m, b.material(bumpy));
+    b.light(DirectionalLight(), Color(1));
+    b.camera({0, 0, 3}, {0, 0, 0}, 10);
+    EXPECT_GT(value(rendered(b.scene, centre_rays(1)).picture, 0, 0, "R"), 0.1);
+}
+
+}  // namespace
+}  // namespace alidade::test

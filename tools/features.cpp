@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "tools/features.h"
+
+#include "accel/accelerator.h"
+#include "eval/shapes/shape_ops.h"
+#include "importers/importer.h"
+#include "tools/verbs.h"
+#include "tracer/render.h"
+#include "tracer/sampler.h"
+
+#include <nlohmann/json.hpp>
+
+namespace alidade {
+
+namespace {
+
+/// {name, doc} of each row, with whatever `more` adds.
+template <class Rows, class More> Json rows_of(const Rows& rows, const More& more) {
+    Json list = Json::array();
+    for (const auto& row : rows) {
+        Json each = {{"name", row.name}};
+        more(row, each);
+        each["doc"] = row.doc;
+        list.push_back(std::move(each));
+    }
+    return list;
+}
+
+template <class Rows> Json rows_of(const Rows& rows) {
+    return rows_of(rows, [](const auto&, Json&) {});
+}
+
+Json instruction_sets() {
+    Json list = Json::array();
+    for (const Isa isa : available_isas()) list.push_back({{"name", name(isa)}});
+    return list;
+}
+
+}  // namespace
+
+Json features() {
+    return {
+        {"importers", rows_of(importers(), [](const ImporterEntry& row, Json& each) { each["extensions"] = row.extensions; })},
+        {"shapes", rows_of(shapes())},
+        {"accelerators", rows_of(accelerators())},
+        {"instruction sets", instruction_sets()},
+        {"integrators", rows_of(integrators())},
+        {"samplers", rows_of(samplers())},
+        {"output layers", rows_of(aovs(), [](const AovEntry& row, Json& each) { each["channels"] = row.channels; })},
+        {"verbs", rows_of(verbs(), [](const Verb& row, Json& each) { each["usage"] = row.usage, each["exits"] = row.exits; })},
+    };
+}
+
+}  // namespace alidade

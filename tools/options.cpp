@@ -1,0 +1,177 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "tools/options.h"
+
+#include "tools/values.h"
+#include "tracer/render.h"
+#include "tracer/sampler.h"
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+
+namespace alidade {
+
+namespace {
+
+/// An option whose word goes through `parse` (tools/values.h) to `store`.
+template <class Parse, class Store> CLI::Option* add(CLI::App& app, const char* option, const char* kind, Parse parse, Store store, const std::string& doc) {
+    const auto take = [option, parse, store](const std::string& word) {
+        const auto value = parse(word);
+        if (!value) throw CLI::ValidationError(option, value.error());
+        store(*value);
+    };
+    return app.add_option_function<std::string>(option, take, doc)->type_name(kind);
+}
+
+template <class T> void add_integer(CLI::App& app, const char* option, T& target, int64_t low, int64_t high, const std::string& doc) {
+    add(app, option, "N", [low, high](const std::string& word) { return parse_integer(word, low, high); }, [&target](int64_t n) { target = T(n); }, doc);
+}
+
+template <class Store> void add_number(CLI::App& app, const char* option, const char* kind, double low, Store store, const std::string& doc) {
+    add(app, option, kind, [low](const std::string& word) { return parse_number(word, low); }, store, doc);
+}
+
+/// The name of a table's row, or which names there are.
+Value<std::string> one_of(const std::string& word, const std::vector<std::string>& names) {
+    if (std::find(names.begin(), names.end(), word) != names.end()) return word;
+    const std::string near = nearest(word, names);
+    return tl::unexpected(fmt::format("'{}' is not one of {}{}", word, fmt::join(names, ", "), near.empty() ? "" : fmt::format("; did you mean '{}'?", near)));
+}
+
+template <class Rows> std::vector<std::string> names_of(const Rows& rows) {
+    std::vector<std::string> names;
+    for (const auto& row : rows) names.emplace_back(row.name);
+    return names;
+}
+
+struct SkyWord {
+    std::optional<Color> color;
+    std::string file;
+};
+
+Value<SkyWord> parse_sky(const std::string& word) {
+    if (word.empty() || word[0] != '#') return SkyWord{std::nullopt, word};
+    return parse_color(word).map([](const Color& color) { return SkyWord{color, {}}; });
+}
+
+/// Options that no group has yet go to `group`, in the help.
+void group_options(CLI::App& app, const char* group) {
+    for (CLI::Option* option : app.get_options())
+        if (option->get_group() == "Options" && option != app.get_help_ptr()) option->group(group);
+}
+
+std::vector<std::string> isa_names() {
+    std::vector<std::string> names{name(Isa::best)};
+    for (const Isa isa : available_isas()) names.emplace_back(name(isa));
+    return names;
+}
+
+Value<std::vector<std::string>> parse_layers(const std::string& word) {
+    const std::vector<std::string> known = names_of(aovs());
+    std::vector<std::string> layers;
+    for (const std::string& layer : CLI::detail::split(word, ',')) {
+        const auto one = one_of(layer, known);
+        if (!one) return tl::unexpected(one.error());
+        if (std::find(layers.begin(), layers.end(), *one) == layers.end()) layers.push_back(*one);
+    }
+    return layers;
+}
+
+/// The first word that no option took, as a sentence; empty if there is none.
+std::string unknown_word(const CLI::App& app) {
+    const std::vector<std::string> extras = app.remaining();
+    if (extras.empty()) return {};
+    const std::string word = extras[0].substr(0, extras[0].find('='));
+    if (word.size() < 2 || word[0] != '-') return fmt::format("unexpected word '{}'", extras[0]);
+    std::vector<std::string> options;
+    for (const CLI::Option* option : app.get_options())
+        for (const std::string& known : option->get_lnames()) options.push_back("--" + known);
+    const std::string near = nearest(word, options);
+    return fmt::format("unknown option '{}'{}", word, near.empty() ? "" : fmt::format("; did you mean '{}'?", near));
+}
+
+}  // namespace
+
+void add_choice(CLI::App& app, const char* option, std::vector<std::string> names, std::function<void(size_t)> store, const std::string& doc) {
+    const auto parse = [names](const std::string& word) { return one_of(word, names); };
+    const auto take = [names, store](const std::string& name) { store(size_t(std::find(names.begin(), names.end(), name) - names.begin())); };
+    add(app, option, "NAME", parse, take, fmt::format("{}: {}", doc, fmt::join(names, ", ")));
+}
+
+void add_scene_options(CLI::App& app, Request& request) {
+    app.add_option("SCENE", request.scene, "the scene's file")->type_name("FILE")->required();
+    add_number(app, "--time", "T", -1e9, [&request](double t) { request.time = request.render.time = t; },
+               "seconds into the scene's animations (default: nothing is posed)");
+    add_choice(app, "--light-units", {"auto", "photometric", "raw"}, [&request](size_t i) { request.import.light_units = LightUnitsOption(i); },
+               "what the file's light intensities are counted in (default auto)");
+    app.add_flag("--strict", request.import.strict, "what the importer does not understand is an error, not a warning");
+    group_options(app, "The scene");
+}
+
+void add_compile_options(CLI::App& app, Request& request) {
+    std::vector<std::string> structures = names_of(accelerators());
+    structures.insert(structures.begin(), "auto");
+    add_choice(app, "--accel", structures, [&request, structures](size_t i) { request.compile.accel = structures[i]; }, "accelerator (default auto)");
+    add_choice(app, "--precision", {"float", "double"}, [&request](size_t i) { request.compile.precision = Precision(i); },
+               "of mesh vertices and nodes; rays and hits are double always (default float)");
+    const std::vector<std::string> isas = isa_names();
+    const auto set_isa = [&request](size_t i) { request.compile.isa = i == 0 ? Isa::best : available_isas()[i - 1]; };
+    add_choice(app, "--isa", isas, set_isa, "instructions of the triangle filter, of those that this machine has (default best)");
+    add(app, "--environment", "#rgb|FILE", parse_sky, [&request](const SkyWord& sky) { request.compile.environment = sky.color, request.compile.environment_file = sky.file; },
+        "a constant sky, or an equirectangular picture, instead of the scene's");
+    app.add_flag("--full-kernel", request.compile.full_kernel, "renders with every feature, needed or not: to measure what they cost; the picture does not depend on it");
+    const auto set_threads = [&request](int64_t n) { request.compile.threads = request.render.threads = int(n); };
+    add(app, "--threads", "N", [](const std::string& word) { return parse_integer(word, 0, 4096); }, set_threads,
+        "0: as many as the machine has (default 0); the picture does not depend on it");
+    group_options(app, "How its rays are answered");
+}
+
+void add_render_options(CLI::App& app, Request& request) {
+    RenderOptions& render = request.render;
+    add(app, "--size", "WxH", [](const std::string& word) { return parse_size(word); },
+        [&render](const Size& size) { render.width = size.width, render.height = size.height; }, "of the picture, in pixels (default 640x480)");
+    add(app, "--region", "x0,y0,x1,y1", [](const std::string& word) { return parse_region(word); }, [&render](const Region& r) { render.region = r; },
+        "only these pixels; the rest stays black");
+    app.add_option("--camera", render.camera, "a camera's name, or its number from 0 (default: the first)")->type_name("NAME");
+    add_number(app, "--exposure", "EV", -1000, [&render](double ev) { render.exposure = ev; }, "colours are multiplied by 2^EV (default 0)");
+    add_number(app, "--aperture", "D", 0, [&render](double d) { render.aperture = d; }, "diameter of the lens, world units; 0: a pinhole (default: the camera's)");
+    add_number(app, "--focus", "D", 0, [&render](double d) { render.focus = d; }, "distance from the eye to the plane in focus, world units (default: the camera's)");
+    const std::vector<std::string> known = names_of(integrators());
+    add_choice(app, "--integrator", known, [&render, known](size_t i) { render.integrator = known[i]; }, "what a ray is asked (default whitted)");
+    add_integer(app, "--spp", render.spp, 1, 1 << 20, "samples a pixel; 1: its centre (default: as the scene says)");
+    const std::vector<std::string> spreads = names_of(samplers());
+    add_choice(app, "--sampler", spreads, [&render, spreads](size_t i) { render.sampler = spreads[i]; }, fmt::format("how samples are spread (default {})", render.sampler));
+    add_integer(app, "--light-samples", render.light_samples, 1, 1 << 16, "shadow rays to each light with an extent, and to the sky (default 1)");
+    add_integer(app, "--seed", render.seed, 0, INT64_MAX, "of the samples (default 0)");
+    add_integer(app, "--max-depth", render.max_depth, 0, 1000, "recursion limit (default: as the scene says, else 8)");
+    add(app, "--aov", "A,B", parse_layers, [&render](const std::vector<std::string>& layers) { render.aovs = layers; },
+        fmt::format("output layers: {}", fmt::join(names_of(aovs()), ", ")));
+    add_integer(app, "--tile", render.tile, 1, 4096, "edge of a tile in pixels (default 16); the picture does not depend on it");
+    group_options(app, "The picture");
+}
+
+std::optional<int> parse_words(CLI::App& app, const Verb& verb, const Words& words) {
+    app.name(fmt::format("alidade {}", verb.name));
+    app.description(fmt::format("alidade {}: {}", verb.usage, verb.doc));
+    app.footer(fmt::format("Exit codes: {}.", verb.exits));
+    app.allow_extras();
+    std::string sentence;
+    try {
+        app.parse(Words(words.rbegin(), words.rend()));   // CLI11 takes them from the back
+    } catch (const CLI::CallForHelp&) {
+        fmt::print("{}", app.help());
+        return kDone;
+    } catch (const CLI::ParseError& error) {
+        sentence = error.what();
+    }
+    const std::string unknown = unknown_word(app);   // a slip in an option's name is the cause of what else went wrong
+    if (!unknown.empty()) sentence = unknown;
+    if (sentence.empty()) return std::nullopt;
+    return usage_error(verb, sentence);
+}
+
+int usage_error(const Verb& verb, const std::string& sentence) {
+    fmt::print(stderr, "alidade {}: {}\n", verb.name, sentence);
+    return kUsage;
+}
+
+}  // namespace alidade

@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "tracer/cameras.h"
+
+#include "tracer/sampler.h"
+
+namespace alidade {
+
+Camera placed(const Camera& camera, const Transform& to_world) {
+    Camera out = camera;
+    out.location = to_world.point(camera.location);
+    out.direction = to_world.vector(camera.direction);
+    out.right = to_world.vector(camera.right);
+    out.up = to_world.vector(camera.up);
+    out.focal_point = to_world.point(camera.focal_point);
+    return out;
+}
+
+Camera framing_camera(const Bounds& bounds) {
+    const Bounds b = bounds.empty() || !bounds.finite() ? Bounds{Vec3(-0.5), Vec3(0.5)} : bounds;
+    const double radius = std::max(length(b.extent()) / 2, std::numeric_limits<double>::min());
+    constexpr double kHalfAngle = 20 * kPi / 180;
+    const Vec3 towards = normalized(Vec3(-0.55, -0.45, -1));
+    Camera camera;
+    camera.name = "framing";
+    camera.direction = towards;
+    camera.location = b.center() - towards * (radius / std::sin(kHalfAngle));   // the bounding sphere touches the window's edges
+    const Vec3 right = normalized(cross(towards, Vec3(0, 1, 0)));
+    const double size = 2 * std::tan(kHalfAngle);
+    camera.right = right * size;
+    camera.up = cross(right, towards) * size;
+    camera.fit = Fit::show_all;
+    return camera;
+}
+
+CameraRays::CameraRays(const Camera& camera, int width, int height) : camera_(camera), width_(width), height_(height) {
+    const double own = length(camera.right) / length(camera.up), asked = width_ / height_;
+    if (camera.fit == Fit::stretch) return;
+    if (camera.fit == Fit::height || asked > own) camera_.right = camera.right * (asked / own);
+    else camera_.up = camera.up * (own / asked);
+}
+
+Ray CameraRays::at(double x, double y, const Vec2& lens) const {
+    const Vec3 offset = (x / width_ - 0.5) * camera_.right + (0.5 - y / height_) * camera_.up;
+    Ray ray;
+    ray.mask = kMaskCamera;
+    const bool parallel = camera_.projection == Projection::orthographic;
+    ray.origin = parallel ? camera_.location + offset : camera_.location;
+    ray.dir = normalized(parallel ? camera_.direction : camera_.direction + offset);
+    if (!has_lens()) return ray;
+    // The plane of focus is parallel to the picture's.
+    const Vec3 normal = normalized(cross(camera_.right, camera_.up));
+    const Vec3 in_focus = ray.at(dot(camera_.focal_point - ray.origin, normal) / dot(ray.dir, normal));
+    const Vec2 disc = concentric_disc(lens) * (camera_.aperture / 2);
+    ray.origin += normalized(camera_.right) * disc.x + normalized(camera_.up) * disc.y;
+    ray.dir = normalized(in_focus - ray.origin);
+    return ray;
+}
+
+}  // namespace alidade

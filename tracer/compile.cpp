@@ -1,0 +1,222 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/float_mode.h"
+#include "core/parallel.h"
+#include "scene/queries.h"
+#include "tracer/cameras.h"
+#include "tracer/instance_set.h"
+#include "tracer/materials.h"
+#include "tracer/unrendered.h"
+
+#include <fmt/format.h>
+
+namespace alidade {
+namespace {
+
+/// More paths than this are a mistake of the file (or an attack): 30 levels of two references each are already a billion.
+constexpr size_t kMostPaths = 100'000'000;
+
+/// The nearest node on the path, from the shape upwards, that says something of material slot `slot`. An ancestor's first material covers all slots.
+std::optional<MaterialId> inherited_material(const Scene& scene, const std::vector<NodeId>& path, uint32_t slot) {
+    for (size_t i = path.size(); i-- > 0;) {
+        const auto& materials = scene.nodes[path[i].index].materials;
+        const size_t at = i + 1 == path.size() ? slot : 0;
+        if (at < materials.size() && materials[at]) return materials[at];
+    }
+    return std::nullopt;
+}
+
+std::optional<InteriorId> inherited_interior(const Scene& scene, const std::vector<NodeId>& path) {
+    for (size_t i = path.size(); i-- > 0;)
+        if (scene.nodes[path[i].index].interior) return scene.nodes[path[i].index].interior;
+    return std::nullopt;
+}
+
+Mask mask_of(const NodeFlags& flags) {
+    Mask mask = kMaskAll;
+    if (!flags.image) mask &= ~kMaskCamera;
+    if (!flags.shadow) mask &= ~kMaskShadow;
+    if (!flags.reflection) mask &= ~kMaskReflection;
+    return mask;
+}
+
+/// Walks the graph once and fills a CompiledScene with instances, lights and cameras.
+class Placer {
+  public:
+    Placer(CompiledScene& out, Diagnostics& said) : out_(out), said_(said), geometry_of_(out.scene.shapes.size(), kNoId), materials_(out) {}
+
+    bool visit(const Visit& visit) {
+        const Node& node = out_.scene.nodes[visit.node.index];
+        if (const auto* shape = std::get_if<ShapeId>(&node.what)) place_shape(visit, node, *shape);
+        else if (const auto* light = std::get_if<LightId>(&node.what)) place_light(visit, *light);
+        else if (const auto* camera = std::get_if<CameraId>(&node.what)) out_.cameras.push_back({placed(out_.scene.cameras[camera->index], visit.to_world)});
+        if (++paths_ < kMostPaths) return true;
+        said_.error(node.from, fmt::format("the scene has more than {} paths from a root to a node", kMostPaths), "look for nodes that refer to each other many times over");
+        return false;
+    }
+
+  private:
+    void place_shape(const Visit& visit, const Node& node, ShapeId shape) {
+        Transform to_world = visit.to_world;
+        if (const auto* mesh = std::get_if<Mesh>(&out_.scene.shapes[shape.index].geometry)) to_world = to_world * Transform::translate(mesh->origin);
+        const auto to_local = inverse(to_world);
+        if (!to_local) return said_.warning(node.from, "the transform has no inverse: this shape is flat or infinitely large and is left out");
+        Instance instance;
+        instance.to_world = to_world;
+        instance.to_local = *to_local;
+        instance.geometry = geometry(shape);
+        instance.first_slot = uint32_t(out_.slots.size());
+        instance.mask = mask_of(node.flags);
+        instance.node = visit.node;
+        const uint32_t slots = slot_count(out_.scene.shapes[shape.index].geometry);
+        const auto interior = inherited_interior(out_.scene, visit.path);
+        for (uint32_t slot = 0; slot < slots; ++slot) out_.slots.push_back(materials_.slot(inherited_material(out_.scene, visit.path, slot), interior));
+        out_.instances.push_back(instance);
+    }
+
+    void place_light(const Visit& visit, LightId id) { out_.lights.emplace_back(out_.scene.lights[id.index], visit.to_world); }
+
+    uint32_t geometry(ShapeId shape) {
+        uint32_t& index = geometry_of_[shape.index];
+        if (index != kNoId) return index;
+        index = uint32_t(out_.geometries.size());
+        Geometry g;
+        g.shape = shape;
+        g.source = &out_.scene.shapes[shape.index].geometry;
+        g.mesh = std::get_if<Mesh>(g.source);
+        g.ops = g.mesh ? nullptr : find_shape(*g.source);
+        if (!g.mesh) g.bounds = g.ops->bounds(*g.source);
+        out_.geometries.push_back(std::move(g));
+        return index;
+    }
+
+    CompiledScene& out_;
+    Diagnostics& said_;
+    std::vector<uint32_t> geometry_of_;   // by shape
+    size_t paths_ = 0;
+    MaterialTable materials_;
+};
+
+void report_removed(const CompiledScene& scene, const Geometry& g, Diagnostics& said) {
+    const size_t removed = g.triangles->stats().removed.size();
+    if (!removed) return;
+    const ShapeEntry& shape = scene.scene.shapes[g.shape.index];
+    said.note(shape.from, fmt::format("mesh '{}': {} of {} triangles have no area or no finite corners and cannot be hit", shape.name, removed, g.mesh->triangles.size()));
+}
+
+/// Meshes get their accelerators, in parallel; only those that an instance shows.
+void build_structures(CompiledScene& out, const AcceleratorEntry& accel, const CompileOptions& options, Diagnostics& said) {
+    const AccelOptions build{options.precision, options.isa, 1};
+    parallel_for(out.geometries.size(), options.threads, [&](size_t i) {
+        Geometry& g = out.geometries[i];
+        if (!g.mesh) return;
+        g.triangles = accel.over_triangles({g.mesh->positions, g.mesh->exact_positions, g.mesh->triangles}, build);
+        g.bounds = g.triangles->bounds();
+    });
+    for (const Geometry& g : out.geometries)
+        if (g.mesh) report_removed(out, g, said);
+    for (Instance& instance : out.instances) instance.bounds = instance.to_world.bounds(out.geometries[instance.geometry].bounds);
+    out.top = accel.over_set(std::make_shared<InstanceSet>(out), build);
+}
+
+/// The sky that the user asked for, else the file's.
+void make_sky(CompiledScene& out, const CompileOptions& options, Diagnostics& said) {
+    const Atmosphere& air = out.scene.atmosphere;
+    out.sky = std::make_unique<Sky>(air.background, false);
+    if (options.environment) {
+        out.sky = std::make_unique<Sky>(*options.environment, true);
+    } else if (!options.environment_file.empty()) {
+        auto picture = read_picture(options.environment_file, Encoding::automatic);
+        if (picture) out.sky = std::make_unique<Sky>(std::move(*picture), 1);
+        else said.error({}, fmt::format("environment '{}' cannot be read: {}", options.environment_file, picture.error()));
+    } else if (air.environment) {
+        out.sky = std::make_unique<Sky>(*air.environment * air.environment_strength, true);
+    }
+}
+
+/// What a file without lights is lit by: a sky, and a sun over the camera's left shoulder. Said on stderr, so that nobody takes it for the file's.
+void default_light(CompiledScene& out, const CompileOptions& options, Diagnostics& said) {
+    const bool asked = options.environment || !options.environment_file.empty();
+    if (!out.lights.empty() || out.sky->lights() || out.glows || asked) return;
+    said.note({}, "the scene has no light: a white sky of radiance 0.5 and a sun of 2 W/m^2 are added", "--environment FILE or #rgb sets a sky of your own");
+    out.sky = std::make_unique<Sky>(Color(0.5), true);
+    const Camera& camera = out.cameras.front().camera;
+    const Vec3 towards = normalized(normalized(camera.direction) * 2.0 + normalized(camera.right) - normalized(camera.up) * 1.5);
+    Light sun;
+    sun.name = "default sun";
+    sun.kind = DirectionalLight();
+    sun.intensity = Color(2);
+    Transform turned;
+    orthonormal_basis(-towards, turned.linear[0], turned.linear[1]);
+    turned.linear[2] = -towards;
+    out.lights.emplace_back(sun, turned);
+}
+
+void default_camera(CompiledScene& out, Diagnostics& said) {
+    if (!out.cameras.empty()) return;
+    Bounds bounds;
+    for (const Instance& instance : out.instances)
+        if (instance.bounds.finite()) bounds.extend(instance.bounds);
+    said.note({}, "the scene has no camera: one is placed that frames everything");
+    out.cameras.push_back({framing_camera(bounds)});
+}
+
+void choose_kernel(CompiledScene& out, const CompileOptions& options, FeatureReasons& reasons) {
+    if (out.sky->lights()) reasons.need(kSampledLights, "the sky");
+    for (const PlacedLight& l : out.lights)
+        if (l.sampled()) reasons.need(kSampledLights, fmt::format("light '{}'", l.light.name));
+    if (options.full_kernel) reasons.need(kAllFeatures, "--full-kernel");
+    out.features = reasons.mask();
+    out.kernel = reasons.text();
+}
+
+}  // namespace
+
+std::shared_ptr<const CompiledScene> compile(Scene scene, const CompileOptions& options, Diagnostics& said) {
+    const AcceleratorEntry* accel = find_accelerator(options.accel);
+    if (!accel) {
+        said.error({}, fmt::format("there is no accelerator '{}'", options.accel), "info --features lists them");
+        return nullptr;
+    }
+    const DefaultFloatMode mode;
+    for (const SourceFile& file : scene.files) said.add_file(file.path);
+    const Diagnostics checked = validate(scene);
+    for (const Diagnostic& d : checked.list())
+        if (d.severity == Severity::error) said.add(d);
+    if (said.has_errors()) return nullptr;
+    report_unrendered(scene, said);
+    auto out = std::make_shared<CompiledScene>();
+    out->scene = std::move(scene);
+    Placer placer(*out, said);
+    visit_paths(out->scene, [&](const Visit& visit) { return placer.visit(visit); });
+    FeatureReasons reasons;
+    compile_materials(*out, options, reasons, said);
+    make_sky(*out, options, said);
+    if (said.has_errors()) return nullptr;
+    build_structures(*out, *accel, options, said);
+    default_camera(*out, said);
+    default_light(*out, options, said);
+    choose_kernel(*out, options, reasons);
+    return out;
+}
+
+CompiledSummary summary(const CompiledScene& scene) {
+    CompiledSummary s;
+    s.instances = scene.instances.size();
+    s.geometries = scene.geometries.size();
+    s.lights = scene.lights.size();
+    s.images = scene.textures->count();
+    s.kernel = scene.kernel;
+    s.structures.emplace_back("instances", scene.top->stats());
+    s.bytes = scene.top->stats().bytes + scene.textures->bytes() + scene.instances.size() * sizeof(Instance);
+    for (const Geometry& g : scene.geometries) {
+        if (!g.mesh) continue;
+        s.triangles += g.mesh->triangles.size();
+        s.structures.emplace_back(scene.scene.shapes[g.shape.index].name, g.triangles->stats());
+        s.bytes += g.triangles->stats().bytes;
+    }
+    for (const Instance& i : scene.instances)
+        if (const Mesh* mesh = scene.geometries[i.geometry].mesh) s.instanced_triangles += mesh->triangles.size();
+    return s;
+}
+
+}  // namespace alidade

@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: Apache-2.0
+/// What a ray needs of a scene. Made by compile(), read by integrators; nothing in it changes while rays are traced.
+#pragma once
+
+#include "accel/accelerator.h"
+#include "eval/shapes/shape_ops.h"
+#include "tracer/lights.h"
+#include "tracer/render.h"
+#include "tracer/sky.h"
+#include "tracer/textures.h"
+
+namespace alidade {
+
+/// Something that can be hit, in its own space: a mesh with an accelerator over its triangles, or a closed-form shape. Stored once, however many
+/// instances show it.
+struct Geometry {
+    ShapeId shape;
+    const ShapeGeometry* source = nullptr;
+    const Mesh* mesh = nullptr;             ///< null for closed forms
+    std::unique_ptr<Accelerator> triangles; ///< null for closed forms
+    const ShapeOps* ops = nullptr;          ///< null for meshes
+    Bounds bounds;                          ///< infinite where the shape is
+};
+
+/// A material as an instance's slot has it, with the interior that its transmission leads into.
+struct SlotMaterial {
+    uint32_t material = 0;
+    uint32_t interior = kNoId;
+};
+
+/// One path from a root to a node with a shape.
+struct Instance {
+    Transform to_world, to_local;
+    Bounds bounds;                 ///< in world space
+    uint32_t geometry = 0;
+    uint32_t first_slot = 0;       ///< into CompiledScene::slots, as many as the shape has
+    Mask mask = kMaskAll;
+    NodeId node;
+};
+
+/// A camera with its node's transform applied: all in world space.
+struct PlacedCamera {
+    Camera camera;
+};
+
+/// What the render kernel is a template over: a bit is set if the scene needs it.
+enum Feature : unsigned {
+    kTextures = 1,        ///< signals that are not constant, vertex colours, normal maps
+    kAlpha = 2,           ///< surfaces that are not there, or not wholly: rays pass, shadow rays collect what they pass
+    kTransmission = 4,    ///< glass: refracted rays, shadow rays collect
+    kMirrors = 8,         ///< reflected rays
+    kSampledLights = 16,  ///< lights with an extent, and skies: shadow rays to points chosen at random
+    kAllFeatures = 31,
+};
+
+struct CompiledScene {
+    Scene scene;
+    std::vector<Geometry> geometries;
+    std::vector<Instance> instances;
+    std::vector<SlotMaterial> slots;
+    std::vector<Interior> interiors;
+    std::unique_ptr<Accelerator> top;      ///< over the instances
+    std::unique_ptr<Textures> textures;
+    std::vector<PlacedLight> lights;
+    std::vector<PlacedCamera> cameras;     ///< at least one
+    std::unique_ptr<Sky> sky;              ///< what a ray sees that leaves the scene, and what lights it from there
+    bool glows = false;                    ///< a surface emits light (or is unlit)
+    unsigned features = 0;
+    std::string kernel;                    ///< the features in words, each with what asked for it
+
+    CompiledScene() = default;
+    CompiledScene(const CompiledScene&) = delete;   // `geometries` and `textures` point into `scene`
+    CompiledScene& operator=(const CompiledScene&) = delete;
+};
+
+}  // namespace alidade

@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "tracer/instance_set.h"
+
+namespace alidade {
+namespace {
+
+Hit hit_of(const Crossing& crossing, uint32_t instance) {
+    Hit hit;
+    hit.t = crossing.t;
+    hit.instance = instance;
+    hit.primitive = 0;
+    hit.part = crossing.part;
+    hit.error = crossing.error;
+    return hit;
+}
+
+/// The first crossing of a closed form with the local ray, as a hit.
+bool first_crossing(const Geometry& geometry, const Ray& local, uint32_t instance, Hit& hit, WorkCounters& work) {
+    ++work.primitives;
+    const Crossings crossings = geometry.ops->crossings(*geometry.source, local);
+    for (int i = 0; i < crossings.count; ++i) {
+        if (!(crossings.at[i].t >= local.tmin)) continue;
+        if (!(crossings.at[i].t <= local.tmax)) return false;
+        hit = hit_of(crossings.at[i], instance);
+        return true;
+    }
+    return false;
+}
+
+/// What rounding in the transform of a ray may move a t by, generously: candidates this far behind the best are still asked for, so that the clamp
+/// below decides between them, and not the order in which instances are visited.
+double slack(const Ray& ray, double t) { return 1e-9 * (std::abs(t) + max_abs(ray.origin) / max_abs(ray.dir)); }
+
+}  // namespace
+
+bool InstanceSet::intersect(std::span<const uint32_t> ids, const Ray& ray, Hit& hit, WorkCounters& work) const {
+    bool found = false;
+    for (const uint32_t id : ids) {
+        const Instance& instance = scene_.instances[id];
+        if (!(instance.mask & ray.mask)) continue;
+        const Geometry& geometry = scene_.geometries[instance.geometry];
+        Ray local = instance.to_local.ray(ray);
+        if (hit.t < ray.tmax) local.tmax = std::min(ray.tmax, hit.t + slack(ray, hit.t));
+        Hit candidate;
+        const bool crossed = geometry.mesh ? geometry.triangles->intersect(local, candidate, work, id) : first_crossing(geometry, local, id, candidate, work);
+        if (!crossed) continue;
+        candidate.t = clamp_to_bounds(candidate.t, ray, instance.bounds);
+        if (!comes_before(candidate.t, id, candidate.primitive, hit)) continue;
+        hit = candidate;
+        found = true;
+    }
+    return found;
+}
+
+bool InstanceSet::occluded(std::span<const uint32_t> ids, const Ray& ray, WorkCounters& work) const {
+    for (const uint32_t id : ids) {
+        const Instance& instance = scene_.instances[id];
+        if (!(instance.mask & ray.mask)) continue;
+        const Geometry& geometry = scene_.geometries[instance.geometry];
+        const Ray local = instance.to_local.ray(ray);
+        Hit unused;
+        if (geometry.mesh ? geometry.triangles->occluded(local, work) : first_crossing(geometry, local, id, unused, work)) return true;
+    }
+    return false;
+}
+
+void InstanceSet::all_hits(std::span<const uint32_t> ids, const Ray& ray, std::vector<Hit>& hits, WorkCounters& work) const {
+    for (const uint32_t id : ids) {
+        const Instance& instance = scene_.instances[id];
+        if (!(instance.mask & ray.mask)) continue;
+        const Geometry& geometry = scene_.geometries[instance.geometry];
+        const Ray local = instance.to_local.ray(ray);
+        const size_t first = hits.size();
+        if (geometry.mesh) {
+            geometry.triangles->all_hits(local, hits, work, id);
+        } else {
+            ++work.primitives;
+            const Crossings crossings = geometry.ops->crossings(*geometry.source, local);
+            for (int i = 0; i < crossings.count; ++i)
+                if (crossings.at[i].t >= ray.tmin && crossings.at[i].t <= ray.tmax) hits.push_back(hit_of(crossings.at[i], id));
+        }
+        for (size_t i = first; i < hits.size(); ++i) hits[i].t = clamp_to_bounds(hits[i].t, ray, instance.bounds);
+    }
+}
+
+}  // namespace alidade

@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: Apache-2.0
+/// Light from all lights and from the sky that a surface sends to the eye.
+#pragma once
+
+#include "tracer/integrators/integrator.h"
+#include "tracer/shade.h"
+
+namespace alidade {
+
+enum class Shadows { cast, ignored };
+
+/// What comes through everything on a shadow ray that starts inside of `inside`.
+Color filtered_light(Tracing& tracing, const Ray& ray, const InteriorStack& inside);
+
+template <unsigned F> class DirectLight {
+  public:
+    DirectLight(Tracing& tracing, const ShadePoint& point, const Surface& surface, const RayState& state, Shadows shadows)
+        : tracing_(tracing), point_(point), surface_(surface), state_(state), shadows_(shadows) {}
+
+    Color sum() const {
+        Color sum(0);
+        for (size_t i = 0; i < tracing_.scene.lights.size(); ++i) {
+            const PlacedLight& light = tracing_.scene.lights[i];
+            if constexpr ((F & kSampledLights) != 0) {
+                if (light.sampled()) {
+                    sum += sampled(i, [&](const Vec2& square) { return from_light(light, square); });
+                    continue;
+                }
+            }
+            sum += from_light(light, Vec2(0));
+        }
+        if constexpr ((F & kSampledLights) != 0) {
+            if (tracing_.scene.sky->lights()) sum += sampled(kSkyDimension, [&](const Vec2& square) { return from_sky(square); });
+        }
+        return sum;
+    }
+
+  private:
+    static constexpr uint64_t kSkyDimension = uint64_t(1) << 40;   // behind all lights
+
+    template <class One> Color sampled(uint64_t dimension, One one) const {
+        Color sum(0);
+        const uint32_t count = uint32_t(tracing_.light_samples);
+        for (uint32_t k = 0; k < count; ++k) sum += one(state_.key.pair(dimension, k, count));
+        return sum / double(count);
+    }
+
+    Color from_light(const PlacedLight& light, const Vec2& square) const {
+        const Illumination arriving = illuminate(light, point_.position, square);
+        if (is_black(arriving.irradiance)) return Color(0);
+        const Color scattered = surface_.scatter(arriving.direction) * arriving.irradiance;
+        if (is_black(scattered) || light.light.shadowless) return scattered;
+        return scattered * visible(arriving.direction, arriving.distance);
+    }
+
+    Color from_sky(const Vec2& square) const {
+        const Sky::Sample sky = tracing_.scene.sky->sample(surface_.normal(), square);
+        const Vec3 facing = point_.front ? point_.geometric_normal : -point_.geometric_normal;
+        const double cosine = dot(surface_.normal(), sky.direction);
+        if (!(cosine > 0 && sky.density > 0) || dot(facing, sky.direction) <= 0) return Color(0);
+        const Color scattered = surface_.diffuse() * sky.radiance * (cosine / (kPi * sky.density));
+        return is_black(scattered) ? scattered : scattered * visible(sky.direction, kInf);
+    }
+
+    Color visible(const Vec3& direction, double distance) const {
+        if (shadows_ == Shadows::ignored) return Color(1);
+        ++tracing_.stats.shadow_rays;
+        Ray ray = spawn_ray(point_, direction, distance);
+        ray.mask = kMaskShadow;
+        ray.time = state_.time;
+        if constexpr ((F & (kAlpha | kTransmission)) != 0) return filtered_light(tracing_, ray, state_.inside);
+        return tracing_.scene.top->occluded(ray, tracing_.stats.work) ? Color(0) : Color(1);
+    }
+
+    Tracing& tracing_;
+    const ShadePoint& point_;
+    const Surface& surface_;
+    const RayState& state_;
+    Shadows shadows_;
+};
+
+/// What the surface sends to the eye by itself and by direct light, times the part of it that is there.
+template <unsigned F> Color local_light(Tracing& tracing, const ShadePoint& point, const Surface& surface, const RayState& state, Shadows shadows) {
+    const double there = surface.coverage();
+    if (there <= 0) return Color(0);
+    return (surface.emitted() + DirectLight<F>(tracing, point, surface, state, shadows).sum()) * there;
+}
+
+}  // namespace alidade

@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "tracer/integrators/direct_light.h"
+#include "tracer/segment.h"
+
+namespace alidade {
+
+/// Filters are multiplied in the order of hits, so the product is the same, bit for bit, whatever structure found them.
+Color filtered_light(Tracing& tracing, const Ray& ray, const InteriorStack& start) {
+    tracing.passed.clear();
+    tracing.scene.top->all_hits(ray, tracing.passed, tracing.stats.work);
+    InteriorStack inside = start;
+    Color through(1);
+    double t = 0;
+    for (const Hit& hit : tracing.passed) {
+        const ShadePoint p = shade_point(tracing.scene, ray, hit);
+        through *= transmitted(tracing.scene, p);
+        if (is_black(through)) return Color(0);
+        through *= transmittance(tracing.scene, inside, hit.t - t);
+        t = hit.t;
+        const uint32_t interior = tracing.scene.slots[tracing.scene.instances[p.instance].first_slot + p.slot].interior;
+        if (interior == kNoId) continue;
+        if (p.front) inside.enter({p.instance, interior});
+        else inside.leave(p.instance);
+    }
+    return std::isfinite(ray.tmax) ? through * transmittance(tracing.scene, inside, ray.tmax - t) : through;
+}
+
+void describe(const ShadePoint& point, const Surface& surface, double depth, FirstHit& first) {
+    first.hit = true;
+    first.depth = depth;
+    first.normal = surface.normal();
+    first.albedo = surface.albedo();
+    first.uv = point.uv(0);
+    first.instance = point.instance;
+}
+
+std::span<const Integrator> integrator_table() {
+    static const Integrator table[] = {cast_integrator(), whitted_integrator()};
+    return table;
+}
+
+std::span<const IntegratorEntry> integrators() {
+    static const std::vector<IntegratorEntry> rows = [] {
+        std::vector<IntegratorEntry> out;
+        for (const Integrator& i : integrator_table()) out.push_back(i.entry);
+        return out;
+    }();
+    return rows;
+}
+
+}  // namespace alidade

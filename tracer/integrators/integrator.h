@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: Apache-2.0
+/// What light a ray brings. An integrator is one file and one row of the table in integrator.cpp.
+#pragma once
+
+#include "tracer/surface.h"
+
+#include <array>
+#include <utility>
+
+namespace alidade {
+
+/// What the output layers need of a camera ray's first visible surface.
+struct FirstHit {
+    bool hit = false;
+    double depth = kInf;      ///< distance from the ray's origin, world units
+    Vec3 normal{0};           ///< shading normal, towards the eye
+    Color albedo{0};
+    Vec2 uv{0};
+    uint32_t instance = kNoId;
+    double coverage = 0;      ///< 1 less what passes through alpha to the background
+};
+
+/// One thread's view of a render.
+struct Tracing {
+    const CompiledScene& scene;
+    int max_depth;
+    int light_samples;        ///< shadow rays a surface point sends to each light with an extent, and to the sky
+    double bailout;           ///< rays whose weight is below it in all channels are not followed (POV-Ray's adc_bailout)
+    RenderStats& stats;
+    std::vector<Hit> passed{};   ///< scratch of shadow rays
+};
+
+/// Radiance along a camera ray; also fills in `first`. Pure: the same for the same ray and key.
+using Radiance = Color (*)(Tracing& tracing, const Ray& ray, const RayState& state, FirstHit& first);
+
+struct Integrator {
+    IntegratorEntry entry;
+    std::array<Radiance, kAllFeatures + 1> kernels;   ///< by feature mask
+};
+
+/// An integrator's table of kernels: `Kernel<F>::radiance` for every mask F.
+template <template <unsigned> class Kernel, unsigned... F> constexpr std::array<Radiance, sizeof...(F)> kernels(std::integer_sequence<unsigned, F...>) {
+    return {Kernel<F>::radiance...};
+}
+using EveryMask = std::make_integer_sequence<unsigned, kAllFeatures + 1>;
+
+std::span<const Integrator> integrator_table();
+Integrator cast_integrator();
+Integrator whitted_integrator();
+
+/// What the camera's layers say of a hit.
+void describe(const ShadePoint& point, const Surface& surface, double depth, FirstHit& first);
+
+}  // namespace alidade

@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <algorithm>
+#include <cstdint>
+
+namespace alidade {
+
+/// The solids that a point is in, in the order in which the ray entered them: (instance, index of refraction, attenuation) by index of a compiled
+/// interior. Solids may overlap: leaving one takes out its own entry, wherever it stands.
+class InteriorStack {
+  public:
+    /// Deeper nesting keeps the innermost entries.
+    static constexpr int kDepth = 64;
+    struct Entry {
+        uint32_t instance, interior;
+    };
+
+    InteriorStack() = default;
+    InteriorStack(const InteriorStack& other) : count_(other.count_) { std::copy_n(other.entries_, count_, entries_); }
+    InteriorStack& operator=(const InteriorStack& other) {
+        count_ = other.count_;
+        if (this != &other) std::copy_n(other.entries_, count_, entries_);
+        return *this;
+    }
+
+    bool empty() const { return count_ == 0; }
+    const Entry& top() const { return entries_[count_ - 1]; }
+
+    void enter(Entry e) {
+        if (count_ == kDepth) std::copy(entries_ + 1, entries_ + count_--, entries_);
+        entries_[count_++] = e;
+    }
+    /// Takes out the last entry of `instance`; false if there is none (the camera stood inside it).
+    bool leave(uint32_t instance) {
+        for (int i = count_ - 1; i >= 0; --i) {
+            if (entries_[i].instance != instance) continue;
+            std::copy(entries_ + i + 1, entries_ + count_, entries_ + i);
+            --count_;
+            return true;
+        }
+        return false;
+    }
+
+  private:
+    Entry entries_[kDepth];   // only the first count_ are ever read
+    int count_ = 0;
+};
+
+}  // namespace alidade

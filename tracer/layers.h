@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "tracer/integrators/integrator.h"
+
+#include <tl/expected.hpp>
+
+namespace alidade {
+
+/// The samples of one pixel, added up.
+struct PixelSamples {
+    Color radiance{0};
+    FirstHit sum;             ///< of the samples that hit: depth, normal, albedo, uv; coverage of all
+    uint32_t instance = kNoId;   ///< of the first sample that hit
+    int samples = 0, hits = 0;
+    uint64_t work = 0;        ///< box and primitive tests of the pixel
+
+    void add(const Color& radiance, const FirstHit& first);
+};
+
+/// The output layers that a picture has beside colour, in the order asked for.
+class Layers {
+  public:
+    /// An unknown name is a sentence that lists the known ones.
+    static tl::expected<Layers, std::string> parse(const std::vector<std::string>& names);
+    std::vector<std::string> channels() const;   ///< R, G, B, then the layers'
+    /// Writes the pixel's values, in the order of channels().
+    void write(const PixelSamples& pixel, double exposure_scale, float* out) const;
+
+  private:
+    std::vector<size_t> rows_;   // of the table
+};
+
+}  // namespace alidade

@@ -1,0 +1,128 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "tracer/materials.h"
+
+#include <fmt/format.h>
+
+namespace alidade {
+namespace {
+
+bool is_constant(const Scene& scene, SignalId id) { return std::holds_alternative<ConstantSignal>(scene.signals[id.index].what); }
+
+bool is_zero(const Scene& scene, const std::optional<SignalId>& id) {
+    if (!id) return true;
+    const auto* constant = std::get_if<ConstantSignal>(&scene.signals[id->index].what);
+    return constant && constant->value.x == 0 && constant->value.y == 0 && constant->value.z == 0;
+}
+
+/// Is the signal, or its default when absent, surely 1?
+bool is_one(const Scene& scene, const std::optional<SignalId>& id) {
+    if (!id) return true;
+    const auto* constant = std::get_if<ConstantSignal>(&scene.signals[id->index].what);
+    return constant && constant->value.x >= 1;
+}
+
+/// All signals that the render kernel evaluates of a material. Occlusion is not among them, so its image is not decoded.
+std::vector<SignalId> read_signals(const GltfPbr& m) {
+    std::vector<SignalId> out{m.base_color};
+    for (const auto& s : {m.metallic, m.roughness, m.normal, m.emissive, m.transmission, m.specular, m.specular_color})
+        if (s) out.push_back(*s);
+    return out;
+}
+
+/// What one material needs of the kernel.
+unsigned features_of(const Scene& scene, const GltfPbr& m) {
+    unsigned features = 0;
+    for (const SignalId id : read_signals(m))
+        if (!is_constant(scene, id)) features |= kTextures;
+    if (m.normal) features |= kTextures;
+    if (m.alpha_mode != AlphaMode::opaque) features |= kAlpha;
+    if (!is_zero(scene, m.transmission)) features |= kTransmission;
+    if (!m.unlit && !is_one(scene, m.roughness)) features |= kMirrors;
+    return features;
+}
+
+/// False, and an error, if the tracer cannot render the material.
+bool check_supported(const Scene& scene, const Material& m, const std::vector<SignalId>& signals, Diagnostics& said) {
+    if (m.layers.size() != 1 || !std::holds_alternative<GltfPbr>(m.layers[0])) {
+        said.error(m.from, fmt::format("material '{}': POV-Ray finishes and layers are not rendered yet", m.name));
+        return false;
+    }
+    if (!is_zero(scene, std::get<GltfPbr>(m.layers[0]).clearcoat))
+        said.warning(m.from, fmt::format("material '{}': clearcoat is not rendered yet: the material under it is drawn", m.name));
+    for (const SignalId id : signals) {
+        const Signal& s = scene.signals[id.index];
+        if (!std::holds_alternative<PatternSignal>(s.what) && !std::holds_alternative<FunctionSignal>(s.what)) continue;
+        said.error(s.from, fmt::format("material '{}': patterns and functions are not rendered yet", m.name));
+        return false;
+    }
+    return true;
+}
+
+}  // namespace
+
+void FeatureReasons::need(unsigned features, const std::string& who) {
+    for (int bit = 0; bit < kBits; ++bit)
+        if (features & (1u << bit) && who_[bit].empty()) who_[bit] = who;
+    mask_ |= features;
+}
+
+std::string FeatureReasons::text() const {
+    static constexpr const char* kName[kBits] = {"textures", "alpha", "transmission", "mirrors", "sampled lights"};
+    std::string out = fmt::format("mask {} of {}", mask_, unsigned(kAllFeatures));
+    for (int bit = 0; bit < kBits; ++bit)
+        if (mask_ & (1u << bit)) out += fmt::format("; {} for {}", kName[bit], who_[bit]);
+    return mask_ ? out : out + ": plain opaque surfaces, lights without extent";
+}
+
+uint32_t MaterialTable::default_material() {
+    if (default_) return *default_;
+    Scene& scene = out_.scene;
+    scene.signals.push_back({ConstantSignal{Vec4(1)}, {}});
+    GltfPbr pbr;
+    pbr.base_color = {uint32_t(scene.signals.size() - 1)};
+    Material material;
+    material.name = "default";
+    material.layers.push_back(pbr);
+    scene.materials.push_back(material);
+    default_ = uint32_t(scene.materials.size() - 1);
+    return *default_;
+}
+
+SlotMaterial MaterialTable::slot(std::optional<MaterialId> material, std::optional<InteriorId> interior) {
+    SlotMaterial out;
+    out.material = material ? material->index : default_material();
+    const Material& m = out_.scene.materials[out.material];
+    const auto* pbr = m.layers.empty() ? nullptr : std::get_if<GltfPbr>(&m.layers[0]);
+    if (!pbr || is_zero(out_.scene, pbr->transmission)) return out;
+    const auto [at, added] = interior_of_.try_emplace({out.material, interior ? interior->index : kNoId}, uint32_t(out_.interiors.size()));
+    if (added) {
+        out_.interiors.push_back(interior ? out_.scene.interiors[interior->index] : Interior());
+        out_.interiors.back().ior = pbr->ior;
+    }
+    out.interior = at->second;
+    return out;
+}
+
+void compile_materials(CompiledScene& out, const CompileOptions& options, FeatureReasons& reasons, Diagnostics& said) {
+    std::vector<bool> used(out.scene.materials.size());
+    for (const SlotMaterial& slot : out.slots) used[slot.material] = true;
+    std::vector<SignalId> signals;
+    for (size_t i = 0; i < used.size(); ++i) {
+        if (!used[i]) continue;
+        const Material& m = out.scene.materials[i];
+        std::vector<SignalId> own;
+        if (m.layers.size() == 1)
+            if (const auto* pbr = std::get_if<GltfPbr>(&m.layers[0]))
+                for (const SignalId id : read_signals(*pbr)) collect_signals(out.scene, id, own);
+        if (!check_supported(out.scene, m, own, said)) continue;
+        const auto& pbr = std::get<GltfPbr>(m.layers[0]);
+        reasons.need(features_of(out.scene, pbr), fmt::format("material '{}'", m.name));
+        out.glows = out.glows || (pbr.emissive && !is_zero(out.scene, pbr.emissive)) || pbr.unlit;
+        signals.insert(signals.end(), own.begin(), own.end());
+    }
+    for (const Geometry& g : out.geometries)
+        if (g.mesh && !g.mesh->colors.empty()) reasons.need(kTextures, fmt::format("vertex colours of '{}'", out.scene.shapes[g.shape.index].name));
+    out.textures = std::make_unique<Textures>(out.scene, signals, options.threads, said);
+}
+
+}  // namespace alidade

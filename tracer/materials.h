@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "tracer/compiled_scene.h"
+
+#include <map>
+
+namespace alidade {
+
+/// Gives instances' slots their materials and interiors, each stored once.
+class MaterialTable {
+  public:
+    explicit MaterialTable(CompiledScene& out) : out_(out) {}
+    /// Without a material the slot takes glTF's default one (specification 3.9: white, metallic 1, roughness 1), added to the scene.
+    SlotMaterial slot(std::optional<MaterialId> material, std::optional<InteriorId> interior);
+
+  private:
+    uint32_t default_material();
+
+    CompiledScene& out_;
+    std::map<std::pair<uint32_t, uint32_t>, uint32_t> interior_of_;   // (material, interior or kNoId) -> CompiledScene::interiors
+    std::optional<uint32_t> default_;
+};
+
+/// The feature mask of the render kernel, each bit with the first thing that asked for it.
+class FeatureReasons {
+  public:
+    void need(unsigned features, const std::string& who);
+    unsigned mask() const { return mask_; }
+    std::string text() const;
+
+  private:
+    static constexpr int kBits = 5;
+    std::string who_[kBits];
+    unsigned mask_ = 0;
+};
+
+/// Decodes the images that used materials read, and notes which features they need of the kernel. A material that cannot be rendered is an error.
+void compile_materials(CompiledScene& out, const CompileOptions& options, FeatureReasons& reasons, Diagnostics& said);
+
+}  // namespace alidade

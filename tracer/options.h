@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: Apache-2.0
+/// What a user can ask of a render. The command line has one option for each; `tradeoff --vary` takes the same names.
+#pragma once
+
+#include "accel/accelerator.h"
+#include "core/vec.h"
+
+#include <atomic>
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace alidade {
+
+struct CompileOptions {
+    std::string accel = "auto";
+    Precision precision = Precision::float_;
+    Isa isa = Isa::best;
+    int threads = 0;                       ///< 0: all
+    std::optional<Color> environment;      ///< a constant sky instead of the scene's
+    std::string environment_file;          ///< an equirectangular picture instead of it
+    bool full_kernel = false;              ///< the kernel with every feature, needed or not: to measure what they would cost
+};
+
+/// Pixels x0 <= x < x1, y0 <= y < y1, from the top left.
+struct Region {
+    int x0 = 0, y0 = 0, x1 = 0, y1 = 0;
+};
+
+struct RenderOptions {
+    int width = 640, height = 480;
+    std::optional<Region> region;          ///< the rest stays black and uncovered; the picture keeps its size
+    std::string camera;                    ///< a name, or a number from 0; empty: the scene's first, else one that frames everything
+    std::string integrator = "whitted";
+    int spp = 0;                           ///< samples a pixel; 1: the pixel's centre; 0: as the scene says
+    std::string sampler = "sobol";         ///< a name of the table in tracer/sampler.h: how samples are spread
+    int light_samples = 1;                 ///< shadow rays to each light with an extent, and to the sky, a surface point
+    std::optional<double> aperture;        ///< diameter of the lens, world units, instead of the camera's; 0: pinhole
+    std::optional<double> focus;           ///< distance from the eye to the plane in focus, world units, instead of the camera's
+    uint64_t seed = 0;
+    int frame = 0;
+    int max_depth = -1;                    ///< recursion limit; -1: as the scene says, else 8
+    double exposure = 0;                   ///< EV: colours are multiplied by 2^exposure
+    std::vector<std::string> aovs;         ///< names of the table in tracer/film.h
+    int tile = 16;
+    int threads = 0;
+    double time = 0;
+};
+
+/// How the caller watches a render and ends it early. `progress` is called under a lock, at most once a tile.
+struct Monitor {
+    std::function<void(size_t tiles_done, size_t tiles)> progress;
+    const std::atomic<bool>* stop = nullptr;
+};
+
+}  // namespace alidade

@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "core/ray.h"
+#include "tracer/interior_stack.h"
+#include "tracer/sampler.h"
+
+namespace alidade {
+
+enum class RayKind { camera, reflection, refraction, shadow };
+
+/// What travels with every ray.
+struct RayState {
+    InteriorStack inside;
+    Color weight{1};        ///< what the ray's radiance will be multiplied by on its way to the pixel
+    int depth = 0;          ///< how many surfaces sent it on
+    RayKind kind = RayKind::camera;
+    SampleKey key;
+    float time = 0;
+};
+
+}  // namespace alidade

@@ -1,0 +1,176 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/float_mode.h"
+#include "core/parallel.h"
+#include "tracer/cameras.h"
+#include "tracer/layers.h"
+
+#include <charconv>
+#include <chrono>
+#include <ctime>
+#include <fmt/format.h>
+#include <mutex>
+
+namespace alidade {
+namespace {
+
+/// Everything that a tile needs and that does not change.
+struct Job {
+    const CompiledScene& scene;
+    const RenderOptions& options;
+    CameraRays camera;
+    Radiance radiance;
+    Layers layers;
+    Region region;
+    SamplePair sampler;
+    int spp, max_depth;
+    int tiles_x, tiles_y;
+    const std::atomic<bool>* stop;
+
+    bool stopped() const { return stop && stop->load(std::memory_order_relaxed); }
+};
+
+tl::expected<const Camera*, std::string> choose_camera(const CompiledScene& scene, const std::string& name) {
+    if (name.empty()) return &scene.cameras.front().camera;
+    for (const PlacedCamera& c : scene.cameras)
+        if (c.camera.name == name) return &c.camera;
+    size_t index = 0;
+    const auto [end, bad] = std::from_chars(name.data(), name.data() + name.size(), index);
+    if (bad == std::errc() && end == name.data() + name.size() && index < scene.cameras.size()) return &scene.cameras[index].camera;
+    std::string known;
+    for (const PlacedCamera& c : scene.cameras) known += fmt::format("{}'{}'", known.empty() ? "" : ", ", c.camera.name);
+    return tl::unexpected(fmt::format("there is no camera '{}': the scene has {}", name, known));
+}
+
+/// The camera with the lens that the user asked for.
+Camera with_lens(Camera camera, const RenderOptions& options) {
+    if (options.aperture) camera.aperture = *options.aperture;
+    if (options.focus) camera.focal_point = camera.location + normalized(camera.direction) * *options.focus;
+    return camera;
+}
+
+tl::expected<Radiance, std::string> choose_kernel(const CompiledScene& scene, const std::string& name) {
+    for (const Integrator& i : integrator_table())
+        if (name == i.entry.name) return i.kernels[scene.features];
+    return tl::unexpected(fmt::format("there is no integrator '{}': info --features lists them", name));
+}
+
+enum Dimension : uint64_t { kPixelDimension, kLensDimension };
+
+/// One camera ray, and what it brings.
+void take_sample(const Job& job, Tracing& tracing, int x, int y, int s, PixelSamples& pixel) {
+    const uint64_t index = uint64_t(y) * uint64_t(job.options.width) + uint64_t(x);
+    RayState state;
+    state.key = SampleKey(job.sampler, RandomKey(job.options.seed, uint64_t(job.options.frame), index), uint32_t(s), uint32_t(job.spp));
+    state.time = float(job.options.time);
+    const Vec2 in_pixel = job.spp > 1 ? state.key.pair(kPixelDimension) : Vec2(0.5);
+    Ray ray = job.camera.at(x + in_pixel.x, y + in_pixel.y, job.camera.has_lens() ? state.key.pair(kLensDimension) : Vec2(0.5));
+    ray.time = state.time;
+    ++tracing.stats.camera_rays;
+    FirstHit first;
+    const Color radiance = job.radiance(tracing, ray, state, first);
+    pixel.add(radiance, first);
+}
+
+/// All samples of a pixel; fewer if the render was stopped.
+PixelSamples sample_pixel(const Job& job, Tracing& tracing, int x, int y) {
+    PixelSamples pixel;
+    const WorkCounters& work = tracing.stats.work;
+    const uint64_t before = work.boxes + work.filtered + work.primitives;
+    for (int s = 0; s < job.spp && !job.stopped(); ++s) take_sample(job, tracing, x, y, s, pixel);
+    pixel.work = work.boxes + work.filtered + work.primitives - before;
+    return pixel;
+}
+
+/// A tile's pixels depend on nothing but their own coordinates, so neither the order of tiles nor their size shows. False if the render was stopped:
+/// the pixel under way, and those after it, are left as they are.
+bool render_tile(const Job& job, size_t tile, Picture& picture, RenderStats& stats) {
+    const DefaultFloatMode mode;
+    Tracing tracing{job.scene, job.max_depth, job.options.light_samples, job.scene.scene.settings.adc_bailout, stats};
+    const int size = job.options.tile;
+    const int x0 = job.region.x0 + int(tile % size_t(job.tiles_x)) * size, y0 = job.region.y0 + int(tile / size_t(job.tiles_x)) * size;
+    const double exposure = std::exp2(job.options.exposure);
+    for (int y = y0; y < std::min(y0 + size, job.region.y1); ++y)
+        for (int x = x0; x < std::min(x0 + size, job.region.x1); ++x) {
+            const PixelSamples pixel = sample_pixel(job, tracing, x, y);
+            if (pixel.samples < job.spp) return false;
+            job.layers.write(pixel, exposure, picture.at(x, y));
+        }
+    return true;
+}
+
+void add(RenderStats& sum, const RenderStats& b) {
+    sum.camera_rays += b.camera_rays;
+    sum.shadow_rays += b.shadow_rays;
+    sum.secondary_rays += b.secondary_rays;
+    sum.work += b.work;
+}
+
+/// Of one pixel and light: samples are numbered in 32 bits.
+constexpr int64_t kMostSamples = int64_t(1) << 31;
+
+tl::expected<Region, std::string> checked_region(const RenderOptions& o) {
+    constexpr int kLargest = 1 << 16;
+    if (o.width < 1 || o.height < 1 || o.width > kLargest || o.height > kLargest)
+        return tl::unexpected(fmt::format("a picture of {}x{} pixels cannot be made: both sides must be 1 to {}", o.width, o.height, kLargest));
+    if (o.tile < 1 || o.tile > 4096) return tl::unexpected(fmt::format("a tile of {} pixels cannot be made: 1 to 4096", o.tile));
+    if (o.spp < 0 || o.light_samples < 1) return tl::unexpected(fmt::format("{} samples a pixel and {} a light cannot be taken", o.spp, o.light_samples));
+    if (o.aperture.value_or(0) < 0 || o.focus.value_or(1) <= 0) return tl::unexpected(std::string("a lens needs an aperture of at least 0 and a focus distance above 0"));
+    const Region whole{0, 0, o.width, o.height};
+    if (!o.region) return whole;
+    const Region r = *o.region;
+    if (r.x0 < 0 || r.y0 < 0 || r.x1 > o.width || r.y1 > o.height || r.x0 >= r.x1 || r.y0 >= r.y1)
+        return tl::unexpected(fmt::format("the region {},{},{},{} is empty or leaves the picture of {}x{}", r.x0, r.y0, r.x1, r.y1, o.width, o.height));
+    return r;
+}
+
+/// Renders all tiles; false if stopped early. Costs are whole numbers: their sum does not depend on the order.
+bool run(const Job& job, const Monitor& monitor, Film& film) {
+    const size_t tiles = size_t(job.tiles_x) * size_t(job.tiles_y);
+    std::mutex mutex;
+    size_t done = 0;
+    parallel_for(tiles, job.options.threads, [&](size_t tile) {
+        if (job.stopped()) return;
+        RenderStats stats;
+        const bool whole = render_tile(job, tile, film.picture, stats);
+        const std::lock_guard lock(mutex);
+        add(film.stats, stats);
+        if (!whole) return;
+        ++done;
+        if (monitor.progress) monitor.progress(done, tiles);
+    });
+    film.stats.tiles = tiles;
+    film.stats.tiles_done = done;
+    return done == tiles;
+}
+
+}  // namespace
+
+tl::expected<Film, std::string> render(const CompiledScene& scene, const RenderOptions& options, const Monitor& monitor) {
+    const auto region = checked_region(options);
+    if (!region) return tl::unexpected(region.error());
+    const auto camera = choose_camera(scene, options.camera);
+    if (!camera) return tl::unexpected(camera.error());
+    const auto kernel = choose_kernel(scene, options.integrator);
+    if (!kernel) return tl::unexpected(kernel.error());
+    auto layers = Layers::parse(options.aovs);
+    if (!layers) return tl::unexpected(layers.error());
+    const SamplerEntry* sampler = find_sampler(options.sampler);
+    if (!sampler) return tl::unexpected(fmt::format("there is no sampler '{}': info --features lists them", options.sampler));
+    const int spp = options.spp ? options.spp : scene.scene.settings.default_spp;
+    if (int64_t(spp) * options.light_samples > kMostSamples)
+        return tl::unexpected(fmt::format("{} samples a pixel times {} a light are more than {}", spp, options.light_samples, kMostSamples));
+    const int depth = options.max_depth >= 0 ? options.max_depth : scene.scene.settings.max_depth.value_or(8);
+    Job job{scene, options, CameraRays(with_lens(**camera, options), options.width, options.height), *kernel, *layers, *region, sampler->pair, spp, depth, 0, 0, monitor.stop};
+    job.tiles_x = (region->x1 - region->x0 + options.tile - 1) / options.tile;
+    job.tiles_y = (region->y1 - region->y0 + options.tile - 1) / options.tile;
+    Film film;
+    film.picture = Picture(options.width, options.height, layers->channels());
+    const auto start = std::chrono::steady_clock::now();
+    const std::clock_t cpu_start = std::clock();
+    film.complete = run(job, monitor, film);
+    film.stats.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    film.stats.cpu_seconds = double(std::clock() - cpu_start) / CLOCKS_PER_SEC;
+    return film;
+}
+
+}  // namespace alidade

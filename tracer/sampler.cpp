@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "tracer/sampler.h"
+
+namespace alidade {
+namespace {
+
+uint32_t reversed(uint32_t x) {
+    x = (x << 16) | (x >> 16);
+    x = ((x & 0x00ff00ffu) << 8) | ((x & 0xff00ff00u) >> 8);
+    x = ((x & 0x0f0f0f0fu) << 4) | ((x & 0xf0f0f0f0u) >> 4);
+    x = ((x & 0x33333333u) << 2) | ((x & 0xccccccccu) >> 2);
+    return ((x & 0x55555555u) << 1) | ((x & 0xaaaaaaaau) >> 1);
+}
+
+/// Owen's nested uniform scrambling of the binary digits of x / 2^32, as a hash: a digit is flipped by the digits above it.
+/// Source   Laine and Karras, "Stratified Sampling for Stochastic Transparency", EGSR 2011, in Burley's use, "Practical Hash-based Owen
+///          Scrambling", JCGT 9(4), 2020.
+uint32_t owen_scrambled(uint32_t x, uint32_t seed) {
+    x = reversed(x);
+    x += seed;
+    x ^= x * 0x6c50b47cu;
+    x ^= x * 0xb82f1e52u;
+    x ^= x * 0xc7afe638u;
+    x ^= x * 0x8d22f6e6u;
+    return reversed(x);
+}
+
+/// The second dimension of Sobol's sequence: direction numbers of the polynomial x + 1. The first is the reversed index itself.
+uint32_t sobol_second(uint32_t index) {
+    uint32_t out = 0;
+    for (uint32_t v = 1u << 31; index; index >>= 1, v ^= v >> 1)
+        if (index & 1) out ^= v;
+    return out;
+}
+
+double to_unit(uint32_t x) { return x * 0x1p-32; }
+
+/// Sobol's (0, 2)-sequence, shuffled and scrambled for each domain on its own.
+Vec2 sobol(RandomKey domain, uint32_t index, uint32_t) {
+    const uint64_t shuffle = domain.bits(0), scramble = domain.bits(1);
+    const uint32_t shuffled = owen_scrambled(index, uint32_t(shuffle));   // permutes aligned blocks of 2^k: each stays a net
+    return {to_unit(owen_scrambled(reversed(shuffled), uint32_t(scramble))), to_unit(owen_scrambled(sobol_second(shuffled), uint32_t(scramble >> 32)))};
+}
+
+/// The place of `index` in a permutation of 0 .. count - 1: a Feistel network over the next power of four, walked until it lands inside.
+uint32_t permuted(uint32_t index, uint32_t count, RandomKey key) {
+    uint32_t half = 0;
+    while ((uint64_t(1) << (2 * half)) < count) ++half;
+    const uint32_t mask = (1u << half) - 1;
+    do {
+        uint32_t left = index >> half, right = index & mask;
+        for (uint64_t round = 0; round < 4; ++round) {
+            const uint32_t next = left ^ (uint32_t(key.bits((uint64_t(right) << 8) + round)) & mask);
+            left = right;
+            right = next;
+        }
+        index = (left << half) | right;
+    } while (index >= count);
+    return index;
+}
+
+/// A jittered grid, as nearly square as `count` allows, its cells in random order.
+Vec2 stratified(RandomKey domain, uint32_t index, uint32_t count) {
+    uint32_t rows = uint32_t(std::sqrt(double(count)));
+    while (count % rows) --rows;
+    const uint32_t columns = count / rows, cell = permuted(index % count, count, domain.child(0));
+    const RandomKey jitter = domain.child(1).child(index);
+    return {(cell % columns + jitter.uniform(0)) / columns, (cell / columns + jitter.uniform(1)) / rows};
+}
+
+Vec2 independent(RandomKey domain, uint32_t index, uint32_t) {
+    const RandomKey key = domain.child(index);
+    return {key.uniform(0), key.uniform(1)};
+}
+
+constexpr SamplerEntry kTable[] = {
+    {"sobol", "low discrepancy: Sobol pairs, Owen-scrambled", sobol},
+    {"stratified", "a jittered grid", stratified},
+    {"random", "independent", independent},
+};
+
+}  // namespace
+
+std::span<const SamplerEntry> samplers() { return kTable; }
+
+const SamplerEntry* find_sampler(std::string_view name) {
+    for (const SamplerEntry& e : kTable)
+        if (name == e.name) return &e;
+    return nullptr;
+}
+
+Vec2 concentric_disc(const Vec2& square) {
+    const double x = 2 * square.x - 1, y = 2 * square.y - 1;
+    if (x == 0 && y == 0) return Vec2(0);
+    const bool wide = std::abs(x) > std::abs(y);
+    const double r = wide ? x : y, angle = wide ? kPi / 4 * (y / x) : kPi / 2 - kPi / 4 * (x / y);
+    return {r * std::cos(angle), r * std::sin(angle)};
+}
+
+}  // namespace alidade

@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: Apache-2.0
+/// From a hit to a Surface: the material's signals are evaluated, those alone that the feature mask F says the scene has.
+#pragma once
+
+#include "tracer/surface.h"
+
+namespace alidade {
+
+/// The metal-rough material of the slot that `p` lies in.
+const GltfPbr& pbr(const CompiledScene& scene, const ShadePoint& p);
+
+/// The first channel of a signal, or `absent`.
+double scalar(const CompiledScene& scene, const std::optional<SignalId>& signal, const ShadePoint& p, double absent);
+
+/// The part of the surface that is there (specification 3.9.4).
+double coverage(const GltfPbr& m, double alpha);
+
+/// The shading normal, bent by the material's normal map.
+Vec3 bent_normal(const CompiledScene& scene, const GltfPbr& m, const ShadePoint& point);
+
+template <unsigned F> Vec4 base_color(const CompiledScene& scene, const GltfPbr& m, const ShadePoint& p) {
+    const Vec4 base = scene.textures->evaluate(m.base_color, p);
+    if constexpr ((F & kTextures) != 0) return base * p.vertex_color();
+    return base;
+}
+
+template <unsigned F> Surface shade(const CompiledScene& scene, const ShadePoint& point, const Vec3& dir) {
+    const GltfPbr& m = pbr(scene, point);
+    Surface s;
+    s.point_ = &point;
+    s.wo_ = -dir;
+    const double side = point.front ? 1 : -1;
+    s.normal_ = ((F & kTextures) != 0 && m.normal ? bent_normal(scene, m, point) : point.shading_normal) * side;
+    const Vec4 base = base_color<F>(scene, m, point);
+    const double metallic = scalar(scene, m.metallic, point, 1), roughness = scalar(scene, m.roughness, point, 1);
+    s.albedo_ = Color(base);
+    if constexpr ((F & kAlpha) != 0) s.coverage_ = coverage(m, base.w);
+    s.unlit_ = m.unlit;
+    if (m.emissive) s.emitted_ = Color(scene.textures->evaluate(*m.emissive, point)) * m.emissive_strength;
+    if (m.unlit) {
+        s.emitted_ = s.albedo_;
+        return s;
+    }
+    const double transmission = (F & kTransmission) != 0 ? scalar(scene, m.transmission, point, 0) * (1 - metallic) : 0;
+    // KHR_materials_specular: strength and colour of the dielectric's reflection.
+    const double specular = scalar(scene, m.specular, point, 1);
+    const Color tint = m.specular_color ? Color(scene.textures->evaluate(*m.specular_color, point)) : Color(1);
+    const Color dielectric_f0 = glm::min(tint * std::pow((m.ior - 1) / (m.ior + 1), 2), Color(1)) * specular;
+    s.diffuse_ = s.albedo_ * ((1 - metallic) * (1 - transmission));
+    s.transmission_ = s.albedo_ * transmission;
+    s.f0_ = dielectric_f0 * (1 - metallic) + s.albedo_ * metallic;
+    s.f90_ = specular * (1 - metallic) + metallic;
+    s.alpha_ = roughness * roughness;
+    s.mirror_ = (1 - roughness) * (1 - roughness);
+    s.ior_ = m.ior;
+    return s;
+}
+
+}  // namespace alidade

@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "tracer/shade_point.h"
+
+namespace alidade {
+namespace {
+
+template <class T> T interpolate(const Attribute<T>& attribute, const Mesh& mesh, uint32_t triangle, double u, double v) {
+    const Index3& vertices = mesh.triangles[triangle];
+    using F = typename T::value_type;
+    const T& a = attribute.values[attribute.index(triangle, 0, vertices)];
+    const T& b = attribute.values[attribute.index(triangle, 1, vertices)];
+    const T& c = attribute.values[attribute.index(triangle, 2, vertices)];
+    return a * F(1 - u - v) + b * F(u) + c * F(v);
+}
+
+/// The two edges of a triangle from its first vertex, local space.
+void edges(const Mesh& mesh, uint32_t triangle, Vec3& e1, Vec3& e2) {
+    const Index3& i = mesh.triangles[triangle];
+    const auto at = [&](uint32_t v) { return mesh.exact_positions.empty() ? Vec3(mesh.positions[v]) : mesh.exact_positions[v]; };
+    e1 = at(i.y) - at(i.x);
+    e2 = at(i.z) - at(i.x);
+}
+
+void place_on_mesh(const Mesh& mesh, const Instance& instance, const Hit& hit, ShadePoint& p) {
+    p.mesh = &mesh;
+    p.triangle = hit.primitive;
+    p.u = hit.u, p.v = hit.v;
+    p.slot = mesh.slots.empty() ? 0 : mesh.slots[hit.primitive];
+    Vec3 e1, e2;
+    edges(mesh, hit.primitive, e1, e2);
+    p.geometric_normal = normalized(instance.to_local.transposed(normalized(cross(e1, e2))));
+    p.shading_normal = p.geometric_normal;
+    if (!mesh.normals.present()) return;
+    const Vec3 n(interpolate(mesh.normals, mesh, hit.primitive, hit.u, hit.v));
+    const Vec3 world = normalized(instance.to_local.transposed(n));
+    if (std::abs(dot(world, world) - 1) < 1e-6) p.shading_normal = world;   // opposite vertex normals can cancel: stay flat there
+    // Files exist whose normals point against the winding: the normals then say which side is the front.
+    if (dot(p.shading_normal, p.geometric_normal) < 0) p.geometric_normal = -p.geometric_normal;
+}
+
+void place_on_shape(const Geometry& geometry, const Instance& instance, const Hit& hit, ShadePoint& p) {
+    const SurfacePoint s = geometry.ops->surface(*geometry.source, instance.to_local.point(p.position), hit.part);
+    p.geometric_normal = p.shading_normal = normalized(instance.to_local.transposed(s.normal));
+    p.shape_uv = s.uv;
+}
+
+/// The error of a hit found with a transformed ray, seen in world space. The local ray is the exact image of the world ray up to gamma_4 of each
+/// product and sum in the transform; mapped back, that and the hit's own bound grow by at most the norm of to_world. at() adds gamma_3.
+double world_error(const Instance& instance, const Ray& ray, const Hit& hit, const Vec3& position) {
+    const double reach = length(ray.origin) + std::abs(hit.t) * length(ray.dir);
+    const double local_size = instance.to_local.norm() * reach + length(instance.to_local.translation);
+    const double stretch = instance.to_world.norm();
+    return stretch * (hit.error.along_normal + gamma_bound(5) * local_size) + gamma_bound(5) * (reach + length(position));
+}
+
+}  // namespace
+
+Vec2 ShadePoint::uv(uint32_t set) const {
+    if (!mesh) return shape_uv;
+    if (set >= mesh->uvs.size() || !mesh->uvs[set].present()) return Vec2(0);
+    return Vec2(interpolate(mesh->uvs[set], *mesh, triangle, u, v));
+}
+
+Vec4 ShadePoint::vertex_color() const {
+    if (!mesh || mesh->colors.empty() || !mesh->colors[0].present()) return Vec4(1);
+    return Vec4(interpolate(mesh->colors[0], *mesh, triangle, u, v));
+}
+
+ShadePoint shade_point(const CompiledScene& scene, const Ray& ray, const Hit& hit) {
+    const Instance& instance = scene.instances[hit.instance];
+    const Geometry& geometry = scene.geometries[instance.geometry];
+    ShadePoint p;
+    p.instance = hit.instance;
+    p.position = ray.at(hit.t);
+    p.error = world_error(instance, ray, hit, p.position);
+    if (geometry.mesh) place_on_mesh(*geometry.mesh, instance, hit, p);
+    else place_on_shape(geometry, instance, hit, p);
+    p.front = dot(ray.dir, p.geometric_normal) <= 0;
+    return p;
+}
+
+void tangent_frame(const CompiledScene& scene, uint32_t uv_set, ShadePoint& p) {
+    const Instance& instance = scene.instances[p.instance];
+    Vec3 along_u(0);
+    double handedness = 1;
+    if (p.mesh && p.mesh->tangents.present()) {
+        const Vec4 t(interpolate(p.mesh->tangents, *p.mesh, p.triangle, p.u, p.v));
+        along_u = instance.to_world.vector(Vec3(t.x, t.y, t.z));
+        handedness = (t.w < 0 ? -1 : 1) * (instance.to_world.determinant() < 0 ? -1 : 1);
+    } else if (p.mesh && uv_set < p.mesh->uvs.size() && p.mesh->uvs[uv_set].present()) {
+        Vec3 e1, e2;
+        edges(*p.mesh, p.triangle, e1, e2);
+        const auto& uvs = p.mesh->uvs[uv_set];
+        const Index3& i = p.mesh->triangles[p.triangle];
+        auto at = [&](int corner) { return Vec2(uvs.values[uvs.index(p.triangle, corner, i)]); };
+        const Vec2 d1 = at(1) - at(0), d2 = at(2) - at(0);
+        const double det = d1.x * d2.y - d2.x * d1.y;
+        along_u = instance.to_world.vector((e1 * d2.y - e2 * d1.y) * (det < 0 ? -1.0 : 1.0));
+        // v grows downwards, so the bitangent of an unmirrored map is -dP/dv: a frame with det > 0 in (u, v) is left-handed as seen from the front.
+        handedness = (det < 0 ? 1 : -1) * (instance.to_world.determinant() < 0 ? -1 : 1);
+    }
+    const Vec3& n = p.shading_normal;
+    const Vec3 t = normalized(along_u - n * dot(n, along_u));
+    if (std::abs(dot(t, t) - 1) > 1e-6) return orthonormal_basis(n, p.tangent, p.bitangent);
+    p.tangent = t;
+    p.bitangent = cross(n, t) * handedness;
+}
+
+Ray spawn_ray(const ShadePoint& point, const Vec3& dir, double tmax) {
+    const double side = dot(dir, point.geometric_normal) < 0 ? -1 : 1;
+    Ray ray;
+    // Once for the error of this point, once for that of the test which must not find the surface again.
+    const Vec3 offset = point.geometric_normal * (side * 2 * point.error);
+    for (int k = 0; k < 3; ++k) {
+        const double moved = point.position[k] + offset[k];
+        ray.origin[k] = offset[k] == 0 ? moved : std::nextafter(moved, offset[k] > 0 ? kInf : -kInf);   // never rounded back
+    }
+    ray.dir = dir;
+    ray.tmin = 0;
+    ray.tmax = tmax;
+    return ray;
+}
+
+}  // namespace alidade

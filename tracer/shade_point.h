@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "tracer/compiled_scene.h"
+
+namespace alidade {
+
+/// A hit, placed: all that materials ask of it. Texture coordinates are read from the mesh when a signal asks for them.
+struct ShadePoint {
+    const Mesh* mesh = nullptr;
+    uint32_t triangle = 0;
+    double u = 0, v = 0;              ///< barycentric on meshes
+    Vec2 shape_uv{0};                 ///< texture coordinates of closed forms
+    Vec3 position{0};                 ///< world space
+    Vec3 geometric_normal{0, 0, 1};   ///< unit, world space, on the front of the surface (outside)
+    Vec3 shading_normal{0, 0, 1};     ///< unit, world space, interpolated; on the front
+    Vec3 tangent{1, 0, 0}, bitangent{0, 1, 0};   ///< world space; set by tangent_frame()
+    double error = 0;                 ///< how far `position` may be from the true surface, world space
+    uint32_t instance = 0, slot = 0;
+    bool front = true;                ///< the ray came from outside
+
+    Vec2 uv(uint32_t set) const;
+    /// The mesh's vertex colour, or white.
+    Vec4 vertex_color() const;
+};
+
+/// `ray` is the world-space ray that found `hit`.
+ShadePoint shade_point(const CompiledScene& scene, const Ray& ray, const Hit& hit);
+
+/// Fills in `tangent` and `bitangent`: the mesh's own, else along the texture coordinates of `uv_set`.
+void tangent_frame(const CompiledScene& scene, uint32_t uv_set, ShadePoint& point);
+
+/// A ray from `point` that cannot meet the surface it starts on: the origin is moved off it along the normal, to the side that `dir` points to, by the
+/// position's error bound (docs/numerics.md, "Spawned rays").
+Ray spawn_ray(const ShadePoint& point, const Vec3& dir, double tmax = kInf);
+
+}  // namespace alidade

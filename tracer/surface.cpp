@@ -1,0 +1,129 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "tracer/shade.h"
+
+namespace alidade {
+namespace {
+
+/// Trowbridge-Reitz (GGX) times Smith's height-correlated visibility. Source   glTF 2.0, appendix B.3.2.
+double microfacet(double alpha, double nh, double nl, double nv) {
+    const double a2 = alpha * alpha, d = nh * nh * (a2 - 1) + 1;
+    const double distribution = a2 / (kPi * d * d);
+    const double visibility = 0.5 / (nl * std::sqrt(a2 + (1 - a2) * nv * nv) + nv * std::sqrt(a2 + (1 - a2) * nl * nl));
+    return distribution * visibility;
+}
+
+uint32_t uv_set_of(const Scene& scene, SignalId signal) {
+    const auto* image = std::get_if<ImageSignal>(&scene.signals[signal.index].what);
+    return image ? image->uv_set : 0;
+}
+
+}  // namespace
+
+const GltfPbr& pbr(const CompiledScene& scene, const ShadePoint& p) {
+    const SlotMaterial& slot = scene.slots[scene.instances[p.instance].first_slot + p.slot];
+    return std::get<GltfPbr>(scene.scene.materials[slot.material].layers[0]);
+}
+
+double scalar(const CompiledScene& scene, const std::optional<SignalId>& signal, const ShadePoint& p, double absent) {
+    return signal ? scene.textures->evaluate(*signal, p).x : absent;
+}
+
+double coverage(const GltfPbr& m, double alpha) {
+    switch (m.alpha_mode) {
+        case AlphaMode::mask: return alpha < m.alpha_cutoff ? 0 : 1;
+        case AlphaMode::blend: return std::clamp(alpha, 0.0, 1.0);
+        case AlphaMode::opaque: break;
+    }
+    return 1;
+}
+
+Vec3 bent_normal(const CompiledScene& scene, const GltfPbr& m, const ShadePoint& point) {
+    ShadePoint p = point;
+    tangent_frame(scene, uv_set_of(scene.scene, *m.normal), p);
+    const Vec3 sampled = Vec3(scene.textures->evaluate(*m.normal, p)) * 2.0 - Vec3(1);
+    return normalized(p.tangent * (sampled.x * m.normal_scale) + p.bitangent * (sampled.y * m.normal_scale) + p.shading_normal * sampled.z);
+}
+
+double fresnel_dielectric(double cos_i, double eta) {
+    const double sin2_t = (1 - cos_i * cos_i) / (eta * eta);
+    if (!(sin2_t < 1)) return 1;   // an index of 0 divides by 0: nothing gets through
+    const double cos_t = std::sqrt(1 - sin2_t);
+    const double parallel = (eta * cos_i - cos_t) / (eta * cos_i + cos_t), perpendicular = (cos_i - eta * cos_t) / (cos_i + eta * cos_t);
+    return (parallel * parallel + perpendicular * perpendicular) / 2;
+}
+
+bool refract(const Vec3& dir, const Vec3& n, double eta, Vec3& out) {
+    const double cos_i = -dot(dir, n), sin2_t = (1 - cos_i * cos_i) / (eta * eta);
+    if (!(sin2_t < 1)) return false;
+    out = normalized(dir / eta + n * (cos_i / eta - std::sqrt(1 - sin2_t)));
+    return true;
+}
+
+/// Schlick's approximation, as the specification's appendix B.3.4 has it.
+Color Surface::fresnel(double cos_angle) const {
+    const double x = std::clamp(1 - cos_angle, 0.0, 1.0), x2 = x * x;
+    return f0_ + (Color(f90_) - f0_) * (x2 * x2 * x);
+}
+
+Vec3 Surface::facing_normal() const { return point_->front ? point_->geometric_normal : -point_->geometric_normal; }
+
+Color Surface::scatter(const Vec3& wi) const {
+    if (unlit_) return Color(0);
+    const Vec3 facing = facing_normal();
+    const double nl = dot(normal_, wi);
+    if (nl <= 0 || dot(facing, wi) <= 0) return Color(0);   // a bent normal must not let light through from behind
+    const double nv = std::max(dot(normal_, wo_), 1e-4);
+    const Vec3 h = normalized(wi + wo_);
+    const Color f = fresnel(dot(wo_, h));
+    const Color diffuse = (Color(1) - f) * diffuse_ * (nl / kPi);
+    if (alpha_ < kSmallestAlpha) return diffuse;
+    return diffuse + f * (nl * microfacet(alpha_, std::max(dot(normal_, h), 0.0), nl, nv));
+}
+
+Secondaries Surface::secondary(const CompiledScene& scene, const RayState& state) const {
+    Secondaries out;
+    if (coverage_ <= 0 || unlit_) return out;
+    if (!is_black(transmission_)) {
+        add_transmission(scene, state, out);
+        return out;
+    }
+    const Vec3 facing = facing_normal();
+    const double cos_o = dot(normal_, wo_);
+    Vec3 mirrored = normal_ * (2 * cos_o) - wo_;
+    // A bent normal can send the mirror ray below the surface: then the true normal mirrors it.
+    if (dot(mirrored, facing) <= 0) mirrored = facing * (2 * dot(facing, wo_)) - wo_;
+    const Color weight = fresnel(std::max(cos_o, 0.0)) * (mirror_ * coverage_);
+    if (!is_black(weight)) out.at[out.count++] = {normalized(mirrored), weight, RayKind::reflection, state.inside};
+    return out;
+}
+
+/// Glass: what is not mirrored is refracted and coloured. The outside is whatever the ray was in before.
+void Surface::add_transmission(const CompiledScene& scene, const RayState& state, Secondaries& out) const {
+    const auto ior_in = [&](const InteriorStack& stack) { return stack.empty() ? 1.0 : scene.interiors[stack.top().interior].ior; };
+    InteriorStack beyond = state.inside;
+    const uint32_t interior = scene.slots[scene.instances[point_->instance].first_slot + point_->slot].interior;
+    if (point_->front) beyond.enter({point_->instance, interior});
+    else beyond.leave(point_->instance);
+    // A camera inside the glass has no entry to leave: it is in this interior all the same.
+    const double n1 = !point_->front && state.inside.empty() ? ior_ : ior_in(state.inside), n2 = ior_in(beyond);
+    // A bent normal can face away from the eye: then the true one mirrors and refracts.
+    const Vec3 facing = facing_normal(), normal = dot(normal_, wo_) > 0 ? normal_ : facing;
+    const double eta = n2 / n1, cos_o = std::max(dot(normal, wo_), 0.0), reflectance = fresnel_dielectric(cos_o, eta);
+    Vec3 mirrored = normal * (2 * cos_o) - wo_, through;
+    if (dot(mirrored, facing) <= 0) mirrored = facing * (2 * dot(facing, wo_)) - wo_;
+    out.at[out.count++] = {normalized(mirrored), Color(reflectance * coverage_), RayKind::reflection, state.inside};
+    if (!refract(-wo_, normal, eta, through)) return;
+    if (dot(through, facing) >= 0 && !refract(-wo_, facing, eta, through)) return;
+    out.at[out.count++] = {through, transmission_ * ((1 - reflectance) * coverage_), RayKind::refraction, beyond};
+}
+
+Color transmitted(const CompiledScene& scene, const ShadePoint& point) {
+    const GltfPbr& m = pbr(scene, point);
+    const Vec4 base = base_color<kAllFeatures>(scene, m, point);
+    const double there = coverage(m, base.w);
+    if (m.unlit) return Color(1 - there);
+    const double transmission = m.transmission ? scalar(scene, m.transmission, point, 0) * (1 - scalar(scene, m.metallic, point, 1)) : 0;
+    return Color(1 - there) + Color(base) * (transmission * there);
+}
+
+}  // namespace alidade

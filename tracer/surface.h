@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: Apache-2.0
+/// A hit, shaded: the only face of a material that an integrator sees.
+#pragma once
+
+#include "tracer/ray_state.h"
+#include "tracer/shade_point.h"
+
+namespace alidade {
+
+/// A discrete direction in which a surface sends light on, and what it multiplies it by.
+struct Secondary {
+    Vec3 dir{0};
+    Color weight{0};
+    RayKind kind = RayKind::reflection;
+    InteriorStack inside;   ///< of the new ray
+};
+
+/// At most a mirror ray and a refracted ray. (What passes straight through alpha is no ray of its own: the integrator goes on.)
+struct Secondaries {
+    static constexpr int kMax = 2;
+    Secondary at[kMax];
+    int count = 0;
+};
+
+/// glTF 2.0 metal-rough at a point (specification, appendix B): a diffuse and a microfacet lobe; where roughness is low, a mirror ray; with transmission,
+/// refraction by Snell's law.
+class Surface {
+  public:
+    /// Below this alpha (roughness squared) a surface is a perfect mirror: a light without extent has no image in it, and the mirror ray shows the rest.
+    static constexpr double kSmallestAlpha = 1e-4;
+
+    Color emitted() const { return emitted_; }
+    /// f(wi, wo) |cos| for light from the unit direction `wi`; both sides of the surface reflect.
+    Color scatter(const Vec3& wi) const;
+    /// Reflectance of the diffuse lobe: all of it that a sky lights (the mirror ray sees the sky itself).
+    Color diffuse() const { return unlit_ ? Color(0) : diffuse_; }
+    const Color& albedo() const { return albedo_; }
+    const Vec3& normal() const { return normal_; }
+    /// The part of the surface that is there: 1 for opaque ones.
+    double coverage() const { return coverage_; }
+    /// The directions to follow. `state` is that of the ray that arrived.
+    Secondaries secondary(const CompiledScene& scene, const RayState& state) const;
+
+  private:
+    template <unsigned F> friend Surface shade(const CompiledScene&, const ShadePoint&, const Vec3&);
+    void add_transmission(const CompiledScene& scene, const RayState& state, Secondaries& out) const;
+    Color fresnel(double cos_angle) const;
+    /// The geometric normal on the side of the eye.
+    Vec3 facing_normal() const;
+
+    const ShadePoint* point_ = nullptr;
+    Vec3 wo_{0, 0, 1};           ///< unit, towards the eye
+    Vec3 normal_{0, 0, 1};       ///< shading normal, on the side of wo
+    Color albedo_{0}, diffuse_{0}, f0_{0}, emitted_{0}, transmission_{0};
+    double alpha_ = 1, mirror_ = 0, coverage_ = 1, ior_ = 1.5, f90_ = 1;
+    bool unlit_ = false;
+};
+
+/// The surface at `point`, seen along the unit direction `dir`; defined in tracer/shade.h. `point` must outlive it.
+template <unsigned F> Surface shade(const CompiledScene& scene, const ShadePoint& point, const Vec3& dir);
+
+/// The share of light that passes straight through the surface at `point`: what shadow rays multiply by. 0 for opaque surfaces.
+Color transmitted(const CompiledScene& scene, const ShadePoint& point);
+
+/// Reflectance of a smooth dielectric for unpolarised light. `eta` = n(transmitted) / n(incident), `cos_i` >= 0. 1 at total internal reflection.
+/// Source   Born and Wolf, "Principles of Optics", section 1.5.
+double fresnel_dielectric(double cos_i, double eta);
+
+/// The direction in which `dir` (unit, arriving) leaves through a surface with the unit normal `n` on its side; false at total internal reflection.
+bool refract(const Vec3& dir, const Vec3& n, double eta, Vec3& out);
+
+}  // namespace alidade

@@ -1,0 +1,131 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "tracer/textures.h"
+
+#include "core/parallel.h"
+#include "tracer/shade_point.h"
+
+#include <fmt/format.h>
+#include <map>
+
+namespace alidade {
+namespace {
+
+/// Which decoding of which image a signal reads.
+using PictureKey = std::pair<uint32_t, bool>;   // image, srgb
+
+tl::expected<Picture, std::string> decode(const Image& image, bool srgb) {
+    // A float file holds linear values whatever the material says of it.
+    const Encoding encoding = srgb ? Encoding::automatic : Encoding::linear;
+    return image.bytes.empty() ? read_picture(image.path, encoding) : decode_picture(image.bytes, encoding);
+}
+
+/// A texture coordinate brought near [0, 1), where it is the same under the wrap mode: what is left fits an int, however large the number was.
+double reduced(double x, Wrap wrap) {
+    if (!std::isfinite(x)) return 0;
+    switch (wrap) {
+        case Wrap::repeat: return x - std::floor(x);
+        case Wrap::mirror: return x - 2 * std::floor(x / 2);
+        case Wrap::clamp:
+        case Wrap::once: break;
+    }
+    return std::clamp(x, -2.0, 3.0);
+}
+
+/// The texel index of coordinate `i` under a wrap mode, or -1 outside of a `once` image.
+int wrapped(int i, int size, Wrap wrap) {
+    switch (wrap) {
+        case Wrap::repeat: return (i % size + size) % size;
+        case Wrap::clamp: return std::clamp(i, 0, size - 1);
+        case Wrap::mirror: {
+            const int64_t period = 2 * int64_t(size), k = (i % period + period) % period;
+            return int(k < size ? k : period - 1 - k);
+        }
+        case Wrap::once: break;
+    }
+    return i < 0 || i >= size ? -1 : i;
+}
+
+/// RGBA of a texel: gray is repeated, a missing alpha is 1.
+Vec4 texel(const Picture& picture, int x, int y) {
+    if (x < 0 || y < 0) return Vec4(0);
+    const float* p = picture.at(x, y);
+    switch (picture.channels) {
+        case 1: return {p[0], p[0], p[0], 1};
+        case 2: return {p[0], p[0], p[0], p[1]};
+        case 3: return {p[0], p[1], p[2], 1};
+        default: return {p[0], p[1], p[2], p[3]};
+    }
+}
+
+}  // namespace
+
+void collect_signals(const Scene& scene, SignalId root, std::vector<SignalId>& out) {
+    std::vector<SignalId> todo{root};
+    std::vector<bool> seen(scene.signals.size());
+    while (!todo.empty()) {
+        const SignalId id = todo.back();
+        todo.pop_back();
+        if (seen[id.index]) continue;
+        seen[id.index] = true;
+        out.push_back(id);
+        const auto& what = scene.signals[id.index].what;
+        if (const auto* product = std::get_if<ProductSignal>(&what)) todo.insert(todo.end(), {product->a, product->b});
+        else if (const auto* channel = std::get_if<ChannelSignal>(&what)) todo.push_back(channel->of);
+        else if (const auto* pattern = std::get_if<PatternSignal>(&what))
+            for (const MapEntry& e : pattern->map) todo.push_back(e.signal);
+    }
+}
+
+Textures::Textures(const Scene& scene, const std::vector<SignalId>& used, int threads, Diagnostics& said)
+    : signals_(scene.signals), picture_of_(scene.signals.size(), kNoId) {
+    std::map<PictureKey, uint32_t> index;
+    std::vector<PictureKey> keys;
+    for (const SignalId id : used) {
+        const auto* image = std::get_if<ImageSignal>(&signals_[id.index].what);
+        if (!image) continue;
+        const auto [at, added] = index.try_emplace({image->image.index, image->srgb}, uint32_t(keys.size()));
+        if (added) keys.push_back(at->first);
+        picture_of_[id.index] = at->second;
+    }
+    pictures_.resize(keys.size());
+    std::vector<std::string> failures(keys.size());
+    parallel_for(keys.size(), threads, [&](size_t i) {
+        auto picture = decode(scene.images[keys[i].first], keys[i].second);
+        if (picture) pictures_[i] = std::move(*picture);
+        else failures[i] = picture.error();
+    });
+    for (size_t i = 0; i < keys.size(); ++i) {
+        const Image& image = scene.images[keys[i].first];
+        if (!failures[i].empty()) said.error(image.from, fmt::format("image '{}' cannot be read: {}", image.path.empty() ? image.name : image.path, failures[i]));
+    }
+}
+
+size_t Textures::bytes() const {
+    size_t n = 0;
+    for (const Picture& p : pictures_) n += p.values.size() * sizeof(float);
+    return n;
+}
+
+Vec4 Textures::lookup(const ImageSignal& image, const Picture& picture, const Vec2& uv) const {
+    // Texel centres are at (i + 1/2) / size.
+    const double x = reduced(uv.x, image.wrap_u) * picture.width, y = reduced(uv.y, image.wrap_v) * picture.height;
+    auto at = [&](int i, int j) { return texel(picture, wrapped(i, picture.width, image.wrap_u), wrapped(j, picture.height, image.wrap_v)); };
+    if (image.filter == Filter::nearest) return at(int(std::floor(x)), int(std::floor(y)));
+    const double fx = std::floor(x - 0.5), fy = std::floor(y - 0.5), s = x - 0.5 - fx, t = y - 0.5 - fy;
+    const int i = int(fx), j = int(fy);
+    return (at(i, j) * (1 - s) + at(i + 1, j) * s) * (1 - t) + (at(i, j + 1) * (1 - s) + at(i + 1, j + 1) * s) * t;
+}
+
+Vec4 Textures::evaluate(SignalId signal, const ShadePoint& point) const {
+    const auto& what = signals_[signal.index].what;
+    if (const auto* constant = std::get_if<ConstantSignal>(&what)) return constant->value;
+    if (const auto* product = std::get_if<ProductSignal>(&what)) return evaluate(product->a, point) * evaluate(product->b, point);
+    if (const auto* channel = std::get_if<ChannelSignal>(&what)) return Vec4(evaluate(channel->of, point)[channel->channel]);
+    if (const auto* image = std::get_if<ImageSignal>(&what)) {
+        const Vec3 uv = image->uv_transform * Vec3(point.uv(image->uv_set), 1);
+        return lookup(*image, pictures_[picture_of_[signal.index]], Vec2(uv));
+    }
+    return Vec4(0);   // compile() refuses the rest
+}
+
+}  // namespace alidade

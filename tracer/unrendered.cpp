@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "tracer/unrendered.h"
+
+#include "scene/queries.h"
+
+#include <fmt/format.h>
+
+namespace alidade {
+namespace {
+
+struct Unrendered {
+    Requirement what;
+    Severity severity;
+    const char* sentence;
+};
+
+constexpr Unrendered kTable[] = {
+    {Requirement::csg, Severity::error, "intersection, difference and merge are not rendered yet"},
+    {Requirement::clipping, Severity::error, "clipped_by is not rendered yet"},
+    {Requirement::patterns, Severity::error, "patterns are not rendered yet"},
+    {Requirement::functions, Severity::error, "functions are not rendered yet"},
+    {Requirement::skins, Severity::warning, "skins are not rendered yet: the mesh is drawn in its rest shape"},
+    {Requirement::morphs, Severity::warning, "morph targets are not rendered yet: the mesh is drawn in its rest shape"},
+    {Requirement::media, Severity::warning, "media are not rendered yet: they are left out"},
+    {Requirement::fog, Severity::warning, "fog is not rendered yet: it is left out"},
+};
+
+void report_cameras(const Scene& scene, Diagnostics& said) {
+    for (const Camera& camera : scene.cameras)
+        if (camera.projection != Projection::perspective && camera.projection != Projection::orthographic)
+            said.error(camera.from, fmt::format("camera '{}': only perspective and orthographic cameras are rendered yet", camera.name));
+}
+
+void report_nodes(const Scene& scene, Diagnostics& said) {
+    for (const Node& node : scene.nodes) {
+        if (node.inverse) said.warning(node.from, "the inverse of a solid is not rendered yet: its surface is drawn as it is");
+        if (!node.light_group.empty() || !node.global_lights) said.warning(node.from, "light groups are not rendered yet: their lights are left out, all others shine");
+    }
+}
+
+}  // namespace
+
+void report_unrendered(const Scene& scene, Diagnostics& said) {
+    const std::vector<RequiredBy> required = requirements(scene);
+    for (const Unrendered& row : kTable)
+        for (const RequiredBy& r : required)
+            if (r.what == row.what) said.add({row.severity, r.first, row.sentence, {}, {}, {}});
+    report_cameras(scene, said);
+    report_nodes(scene, said);
+    if (scene.atmosphere.sky) said.warning({}, "sky spheres are not rendered yet: the background is drawn");
+    if (scene.atmosphere.environment_image) said.warning({}, "environment images of a scene are not rendered yet", "--environment FILE sets one");
+}
+
+}  // namespace alidade
