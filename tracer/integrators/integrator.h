@@ -20,6 +20,12 @@ struct FirstHit {
     double coverage = 0;      ///< 1 less what passes through alpha to the background
 };
 
+/// A mirrored or refracted ray that is still to be followed.
+struct PendingRay {
+    Ray ray;
+    RayState state;
+};
+
 /// One thread's view of a render.
 struct Tracing {
     const CompiledScene& scene;
@@ -28,6 +34,7 @@ struct Tracing {
     double bailout;           ///< rays whose weight is below it in all channels are not followed (POV-Ray's adc_bailout)
     RenderStats& stats;
     std::vector<Hit> passed{};   ///< scratch of shadow rays
+    std::vector<PendingRay> pending{};   ///< scratch of an integrator: empty between camera rays
 };
 
 /// Radiance along a camera ray; also fills in `first`. Pure: the same for the same ray and key.

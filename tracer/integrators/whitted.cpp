@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Recursive ray tracing: light from every light that is seen, mirror and refracted rays to a depth limit.
+/// Whitted's ray tracing: light from every light that is seen, mirror and refracted rays to a depth limit.
 /// Source   Whitted, "An Improved Illumination Model for Shaded Display", CACM 23(6), 1980.
 #include "tracer/integrators/direct_light.h"
 #include "tracer/segment.h"
@@ -17,44 +17,48 @@ Mask mask_of(RayKind kind) {
     return kMaskCamera;
 }
 
+/// Rays that are still to be followed wait in a list, not on the call stack: no depth limit that a scene asks for can overflow it. Each knows the part
+/// of its light that arrives at the eye (RayState::weight), so the order in which they are followed does not matter.
 template <unsigned F> struct Whitted {
     Tracing& tracing;
     FirstHit& first;
+    Color sum{0};
     double length_so_far = 0;   // of the camera ray and its straight continuations through alpha
 
-    static Color radiance(Tracing& tracing, const Ray& ray, const RayState& state, FirstHit& first) { return Whitted{tracing, first}.trace(ray, state); }
+    static Color radiance(Tracing& tracing, const Ray& ray, const RayState& state, FirstHit& first) {
+        Whitted whitted{tracing, first};
+        whitted.trace(ray, state);
+        while (!tracing.pending.empty()) {
+            const PendingRay next = tracing.pending.back();
+            tracing.pending.pop_back();
+            whitted.trace(next.ray, next.state);
+        }
+        return whitted.sum;
+    }
 
     /// Goes on straight through alpha, however many layers; mirrors and glass are followed by new rays.
-    Color trace(const Ray& start, const RayState& state) {
-        Color sum(0), through(1);
+    void trace(const Ray& start, RayState state) {
         Ray ray = start;
         for (;;) {
             Hit hit;
-            if (!tracing.scene.top->intersect(ray, hit, tracing.stats.work)) return sum + through * tracing.scene.sky->radiance(normalized(ray.dir));
+            if (!tracing.scene.top->intersect(ray, hit, tracing.stats.work)) {
+                sum += state.weight * tracing.scene.sky->radiance(normalized(ray.dir));
+                return;
+            }
             const ShadePoint point = shade_point(tracing.scene, ray, hit);
             const Surface surface = shade<F>(tracing.scene, point, normalized(ray.dir));
             const double distance = hit.t * length(ray.dir);
-            through *= transmittance(tracing.scene, state.inside, distance);
+            state.weight *= transmittance(tracing.scene, state.inside, distance);
             if (state.kind == RayKind::camera) see(point, surface, distance);
-            sum += through * shaded(point, surface, state, through);
-            if constexpr ((F & kAlpha) == 0) return sum;
-            through *= 1 - surface.coverage();
-            if (max_component(state.weight * through) < tracing.bailout || is_black(through)) return sum;
+            sum += state.weight * local_light<F>(tracing, point, surface, state, Shadows::cast);
+            if constexpr ((F & (kTransmission | kMirrors)) != 0) follow(point, surface.secondary(tracing.scene, state), state);
+            if constexpr ((F & kAlpha) == 0) return;
+            state.weight *= 1 - surface.coverage();
+            if (max_component(state.weight) < tracing.bailout || is_black(state.weight)) return;
             ray = spawn_ray(point, start.dir);
             ray.mask = start.mask;
             ray.time = start.time;
         }
-    }
-
-    /// What the surface sends back along the ray, of which `through` will arrive where the ray started.
-    Color shaded(const ShadePoint& point, const Surface& surface, const RayState& state, const Color& through) {
-        Color light = local_light<F>(tracing, point, surface, state, Shadows::cast);
-        if constexpr ((F & (kTransmission | kMirrors)) != 0) {
-            RayState here = state;
-            here.weight = state.weight * through;
-            light += follow(point, surface.secondary(tracing.scene, here), here);
-        }
-        return light;
     }
 
     /// A surface on the camera ray itself.
@@ -64,9 +68,8 @@ template <unsigned F> struct Whitted {
         first.coverage += (1 - first.coverage) * surface.coverage();
     }
 
-    Color follow(const ShadePoint& point, const Secondaries& secondaries, const RayState& state) {
-        Color sum(0);
-        for (int i = 0; i < secondaries.count; ++i) {
+    void follow(const ShadePoint& point, const Secondaries& secondaries, const RayState& state) {
+        for (int i = secondaries.count - 1; i >= 0; --i) {   // the first is followed first
             const Secondary& s = secondaries.at[i];
             RayState next = state;
             next.weight = state.weight * s.weight;
@@ -79,9 +82,8 @@ template <unsigned F> struct Whitted {
             ray.mask = mask_of(s.kind);
             ray.time = state.time;
             ++tracing.stats.secondary_rays;
-            sum += s.weight * trace(ray, next);
+            tracing.pending.push_back({ray, next});
         }
-        return sum;
     }
 };
 
