@@ -35,7 +35,8 @@ need_packages() {
     log=$(mktemp)
     echo "alidade: looking up ${#missing[@]} missing Debian packages (apt-get update)" >&2
     if ! $as_root apt-get update >"$log" 2>&1 </dev/null; then cat "$log" >&2; fi   # older lists may do
-    size=$(apt-get install --assume-no --no-install-recommends "${missing[@]}" 2>/dev/null | sed -n 's/^Need to get \(.*\) of archives.*/\1/p')
+    # `apt-get --assume-no` always fails: it must not end a caller that stops at the first error.
+    size=$(apt-get install --assume-no --no-install-recommends "${missing[@]}" 2>/dev/null | sed -n 's/^Need to get \(.*\) of archives.*/\1/p') || true
     echo "alidade: installing them (${size:-size unknown} to download): ${missing[*]}" >&2
     if ! $as_root env DEBIAN_FRONTEND=noninteractive apt-get install -y --no-install-recommends "${missing[@]}" >"$log" 2>&1 </dev/null; then
         cat "$log" >&2
