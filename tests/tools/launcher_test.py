@@ -115,6 +115,13 @@ class Launcher(unittest.TestCase):
         self.launch(MISSING="libgtest-dev clang")   # of the sections for tests and CI
         self.assertFalse(any(call.startswith("apt-get") for call in self.called()))
 
+    def test_a_script_that_ends_at_its_first_error_installs_too(self):
+        script = self.top / "script"
+        script.write_text(f'set -euo pipefail\nroot="{self.tree}"\n. "$root/cmake/packages.sh"\nneed_packages build test\necho went on\n')
+        said = self.launch(script, program="bash", MISSING="ccache libgtest-dev")
+        self.assertEqual((said.returncode, said.stdout), (0, "went on\n"), said.stderr)
+        self.assertEqual(self.called()[2], "apt-get install -y --no-install-recommends ccache libgtest-dev")
+
     def test_starting_what_is_built_costs_little(self):
         self.launch()
         def seconds():
