@@ -1,0 +1,63 @@
+# SPDX-License-Identifier: Apache-2.0
+"""The scenes of assets/README.md: each command draws something and complains of nothing, and the scenes are what their scripts write."""
+import filecmp
+import json
+import pathlib
+import re
+import shlex
+import subprocess
+import sys
+import tempfile
+import unittest
+
+from program import run
+
+ROOT = pathlib.Path(__file__).resolve().parents[2]
+SCENES = ROOT / "assets" / "scenes"
+PAGE = (ROOT / "assets" / "README.md").read_text()
+COMMANDS = [shlex.split(line) for line in re.findall(r"`\./alidade (.*?)`", PAGE)]
+SMALL = {"--size": "64x48", "--spp": "1"}
+
+
+def made_small(words, output):
+    """The command with a small picture, and its files found from any folder."""
+    words = [str(ROOT / word) if word.startswith("assets/") else word for word in words]
+    for option, value in {**SMALL, "-o": str(output)}.items():
+        if option in words:
+            at = words.index(option)
+            del words[at:at + 2]
+        words += [option, value]
+    return words
+
+
+class Assets(unittest.TestCase):
+    def setUp(self):
+        kept = tempfile.TemporaryDirectory()
+        self.addCleanup(kept.cleanup)
+        self.folder = pathlib.Path(kept.name)
+
+    def test_every_command_runs(self):
+        self.assertGreater(len(COMMANDS), 5)
+        for words in COMMANDS:
+            with self.subTest(" ".join(words)):
+                done = run(*made_small(words, self.folder / "out.exr"), "--json")
+                self.assertEqual(done.returncode, 0, done.stderr)
+                self.assertNotIn("warning", done.stderr)
+                cost = json.loads(done.stdout)["render"]
+                self.assertGreater(cost["shadow_rays"], 0.01 * cost["camera_rays"], "something is seen")
+
+    def test_every_scene_has_a_command(self):
+        named = {pathlib.Path(word).name for words in COMMANDS for word in words}
+        parts = {".mtl", ".png"}   # of another file
+        self.assertEqual([f.name for f in SCENES.iterdir() if f.suffix not in parts and f.name not in named], [])
+
+    def test_the_scripts_write_them(self):
+        for line in re.findall(r"^    python3 (.*)$", PAGE, re.M):
+            script, target = line.split()
+            subprocess.run([sys.executable, ROOT / script, self.folder / pathlib.Path(target).relative_to("assets/scenes")], check=True)
+        for made in self.folder.iterdir():
+            self.assertTrue(filecmp.cmp(made, SCENES / made.name, shallow=False), made.name)
+
+
+if __name__ == "__main__":
+    unittest.main()
