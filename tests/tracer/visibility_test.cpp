@@ -2,6 +2,7 @@
 /// Shadows, alpha, cameras, transforms: who sees what.
 #include "tests/tracer/scene_builder.h"
 #include "tracer/cameras.h"
+#include "tracer/sampler.h"
 #include "tracer/shade_point.h"
 
 namespace alidade::test {
@@ -53,6 +54,42 @@ TEST(Cameras, FramingCameraSeesTheWholeBox) {
             EXPECT_LE(std::abs(dot(d, c.right)) / along / dot(c.right, c.right), 0.5 + 1e-9);
             EXPECT_LE(std::abs(dot(d, c.up)) / along / dot(c.up, c.up), 0.5 + 1e-9);
         }
+    }
+}
+
+/// The part of the unit square [x, x + 1] x [y, y + 1] where a * x + b * y < c; a > 0 and b > 0. Integrated over y, exactly: the integrand is piecewise linear.
+double area_below(double x, double y, double a, double b, double c) {
+    const auto width = [&](double v) { return std::clamp((c - b * v) / a - x, 0.0, 1.0); };
+    double cuts[] = {y, std::clamp((c - a * (x + 1)) / b, y, y + 1), std::clamp((c - a * x) / b, y, y + 1), y + 1}, sum = 0;
+    for (int i = 0; i < 3; ++i) sum += (cuts[i + 1] - cuts[i]) * (width(cuts[i]) + width(cuts[i + 1])) / 2;
+    return sum;
+}
+
+/// Each pixel of a slanted edge is as bright as the part of it that the surface covers.
+TEST(Antialiasing, AnEdgePixelIsItsCoveredArea) {
+    const double angle = 0.3;
+    SceneBuilder b;
+    GltfPbr lamp = b.lambert(Color(0));
+    lamp.emissive = b.constant(Vec4(1));
+    // The square's edge x = 1, moved to the origin and turned: the covered side has x cos + y sin < 0.
+    b.object(square(), b.material(lamp), Transform::rotate({0, 0, 1}, angle) * Transform::scale({5, 5, 1}) * Transform::translate({-1, 0, 0}));
+    b.camera({0, 0, 10}, {0, 0, 0}, 10);
+    for (const SamplerEntry& sampler : samplers()) {
+        double errors[2] = {};
+        for (int round = 0; round < 2; ++round) {
+            RenderOptions o = centre_rays(16);
+            o.spp = round ? 1024 : 16;
+            o.sampler = sampler.name;
+            const Film film = rendered(b.scene, o);
+            for (int y = 0; y < 16; ++y)
+                for (int x = 0; x < 16; ++x) {
+                    // In pixels: x to the right, rows upwards.
+                    const double want = area_below(x - 8, 7 - y, std::cos(angle), std::sin(angle), 0);
+                    errors[round] = std::max(errors[round], std::abs(value(film.picture, x, y, "R") - want));
+                }
+        }
+        EXPECT_LT(errors[1], 0.06) << sampler.name;
+        EXPECT_LT(errors[1], errors[0] / 3) << sampler.name << ": 64 times the samples";
     }
 }
 
