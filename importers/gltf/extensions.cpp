@@ -17,8 +17,10 @@ constexpr Extension kTable[] = {
     {"KHR_materials_transmission", Support::full, "clear and coloured glass"},
     {"KHR_materials_unlit", Support::full, "constant colour without lighting"},
     {"KHR_mesh_quantization", Support::full, "integer vertex attributes"},
+    {"KHR_meshopt_compression", Support::full, "as EXT_meshopt_compression; colour filters and version 1 of the attribute code only with a fallback"},
     {"KHR_node_visibility", Support::full, "hidden nodes"},
     {"KHR_texture_transform", Support::full, "offset, rotation and scale of texture coordinates"},
+    {"EXT_meshopt_compression", Support::full, "buffer views compressed by meshoptimizer, all modes and filters"},
     {"EXT_texture_webp", Support::full, "WebP textures"},
 
     {"EXT_mesh_features", Support::harmless, "feature identifiers"},
@@ -31,7 +33,6 @@ constexpr Extension kTable[] = {
     {"KHR_xmp_json_ld", Support::harmless, "authorship"},
 
     {"EXT_mesh_gpu_instancing", Support::needed, "only one instance of each of its meshes is there", "export the instances as nodes"},
-    {"EXT_meshopt_compression", Support::needed, "the uncompressed fallback is read", kDecompress},
     {"EXT_texture_avif", Support::needed, "the fallback texture is read", kConvertTextures},
     {"KHR_animation_pointer", Support::ignored, "only nodes and morph weights are animated"},
     {"KHR_draco_mesh_compression", Support::needed, "the uncompressed fallback is read", kDecompress},
@@ -43,7 +44,6 @@ constexpr Extension kTable[] = {
     {"KHR_materials_sheen", Support::ignored, "cloth has no sheen"},
     {"KHR_materials_variants", Support::ignored, "the default materials are used"},
     {"KHR_materials_volume", Support::ignored, "glass does not absorb"},
-    {"KHR_meshopt_compression", Support::needed, "the uncompressed fallback is read", kDecompress},
     {"KHR_technique_webgl", Support::ignored, "shaders are not run"},
     {"KHR_techniques_webgl", Support::ignored, "shaders are not run"},
     {"KHR_texture_basisu", Support::needed, "the fallback texture is read", kConvertTextures},

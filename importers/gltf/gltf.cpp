@@ -7,6 +7,7 @@
 #include "importers/gltf/container.h"
 #include "importers/gltf/lights.h"
 #include "importers/gltf/materials.h"
+#include "importers/gltf/meshopt.h"
 #include "importers/gltf/node_tree.h"
 #include "importers/gltf/ranges.h"
 #include "importers/gltf/schema.h"
@@ -55,6 +56,8 @@ std::optional<Scene> import(std::span<const std::byte> bytes, const std::string&
 
     const Sources sources{is_glb(bytes), container->bin, base_dir, options.max_file_bytes};
     auto buffers = load_buffers(*root, sources, report);
+    if (report.failed()) return std::nullopt;
+    decompress_views(*root, buffers, report);
     if (report.failed()) return std::nullopt;
     check_ranges(*root, buffers, report);
     if (report.failed()) return std::nullopt;

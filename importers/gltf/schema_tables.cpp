@@ -42,11 +42,24 @@ constexpr const char* kVariants = "/extensions/KHR_materials_variants/variants";
 
 constexpr Field kAsset[] = {!text("version"), text("minVersion"), text("generator"), text("copyright")};
 
-constexpr Field kBuffer[] = {!integer("byteLength", 1), text("uri"), text("name")};
+constexpr Field kMeshoptBuffer[] = {boolean("fallback")};
+constexpr Field kBufferExtensions[] = {object("EXT_meshopt_compression", kMeshoptBuffer), object("KHR_meshopt_compression", kMeshoptBuffer)};
+constexpr Field kBuffer[] = {!integer("byteLength", 1), text("uri"), text("name"), object("extensions", kBufferExtensions)};
+
+constexpr const char* kMeshoptModes[] = {"ATTRIBUTES", "TRIANGLES", "INDICES"};
+constexpr const char* kMeshoptFilters[] = {"NONE", "OCTAHEDRAL", "QUATERNION", "EXPONENTIAL", "COLOR"};
+constexpr Field kMeshopt[] = {!index("buffer", "/buffers"),
+                              integer("byteOffset", 0),
+                              !integer("byteLength", 1),
+                              !integer("byteStride", 1, 256),
+                              !integer("count", 1, kMaxInt),
+                              !one_of("mode", kMeshoptModes),
+                              one_of("filter", kMeshoptFilters)};
+constexpr Field kBufferViewExtensions[] = {object("EXT_meshopt_compression", kMeshopt), object("KHR_meshopt_compression", kMeshopt)};
 
 constexpr int kTargets[] = {34962, 34963};
 constexpr Field kBufferView[] = {!index("buffer", "/buffers"), integer("byteOffset", 0), !integer("byteLength", 1), integer("byteStride", 4, 252),
-                                 one_of("target", kTargets), text("name")};
+                                 one_of("target", kTargets), text("name"), object("extensions", kBufferViewExtensions)};
 
 constexpr int kComponentTypes[] = {5120, 5121, 5122, 5123, 5125, 5126};
 constexpr int kSparseIndexTypes[] = {5121, 5123, 5125};

@@ -89,7 +89,7 @@ constexpr Rule kExtensions[] = {
     {R"("extensionsRequired":["KHR_draco_mesh_compression"])",
      "/extensionsRequired/0: error: the file requires the extension KHR_draco_mesh_compression, which is not supported\nhint: write it without "
      "compression"},
-    {R"("extensionsRequired":["EXT_meshopt_compression"])", "/extensionsRequired/0: error: the file requires the extension EXT_meshopt_compression"},
+    {R"("extensionsRequired":["MSFT_texture_dds"])", "/extensionsRequired/0: error: the file requires the extension MSFT_texture_dds"},
     {R"("extensionsRequired":["KHR_texture_basisu"])", "/extensionsRequired/0: error: the file requires the extension KHR_texture_basisu"},
     {R"("extensionsRequired":["KHR_materials_unlit"])",
      "/extensionsRequired/0: warning: extension KHR_materials_unlit is required, but not listed in extensionsUsed"},
