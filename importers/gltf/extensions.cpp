@@ -5,10 +5,10 @@ namespace alidade::gltf {
 
 namespace {
 
-constexpr const char* kDecompress = "write it without compression, for example with `gltf-transform copy in.glb out.glb`";
 constexpr const char* kConvertTextures = "convert the textures to PNG or WebP, for example with `gltf-transform`";
 
 constexpr Extension kTable[] = {
+    {"KHR_draco_mesh_compression", Support::full, "meshes compressed by Draco"},
     {"KHR_lights_punctual", Support::full, "point, spot and directional lights"},
     {"KHR_materials_clearcoat", Support::full, "a clear layer over the material: read, not rendered yet (a warning says so)"},
     {"KHR_materials_emissive_strength", Support::full, "emission beyond 1"},
@@ -35,7 +35,6 @@ constexpr Extension kTable[] = {
     {"EXT_mesh_gpu_instancing", Support::needed, "only one instance of each of its meshes is there", "export the instances as nodes"},
     {"EXT_texture_avif", Support::needed, "the fallback texture is read", kConvertTextures},
     {"KHR_animation_pointer", Support::ignored, "only nodes and morph weights are animated"},
-    {"KHR_draco_mesh_compression", Support::needed, "the uncompressed fallback is read", kDecompress},
     {"KHR_materials_anisotropy", Support::ignored, "highlights are round"},
     {"KHR_materials_diffuse_transmission", Support::ignored, "thin surfaces are opaque"},
     {"KHR_materials_dispersion", Support::ignored, "all colours refract alike"},

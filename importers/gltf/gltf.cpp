@@ -5,6 +5,7 @@
 #include "importers/gltf/animations.h"
 #include "importers/gltf/cameras.h"
 #include "importers/gltf/container.h"
+#include "importers/gltf/draco.h"
 #include "importers/gltf/lights.h"
 #include "importers/gltf/materials.h"
 #include "importers/gltf/meshopt.h"
@@ -60,6 +61,8 @@ std::optional<Scene> import(std::span<const std::byte> bytes, const std::string&
     decompress_views(*root, buffers, report);
     if (report.failed()) return std::nullopt;
     check_ranges(*root, buffers, report);
+    if (report.failed()) return std::nullopt;
+    decompress_primitives(*root, buffers, report);
     if (report.failed()) return std::nullopt;
     Scene scene;
     scene.images = load_images(*root, buffers, sources, report);

@@ -18,12 +18,6 @@ struct TypeRow {
 };
 constexpr TypeRow kTypes[] = {{"SCALAR", 1, 1}, {"VEC2", 1, 2}, {"VEC3", 1, 3}, {"VEC4", 1, 4}, {"MAT2", 2, 2}, {"MAT3", 3, 3}, {"MAT4", 4, 4}};
 
-ElementLayout layout_of(const Json& accessor) {
-    const auto& type = accessor["type"].get_ref<const std::string&>();
-    const auto* row = std::find_if(std::begin(kTypes), std::end(kTypes), [&](const TypeRow& r) { return type == r.name; });
-    return element_layout(accessor["componentType"].get<int>(), row->columns, row->rows);
-}
-
 uint64_t whole(const Json& object, const char* name) { return object.value(name, uint64_t(0)); }
 
 class RangeChecker {
@@ -95,6 +89,12 @@ ElementLayout element_layout(int component_type, uint32_t columns, uint32_t rows
     const uint32_t bytes = rows * out.component_bytes;
     out.column_bytes = columns == 1 ? bytes : (bytes + 3) / 4 * 4;
     return out;
+}
+
+ElementLayout layout_of(const Json& accessor) {
+    const auto& type = accessor["type"].get_ref<const std::string&>();
+    const auto* row = std::find_if(std::begin(kTypes), std::end(kTypes), [&](const TypeRow& r) { return type == r.name; });
+    return element_layout(accessor["componentType"].get<int>(), row->columns, row->rows);
 }
 
 void check_ranges(const Json& root, const std::vector<Bytes>& buffers, Reporter& report) {

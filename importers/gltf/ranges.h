@@ -22,6 +22,9 @@ struct ElementLayout {
 /// `component_type` as glTF numbers it (5120 ... 5126); `columns` and `rows` from its type.
 ElementLayout element_layout(int component_type, uint32_t columns, uint32_t rows);
 
+/// The layout of the elements of an accessor that has passed check_schema().
+ElementLayout layout_of(const Json& accessor);
+
 /// Checks the buffer views and accessors of `root`, which has passed check_schema(), against `buffers`.
 void check_ranges(const Json& root, const std::vector<Bytes>& buffers, Reporter& report);
 

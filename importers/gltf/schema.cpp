@@ -68,6 +68,7 @@ class Checker {
             case Kind::text: return check_text(value, field, at);
             case Kind::index: return check_index(value, field, at);
             case Kind::index_map: return check_index_map(value, field, at);
+            case Kind::integer_map: return check_integer_map(value, field, at);
             case Kind::object: return check_object(value, field.fields, at);
             case Kind::indices: check_array(value, field, at); return check_unique(value, at);
             default: return check_array(value, field, at);
@@ -160,6 +161,11 @@ class Checker {
         for (auto it = value.begin(); it != value.end(); ++it) check_index(*it, field, child(at, it.key()));
     }
 
+    void check_integer_map(Json& value, const Field& field, const std::string& at) {
+        if (!value.is_object()) return wrong_type(value, "an object", at);
+        for (auto it = value.begin(); it != value.end(); ++it) check_integer(*it, field, child(at, it.key()));
+    }
+
     void check_unique(const Json& value, const std::string& at) {
         if (!value.is_array()) return;
         std::set<int64_t> seen;
@@ -208,31 +214,7 @@ void check_version(const Json& root, Reporter& report) {
                      fmt::format("the file needs glTF {}, only 2.0 is supported", minimum->get_ref<const std::string&>().substr(0, 100)));
 }
 
-namespace {
-
-/// Compressed primitives are read from their uncompressed fallback; one without would be a heap of zeros.
-void check_draco(const Json& root, Reporter& report) {
-    constexpr const char* kName = "KHR_draco_mesh_compression";
-    const auto meshes = root.find("meshes");
-    for (size_t m = 0; meshes != root.end() && m < meshes->size(); ++m) {
-        const Json& primitives = (*meshes)[m]["primitives"];
-        for (size_t p = 0; p < primitives.size(); ++p) {
-            const std::string at = child(child(child("/meshes", m), "primitives"), p);
-            if (!primitives[p].contains("extensions") || !primitives[p]["extensions"].contains(kName)) continue;
-            report.extension_ignored(child(child(at, "extensions"), kName), kName);
-            for (const Json& accessor : primitives[p]["attributes"]) {
-                if (root["accessors"][accessor.get<size_t>()].contains("bufferView")) continue;
-                report.error(at, "the primitive is compressed, and has no uncompressed fallback", find_extension(kName)->hint);
-                break;
-            }
-        }
-    }
-}
-
-}  // namespace
-
 void check_extensions(const Json& root, Reporter& report) {
-    check_draco(root, report);
     const auto required = root.find("extensionsRequired");
     if (required == root.end()) return;
     const auto used = root.find("extensionsUsed");

@@ -135,7 +135,8 @@ constexpr Field kMaterial[] = {text("name"),
 constexpr int kModes[] = {0, 1, 2, 3, 4, 5, 6};
 constexpr Field kMapping[] = {indices("variants", kVariants), !index("material", "/materials"), text("name")};
 constexpr Field kPrimitiveVariants[] = {!objects("mappings", kMapping)};
-constexpr Field kPrimitiveExtensions[] = {object("KHR_materials_variants", kPrimitiveVariants), object("KHR_draco_mesh_compression", {})};
+constexpr Field kDraco[] = {!index("bufferView", "/bufferViews"), !Field{.name = "attributes", .kind = Kind::integer_map, .min = 0, .max = kMaxInt}};
+constexpr Field kPrimitiveExtensions[] = {object("KHR_materials_variants", kPrimitiveVariants), object("KHR_draco_mesh_compression", kDraco)};
 constexpr Field kPrimitive[] = {!Field{.name = "attributes", .kind = Kind::index_map, .target = "/accessors"},
                                 index("indices", "/accessors"),
                                 index("material", "/materials"),

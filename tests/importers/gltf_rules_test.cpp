@@ -86,9 +86,8 @@ INSTANTIATE_TEST_SUITE_P(Schema, Rules, testing::ValuesIn(kSchema));
 constexpr Rule kExtensions[] = {
     {R"("extensionsUsed":["ACME_x"],"extensionsRequired":["ACME_x"])",
      "/extensionsRequired/0: error: the file requires the extension ACME_x, which is unknown"},
-    {R"("extensionsRequired":["KHR_draco_mesh_compression"])",
-     "/extensionsRequired/0: error: the file requires the extension KHR_draco_mesh_compression, which is not supported\nhint: write it without "
-     "compression"},
+    {R"("extensionsRequired":["EXT_texture_avif"])",
+     "/extensionsRequired/0: error: the file requires the extension EXT_texture_avif, which is not supported\nhint: convert the textures"},
     {R"("extensionsRequired":["MSFT_texture_dds"])", "/extensionsRequired/0: error: the file requires the extension MSFT_texture_dds"},
     {R"("extensionsRequired":["KHR_texture_basisu"])", "/extensionsRequired/0: error: the file requires the extension KHR_texture_basisu"},
     {R"("extensionsRequired":["KHR_materials_unlit"])",
@@ -100,8 +99,8 @@ constexpr Rule kExtensions[] = {
      "/nodes/0/extensions/EXT_mesh_gpu_instancing: warning: extension EXT_mesh_gpu_instancing is not supported"},
     {R"("materials":[{"extensions":{"KHR_materials_ior":{"ior":0.5}}}])",
      "/materials/0/extensions/KHR_materials_ior/ior: warning: 0.5 should be 0 or at least 1"},
-    {R"("accessors":[{"componentType":5126,"count":3,"type":"VEC3"}],"meshes":[{"primitives":[{"attributes":{"POSITION":0},"extensions":{"KHR_draco_mesh_compression":{}}}]}])",
-     "/meshes/0/primitives/0: error: the primitive is compressed, and has no uncompressed fallback"},
+    {R"("meshes":[{"primitives":[{"attributes":{},"extensions":{"KHR_draco_mesh_compression":{"bufferView":0,"attributes":{"POSITION":-1}}}}]}])",
+     "/meshes/0/primitives/0/extensions/KHR_draco_mesh_compression/attributes/POSITION: error: -1 must be at least 0"},
     {R"("extensions":{"KHR_lights_punctual":{"lights":[{"type":"area"}]}})",
      "/extensions/KHR_lights_punctual/lights/0/type: warning: unknown type of light \"area\": it is left out"},
     {R"("extensions":{"KHR_lights_punctual":{"lights":[{"type":"spot","spot":{"innerConeAngle":0.5,"outerConeAngle":0.4}}]}})",
