@@ -20,6 +20,7 @@ constexpr Extension kTable[] = {
     {"KHR_meshopt_compression", Support::full, "as EXT_meshopt_compression; colour filters and version 1 of the attribute code only with a fallback"},
     {"KHR_node_visibility", Support::full, "hidden nodes"},
     {"KHR_texture_transform", Support::full, "offset, rotation and scale of texture coordinates"},
+    {"EXT_mesh_gpu_instancing", Support::full, "many copies of a mesh"},
     {"EXT_meshopt_compression", Support::full, "buffer views compressed by meshoptimizer, all modes and filters"},
     {"EXT_texture_webp", Support::full, "WebP textures"},
 
@@ -32,7 +33,6 @@ constexpr Extension kTable[] = {
     {"KHR_node_selectability", Support::harmless, "interaction"},
     {"KHR_xmp_json_ld", Support::harmless, "authorship"},
 
-    {"EXT_mesh_gpu_instancing", Support::needed, "only one instance of each of its meshes is there", "export the instances as nodes"},
     {"EXT_texture_avif", Support::needed, "the fallback texture is read", kConvertTextures},
     {"KHR_animation_pointer", Support::ignored, "only nodes and morph weights are animated"},
     {"KHR_materials_anisotropy", Support::ignored, "highlights are round"},

@@ -6,6 +6,7 @@
 #include "importers/gltf/cameras.h"
 #include "importers/gltf/container.h"
 #include "importers/gltf/draco.h"
+#include "importers/gltf/instancing.h"
 #include "importers/gltf/lights.h"
 #include "importers/gltf/materials.h"
 #include "importers/gltf/meshopt.h"
@@ -63,6 +64,7 @@ std::optional<Scene> import(std::span<const std::byte> bytes, const std::string&
     check_ranges(*root, buffers, report);
     if (report.failed()) return std::nullopt;
     decompress_primitives(*root, buffers, report);
+    check_instances(*root, buffers, report);
     if (report.failed()) return std::nullopt;
     Scene scene;
     scene.images = load_images(*root, buffers, sources, report);

@@ -149,7 +149,9 @@ constexpr Field kMesh[] = {!objects("primitives", kPrimitive, 1), numbers("weigh
 
 constexpr Field kNodeLight[] = {!index("light", kLights)};
 constexpr Field kNodeVisibility[] = {boolean("visible")};
-constexpr Field kNodeExtensions[] = {object("KHR_lights_punctual", kNodeLight), object("KHR_node_visibility", kNodeVisibility)};
+constexpr Field kNodeInstancing[] = {!Field{.name = "attributes", .kind = Kind::index_map, .target = "/accessors"}};
+constexpr Field kNodeExtensions[] = {object("KHR_lights_punctual", kNodeLight), object("KHR_node_visibility", kNodeVisibility),
+                                     object("EXT_mesh_gpu_instancing", kNodeInstancing)};
 constexpr Field kNode[] = {index("camera", "/cameras"),
                            indices("children", "/nodes"),
                            index("skin", "/skins"),

@@ -96,7 +96,7 @@ constexpr Rule kExtensions[] = {
      "/extensionsRequired/0: warning: extension KHR_materials_sheen is not supported and is ignored: cloth has no sheen"},
     {R"("materials":[{"extensions":{"ACME_x":{}}}])", "/materials/0/extensions/ACME_x: warning: unknown extension ACME_x is ignored"},
     {R"("nodes":[{"extensions":{"EXT_mesh_gpu_instancing":{}}}])",
-     "/nodes/0/extensions/EXT_mesh_gpu_instancing: warning: extension EXT_mesh_gpu_instancing is not supported"},
+     "/nodes/0/extensions/EXT_mesh_gpu_instancing: error: property \"attributes\" is missing"},
     {R"("materials":[{"extensions":{"KHR_materials_ior":{"ior":0.5}}}])",
      "/materials/0/extensions/KHR_materials_ior/ior: warning: 0.5 should be 0 or at least 1"},
     {R"("meshes":[{"primitives":[{"attributes":{},"extensions":{"KHR_draco_mesh_compression":{"bufferView":0,"attributes":{"POSITION":-1}}}}]}])",
