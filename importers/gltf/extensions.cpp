@@ -10,7 +10,7 @@ constexpr const char* kConvertTextures = "convert the textures to PNG or WebP, f
 constexpr Extension kTable[] = {
     {"KHR_draco_mesh_compression", Support::full, "meshes compressed by Draco"},
     {"KHR_lights_punctual", Support::full, "point, spot and directional lights"},
-    {"KHR_materials_clearcoat", Support::full, "a clear layer over the material: read, not rendered yet (a warning says so)"},
+    {"KHR_materials_clearcoat", Support::full, "a clear layer over the material; the scale of its normal map is left out"},
     {"KHR_materials_emissive_strength", Support::full, "emission beyond 1"},
     {"KHR_materials_ior", Support::full, "index of refraction"},
     {"KHR_materials_specular", Support::full, "strength and colour of the dielectric reflection"},

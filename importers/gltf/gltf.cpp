@@ -34,6 +34,7 @@ std::optional<Json> read_checked_json(const Container& container, Reporter& repo
     if (report.failed()) return std::nullopt;
     check_extensions(*root, report);
     check_node_tree(*root, report);
+    check_ranges(*root, report);
     return report.failed() ? std::nullopt : std::move(root);
 }
 
@@ -60,8 +61,6 @@ std::optional<Scene> import(std::span<const std::byte> bytes, const std::string&
     auto buffers = load_buffers(*root, sources, report);
     if (report.failed()) return std::nullopt;
     decompress_views(*root, buffers, report);
-    if (report.failed()) return std::nullopt;
-    check_ranges(*root, buffers, report);
     if (report.failed()) return std::nullopt;
     decompress_primitives(*root, buffers, report);
     check_instances(*root, buffers, report);

@@ -24,9 +24,9 @@ class RangeChecker {
   public:
     RangeChecker(const Json& root, Reporter& report) : root_(root), report_(report) {}
 
-    void check_view(size_t index, const std::vector<Bytes>& buffers) {
+    void check_view(size_t index) {
         const Json& view = root_["bufferViews"][index];
-        const uint64_t size = buffers[view["buffer"].get<size_t>()].size(), end = whole(view, "byteOffset") + whole(view, "byteLength");
+        const uint64_t size = whole(root_["buffers"][view["buffer"].get<size_t>()], "byteLength"), end = whole(view, "byteOffset") + whole(view, "byteLength");
         if (end > size) report_.error(child("/bufferViews", index), fmt::format("ends at byte {}, but its buffer has {} bytes", end, size));
     }
 
@@ -97,9 +97,9 @@ ElementLayout layout_of(const Json& accessor) {
     return element_layout(accessor["componentType"].get<int>(), row->columns, row->rows);
 }
 
-void check_ranges(const Json& root, const std::vector<Bytes>& buffers, Reporter& report) {
+void check_ranges(const Json& root, Reporter& report) {
     RangeChecker checker(root, report);
-    for (size_t i = 0; i < size_of_array(root, "bufferViews"); ++i) checker.check_view(i, buffers);
+    for (size_t i = 0; i < size_of_array(root, "bufferViews"); ++i) checker.check_view(i);
     for (size_t i = 0; i < size_of_array(root, "accessors"); ++i) checker.check_accessor(i);
 }
 

@@ -192,17 +192,23 @@ class Checker {
 
 void check_schema(Json& root, Reporter& report) { Checker(root, report).check_object(root, root_fields(), ""); }
 
+/// Has it what only glTF 1.0 has?
+static bool is_old(const Json& root) {
+    return root.contains("techniques") || root.contains("shaders") || (root.contains("meshes") && root["meshes"].is_object());
+}
+
 void check_version(const Json& root, Reporter& report) {
     const char* hint = "convert the file to glTF 2.0, for example with `gltf-pipeline -i old.gltf -o new.gltf`";
     const auto asset = root.find("asset");
     if (asset == root.end()) {
-        const bool old = root.contains("techniques") || root.contains("shaders") || (root.contains("meshes") && root["meshes"].is_object());
-        return report.error("", "property \"asset\" is missing", old ? hint : "is this a glTF file?");
+        return report.error("", "property \"asset\" is missing", is_old(root) ? hint : "is this a glTF file?");
     }
     if (!asset->is_object()) return report.error("/asset", fmt::format("must be an object, not {}", describe(*asset)));
     const auto version = asset->find("version");
+    if (version != asset->end() && version->is_number() && version->get<double>() < 2)
+        return report.error("/asset/version", fmt::format("glTF version {} is not supported, only 2.x is", version->dump()), hint);
     if (version == asset->end() || !version->is_string())
-        return report.error("/asset", "property \"version\" is missing or not a string");
+        return report.error("/asset", "property \"version\" is missing or not a string", is_old(root) ? hint : "");
     const auto& text = version->get_ref<const std::string&>();
     if (text.rfind("2.", 0) != 0) {
         return report.error("/asset/version", fmt::format("glTF version \"{}\" is not supported, only 2.x is", text.substr(0, 100)),
