@@ -151,7 +151,7 @@ TEST(Collection, WhateverHasTrianglesShows) {
         EXPECT_TRUE(std::any_of(coverage.begin(), coverage.end(), [](float c) { return c > 0; })) << row.file << " shows nothing";
         ++shown;
     }
-    EXPECT_GT(shown, 100u);
+    EXPECT_GE(shown, 100u);
 }
 
 }  // namespace
