@@ -24,7 +24,7 @@ bool is_one(const Scene& scene, const std::optional<SignalId>& id) {
 /// All signals that the render kernel evaluates of a material. Occlusion is not among them, so its image is not decoded.
 std::vector<SignalId> read_signals(const GltfPbr& m) {
     std::vector<SignalId> out{m.base_color};
-    for (const auto& s : {m.metallic, m.roughness, m.normal, m.emissive, m.transmission, m.specular, m.specular_color})
+    for (const auto& s : {m.metallic, m.roughness, m.normal, m.emissive, m.transmission, m.specular, m.specular_color, m.clearcoat, m.clearcoat_roughness, m.clearcoat_normal})
         if (s) out.push_back(*s);
     return out;
 }
@@ -34,10 +34,10 @@ unsigned features_of(const Scene& scene, const GltfPbr& m) {
     unsigned features = 0;
     for (const SignalId id : read_signals(m))
         if (!is_constant(scene, id)) features |= kTextures;
-    if (m.normal) features |= kTextures;
+    if (m.normal || m.clearcoat_normal) features |= kTextures;
     if (m.alpha_mode != AlphaMode::opaque) features |= kAlpha;
     if (!is_zero(scene, m.transmission)) features |= kTransmission;
-    if (!m.unlit && !is_one(scene, m.roughness)) features |= kMirrors;
+    if (!m.unlit && (!is_one(scene, m.roughness) || !is_zero(scene, m.clearcoat))) features |= kMirrors;
     return features;
 }
 
@@ -47,8 +47,6 @@ bool check_supported(const Scene& scene, const Material& m, const std::vector<Si
         said.error(m.from, fmt::format("material '{}': POV-Ray finishes and layers are not rendered yet", m.name));
         return false;
     }
-    if (!is_zero(scene, std::get<GltfPbr>(m.layers[0]).clearcoat))
-        said.warning(m.from, fmt::format("material '{}': clearcoat is not rendered yet: the material under it is drawn", m.name));
     for (const SignalId id : signals) {
         const Signal& s = scene.signals[id.index];
         if (!std::holds_alternative<PatternSignal>(s.what) && !std::holds_alternative<FunctionSignal>(s.what)) continue;

@@ -15,8 +15,12 @@ double scalar(const CompiledScene& scene, const std::optional<SignalId>& signal,
 /// The part of the surface that is there (specification 3.9.4).
 double coverage(const GltfPbr& m, double alpha);
 
-/// The shading normal, bent by the material's normal map.
-Vec3 bent_normal(const CompiledScene& scene, const GltfPbr& m, const ShadePoint& point);
+/// The shading normal, bent by a normal map whose first two components count `scale` times.
+Vec3 bent_normal(const CompiledScene& scene, SignalId map, double scale, const ShadePoint& point);
+
+/// The clear coat over a material that has one, seen from the unit direction `wo`. Its normal is not bent by the material's map, but by its own.
+/// Source   KHR_materials_clearcoat, "Implementation" (fresnel_coat with index 1.5).
+Coat coat_over(const CompiledScene& scene, const GltfPbr& m, const ShadePoint& point, const Vec3& wo);
 
 template <unsigned F> Vec4 base_color(const CompiledScene& scene, const GltfPbr& m, const ShadePoint& p) {
     const Vec4 base = scene.textures->evaluate(m.base_color, p);
@@ -30,7 +34,7 @@ template <unsigned F> Surface shade(const CompiledScene& scene, const ShadePoint
     s.point_ = &point;
     s.wo_ = -dir;
     const double side = point.front ? 1 : -1;
-    s.normal_ = ((F & kTextures) != 0 && m.normal ? bent_normal(scene, m, point) : point.shading_normal) * side;
+    s.normal_ = ((F & kTextures) != 0 && m.normal ? bent_normal(scene, *m.normal, m.normal_scale, point) : point.shading_normal) * side;
     const Vec4 base = base_color<F>(scene, m, point);
     const double metallic = scalar(scene, m.metallic, point, 1), roughness = scalar(scene, m.roughness, point, 1);
     s.albedo_ = Color(base);
@@ -53,6 +57,11 @@ template <unsigned F> Surface shade(const CompiledScene& scene, const ShadePoint
     s.alpha_ = roughness * roughness;
     s.mirror_ = (1 - roughness) * (1 - roughness);
     s.ior_ = m.ior;
+    if constexpr ((F & kMirrors) != 0) {
+        // Glass has its coat on the outside.
+        if (m.clearcoat && (point.front || transmission <= 0)) s.coat_ = coat_over(scene, m, point, s.wo_);
+        s.emitted_ *= 1 - s.coat_.weight;
+    }
     return s;
 }
 

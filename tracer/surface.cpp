@@ -37,11 +37,23 @@ double coverage(const GltfPbr& m, double alpha) {
     return 1;
 }
 
-Vec3 bent_normal(const CompiledScene& scene, const GltfPbr& m, const ShadePoint& point) {
+Vec3 bent_normal(const CompiledScene& scene, SignalId map, double scale, const ShadePoint& point) {
     ShadePoint p = point;
-    tangent_frame(scene, uv_set_of(scene.scene, *m.normal), p);
-    const Vec3 sampled = Vec3(scene.textures->evaluate(*m.normal, p)) * 2.0 - Vec3(1);
-    return normalized(p.tangent * (sampled.x * m.normal_scale) + p.bitangent * (sampled.y * m.normal_scale) + p.shading_normal * sampled.z);
+    tangent_frame(scene, uv_set_of(scene.scene, map), p);
+    const Vec3 sampled = Vec3(scene.textures->evaluate(map, p)) * 2.0 - Vec3(1);
+    return normalized(p.tangent * (sampled.x * scale) + p.bitangent * (sampled.y * scale) + p.shading_normal * sampled.z);
+}
+
+Coat coat_over(const CompiledScene& scene, const GltfPbr& m, const ShadePoint& point, const Vec3& wo) {
+    constexpr double f0 = 0.04;   // ((1.5 - 1) / (1.5 + 1))^2
+    Coat coat;
+    coat.normal = m.clearcoat_normal ? bent_normal(scene, *m.clearcoat_normal, 1, point) : point.shading_normal;
+    if (!point.front) coat.normal = -coat.normal;
+    const double roughness = scalar(scene, m.clearcoat_roughness, point, 0), x = 1 - std::min(std::abs(dot(coat.normal, wo)), 1.0), x2 = x * x;
+    coat.weight = std::clamp(scalar(scene, m.clearcoat, point, 0), 0.0, 1.0) * (f0 + (1 - f0) * (x2 * x2 * x));
+    coat.alpha = roughness * roughness;
+    coat.mirror = (1 - roughness) * (1 - roughness);
+    return coat;
 }
 
 double fresnel_dielectric(double cos_i, double eta) {
@@ -67,11 +79,9 @@ Color Surface::fresnel(double cos_angle) const {
 
 Vec3 Surface::facing_normal() const { return point_->front ? point_->geometric_normal : -point_->geometric_normal; }
 
-Color Surface::scatter(const Vec3& wi) const {
-    if (unlit_) return Color(0);
-    const Vec3 facing = facing_normal();
+Color Surface::scatter_base(const Vec3& wi) const {
     const double nl = dot(normal_, wi);
-    if (nl <= 0 || dot(facing, wi) <= 0) return Color(0);   // a bent normal must not let light through from behind
+    if (nl <= 0) return Color(0);
     const double nv = std::max(dot(normal_, wo_), 1e-4);
     const Vec3 h = normalized(wi + wo_);
     const Color f = fresnel(dot(wo_, h));
@@ -80,21 +90,41 @@ Color Surface::scatter(const Vec3& wi) const {
     return diffuse + f * (nl * microfacet(alpha_, std::max(dot(normal_, h), 0.0), nl, nv));
 }
 
+Color Surface::scatter(const Vec3& wi) const {
+    if (unlit_ || dot(facing_normal(), wi) <= 0) return Color(0);   // a bent normal must not let light through from behind
+    const Color base = scatter_base(wi) * (1 - coat_.weight);
+    const double nl = dot(coat_.normal, wi);
+    if (coat_.weight <= 0 || coat_.alpha < kSmallestAlpha || nl <= 0) return base;
+    const double nv = std::max(dot(coat_.normal, wo_), 1e-4), nh = std::max(dot(coat_.normal, normalized(wi + wo_)), 0.0);
+    return base + Color(coat_.weight * nl * microfacet(coat_.alpha, nh, nl, nv));
+}
+
 Secondaries Surface::secondary(const CompiledScene& scene, const RayState& state) const {
     Secondaries out;
     if (coverage_ <= 0 || unlit_) return out;
-    if (!is_black(transmission_)) {
-        add_transmission(scene, state, out);
-        return out;
-    }
-    const Vec3 facing = facing_normal();
-    const double cos_o = dot(normal_, wo_);
-    Vec3 mirrored = normal_ * (2 * cos_o) - wo_;
-    // A bent normal can send the mirror ray below the surface: then the true normal mirrors it.
-    if (dot(mirrored, facing) <= 0) mirrored = facing * (2 * dot(facing, wo_)) - wo_;
-    const Color weight = fresnel(std::max(cos_o, 0.0)) * (mirror_ * coverage_);
-    if (!is_black(weight)) out.at[out.count++] = {normalized(mirrored), weight, RayKind::reflection, state.inside};
+    if (is_black(transmission_)) add_mirror(state, out);
+    else add_transmission(scene, state, out);
+    add_coat(state, out);
     return out;
+}
+
+Vec3 Surface::mirrored(const Vec3& normal) const {
+    const Vec3 facing = facing_normal(), direction = normal * (2 * dot(normal, wo_)) - wo_;
+    // A bent normal can send the mirror ray below the surface: then the true normal mirrors it.
+    return normalized(dot(direction, facing) > 0 ? direction : facing * (2 * dot(facing, wo_)) - wo_);
+}
+
+void Surface::add_mirror(const RayState& state, Secondaries& out) const {
+    const Color weight = fresnel(std::max(dot(normal_, wo_), 0.0)) * (mirror_ * coverage_ * (1 - coat_.weight));
+    if (!is_black(weight)) out.at[out.count++] = {mirrored(normal_), weight, RayKind::reflection, state.inside};
+}
+
+void Surface::add_coat(const RayState& state, Secondaries& out) const {
+    const Color weight(coat_.weight * coat_.mirror * coverage_);
+    if (is_black(weight)) return;
+    const Vec3 direction = mirrored(coat_.normal);
+    if (out.count > 0 && out.at[0].kind == RayKind::reflection && out.at[0].dir == direction) out.at[0].weight += weight;   // one ray for both
+    else out.at[out.count++] = {direction, weight, RayKind::reflection, state.inside};
 }
 
 /// Glass: what is not mirrored is refracted and coloured. The outside is whatever the ray was in before.
@@ -108,13 +138,12 @@ void Surface::add_transmission(const CompiledScene& scene, const RayState& state
     const double n1 = !point_->front && state.inside.empty() ? ior_ : ior_in(state.inside), n2 = ior_in(beyond);
     // A bent normal can face away from the eye: then the true one mirrors and refracts.
     const Vec3 facing = facing_normal(), normal = dot(normal_, wo_) > 0 ? normal_ : facing;
-    const double eta = n2 / n1, cos_o = std::max(dot(normal, wo_), 0.0), reflectance = fresnel_dielectric(cos_o, eta);
-    Vec3 mirrored = normal * (2 * cos_o) - wo_, through;
-    if (dot(mirrored, facing) <= 0) mirrored = facing * (2 * dot(facing, wo_)) - wo_;
-    out.at[out.count++] = {normalized(mirrored), Color(reflectance * coverage_), RayKind::reflection, state.inside};
+    const double eta = n2 / n1, cos_o = std::max(dot(normal, wo_), 0.0), reflectance = fresnel_dielectric(cos_o, eta), share = coverage_ * (1 - coat_.weight);
+    Vec3 through;
+    out.at[out.count++] = {mirrored(normal), Color(reflectance * share), RayKind::reflection, state.inside};
     if (!refract(-wo_, normal, eta, through)) return;
     if (dot(through, facing) >= 0 && !refract(-wo_, facing, eta, through)) return;
-    out.at[out.count++] = {through, transmission_ * ((1 - reflectance) * coverage_), RayKind::refraction, beyond};
+    out.at[out.count++] = {through, transmission_ * ((1 - reflectance) * share), RayKind::refraction, beyond};
 }
 
 Color transmitted(const CompiledScene& scene, const ShadePoint& point) {

@@ -15,15 +15,24 @@ struct Secondary {
     InteriorStack inside;   ///< of the new ray
 };
 
-/// At most a mirror ray and a refracted ray. (What passes straight through alpha is no ray of its own: the integrator goes on.)
+/// At most a mirror ray, a refracted ray and a mirror ray of the coat. (What passes straight through alpha is no ray of its own: the integrator goes on.)
 struct Secondaries {
-    static constexpr int kMax = 2;
+    static constexpr int kMax = 3;
     Secondary at[kMax];
     int count = 0;
 };
 
+/// KHR_materials_clearcoat at a point: a clear layer of index 1.5 that takes `weight` of the light, its factor times Schlick's Fresnel term at the eye's
+/// angle, and leaves the rest to what is under it.
+struct Coat {
+    double weight = 0;
+    double alpha = 1;    ///< roughness squared
+    double mirror = 0;   ///< of the light that it takes, how much the mirror ray stands for
+    Vec3 normal{0, 0, 1};
+};
+
 /// glTF 2.0 metal-rough at a point (specification, appendix B): a diffuse and a microfacet lobe; where roughness is low, a mirror ray; with transmission,
-/// refraction by Snell's law.
+/// refraction by Snell's law; over all of it, a clear coat.
 class Surface {
   public:
     /// Below this alpha (roughness squared) a surface is a perfect mirror: a light without extent has no image in it, and the mirror ray shows the rest.
@@ -33,7 +42,7 @@ class Surface {
     /// f(wi, wo) |cos| for light from the unit direction `wi`; both sides of the surface reflect.
     Color scatter(const Vec3& wi) const;
     /// Reflectance of the diffuse lobe: all of it that a sky lights (the mirror ray sees the sky itself).
-    Color diffuse() const { return unlit_ ? Color(0) : diffuse_; }
+    Color diffuse() const { return unlit_ ? Color(0) : diffuse_ * (1 - coat_.weight); }
     const Color& albedo() const { return albedo_; }
     const Vec3& normal() const { return normal_; }
     /// The part of the surface that is there: 1 for opaque ones.
@@ -43,8 +52,13 @@ class Surface {
 
   private:
     template <unsigned F> friend Surface shade(const CompiledScene&, const ShadePoint&, const Vec3&);
+    Color scatter_base(const Vec3& wi) const;
+    void add_mirror(const RayState& state, Secondaries& out) const;
+    void add_coat(const RayState& state, Secondaries& out) const;
     void add_transmission(const CompiledScene& scene, const RayState& state, Secondaries& out) const;
     Color fresnel(double cos_angle) const;
+    /// The eye's direction, mirrored by `normal`.
+    Vec3 mirrored(const Vec3& normal) const;
     /// The geometric normal on the side of the eye.
     Vec3 facing_normal() const;
 
@@ -53,6 +67,7 @@ class Surface {
     Vec3 normal_{0, 0, 1};       ///< shading normal, on the side of wo
     Color albedo_{0}, diffuse_{0}, f0_{0}, emitted_{0}, transmission_{0};
     double alpha_ = 1, mirror_ = 0, coverage_ = 1, ior_ = 1.5, f90_ = 1;
+    Coat coat_;
     bool unlit_ = false;
 };
 

@@ -2,6 +2,7 @@
 #include "importers/gltf/buffers.h"
 
 #include "core/image.h"
+#include "importers/gltf/meshopt.h"
 #include "importers/gltf/uris.h"
 
 #include <cstring>
@@ -21,7 +22,10 @@ const Json& array(const Json& root, const char* name) {
 
 std::vector<bool> referenced_buffers(const Json& root) {
     std::vector<bool> used(array(root, "buffers").size());
-    for (const Json& view : array(root, "bufferViews")) used[view["buffer"].get<size_t>()] = true;
+    for (const Json& view : array(root, "bufferViews")) {
+        const Json* compressed = meshopt_of(view);
+        used[(compressed ? *compressed : view)["buffer"].get<size_t>()] = true;
+    }
     return used;
 }
 
@@ -36,6 +40,7 @@ class BufferLoader {
         const std::string at = child("/buffers", index);
         const auto uri = buffer.find("uri");
         Bytes bytes;
+        if (uri == buffer.end() && is_meshopt_fallback(buffer) && !referenced) return {};
         if (uri == buffer.end()) {
             if (index == 0 && sources_.bin) bytes = from_chunk(*sources_.bin, buffer["byteLength"].get<uint64_t>());
             else return without_data(at, index, referenced);
@@ -60,7 +65,7 @@ class BufferLoader {
 
     Bytes without_data(const std::string& at, size_t index, bool referenced) {
         if (index == 0 && sources_.glb) report_.error(at, "the buffer has no uri, and the file has no binary chunk");
-        else if (referenced) report_.error(at, "the buffer has no uri", "if it belongs to compressed meshes, write the file without compression");
+        else if (referenced) report_.error(at, "the buffer has no uri", "export the file again, with its buffers");
         return {};
     }
 

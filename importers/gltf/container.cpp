@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "importers/gltf/container.h"
 
+#include <algorithm>
 #include <cstring>
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -68,7 +69,11 @@ std::optional<std::span<const std::byte>> check_header(std::span<const std::byte
                      version == 1 ? "convert the file to glTF 2.0" : "");
         return std::nullopt;
     }
-    if (length > bytes.size() || length < kHeaderBytes + kChunkHeaderBytes) {
+    if (length < kHeaderBytes + kChunkHeaderBytes) {
+        report.error("", fmt::format("GLB: the header claims {} bytes in all, too few for a chunk", length), "the file may be truncated");
+        return std::nullopt;
+    }
+    if (length > bytes.size()) {
         report.error("", fmt::format("GLB: the header claims {} bytes, but the file has {}", length, bytes.size()), "the file may be truncated");
         return std::nullopt;
     }
@@ -151,6 +156,11 @@ bool is_glb(std::span<const std::byte> bytes) { return bytes.size() >= 4 && litt
 
 std::optional<Container> split_container(std::span<const std::byte> bytes, Reporter& report) {
     if (is_glb(bytes)) return split_glb(bytes, report);
+    const auto magic = bytes.first(std::min<size_t>(bytes.size(), 4));
+    if (std::find(magic.begin(), magic.end(), std::byte(0)) != magic.end()) {
+        report.error("", "neither GLB, whose first bytes would be \"glTF\", nor JSON, which is text");
+        return std::nullopt;
+    }
     Container out;
     out.json = {reinterpret_cast<const char*>(bytes.data()), bytes.size()};
     return out;

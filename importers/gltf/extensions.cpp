@@ -5,20 +5,23 @@ namespace alidade::gltf {
 
 namespace {
 
-constexpr const char* kDecompress = "write it without compression, for example with `gltf-transform copy in.glb out.glb`";
 constexpr const char* kConvertTextures = "convert the textures to PNG or WebP, for example with `gltf-transform`";
 
 constexpr Extension kTable[] = {
+    {"KHR_draco_mesh_compression", Support::full, "meshes compressed by Draco"},
     {"KHR_lights_punctual", Support::full, "point, spot and directional lights"},
-    {"KHR_materials_clearcoat", Support::full, "a clear layer over the material: read, not rendered yet (a warning says so)"},
+    {"KHR_materials_clearcoat", Support::full, "a clear layer over the material; the scale of its normal map is left out"},
     {"KHR_materials_emissive_strength", Support::full, "emission beyond 1"},
     {"KHR_materials_ior", Support::full, "index of refraction"},
     {"KHR_materials_specular", Support::full, "strength and colour of the dielectric reflection"},
     {"KHR_materials_transmission", Support::full, "clear and coloured glass"},
     {"KHR_materials_unlit", Support::full, "constant colour without lighting"},
     {"KHR_mesh_quantization", Support::full, "integer vertex attributes"},
+    {"KHR_meshopt_compression", Support::full, "as EXT_meshopt_compression; colour filters and version 1 of the attribute code only with a fallback"},
     {"KHR_node_visibility", Support::full, "hidden nodes"},
     {"KHR_texture_transform", Support::full, "offset, rotation and scale of texture coordinates"},
+    {"EXT_mesh_gpu_instancing", Support::full, "many copies of a mesh"},
+    {"EXT_meshopt_compression", Support::full, "buffer views compressed by meshoptimizer, all modes and filters"},
     {"EXT_texture_webp", Support::full, "WebP textures"},
 
     {"EXT_mesh_features", Support::harmless, "feature identifiers"},
@@ -30,11 +33,8 @@ constexpr Extension kTable[] = {
     {"KHR_node_selectability", Support::harmless, "interaction"},
     {"KHR_xmp_json_ld", Support::harmless, "authorship"},
 
-    {"EXT_mesh_gpu_instancing", Support::needed, "only one instance of each of its meshes is there", "export the instances as nodes"},
-    {"EXT_meshopt_compression", Support::needed, "the uncompressed fallback is read", kDecompress},
     {"EXT_texture_avif", Support::needed, "the fallback texture is read", kConvertTextures},
     {"KHR_animation_pointer", Support::ignored, "only nodes and morph weights are animated"},
-    {"KHR_draco_mesh_compression", Support::needed, "the uncompressed fallback is read", kDecompress},
     {"KHR_materials_anisotropy", Support::ignored, "highlights are round"},
     {"KHR_materials_diffuse_transmission", Support::ignored, "thin surfaces are opaque"},
     {"KHR_materials_dispersion", Support::ignored, "all colours refract alike"},
@@ -43,7 +43,6 @@ constexpr Extension kTable[] = {
     {"KHR_materials_sheen", Support::ignored, "cloth has no sheen"},
     {"KHR_materials_variants", Support::ignored, "the default materials are used"},
     {"KHR_materials_volume", Support::ignored, "glass does not absorb"},
-    {"KHR_meshopt_compression", Support::needed, "the uncompressed fallback is read", kDecompress},
     {"KHR_technique_webgl", Support::ignored, "shaders are not run"},
     {"KHR_techniques_webgl", Support::ignored, "shaders are not run"},
     {"KHR_texture_basisu", Support::needed, "the fallback texture is read", kConvertTextures},

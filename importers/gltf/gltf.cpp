@@ -5,8 +5,11 @@
 #include "importers/gltf/animations.h"
 #include "importers/gltf/cameras.h"
 #include "importers/gltf/container.h"
+#include "importers/gltf/draco.h"
+#include "importers/gltf/instancing.h"
 #include "importers/gltf/lights.h"
 #include "importers/gltf/materials.h"
+#include "importers/gltf/meshopt.h"
 #include "importers/gltf/node_tree.h"
 #include "importers/gltf/ranges.h"
 #include "importers/gltf/schema.h"
@@ -31,6 +34,7 @@ std::optional<Json> read_checked_json(const Container& container, Reporter& repo
     if (report.failed()) return std::nullopt;
     check_extensions(*root, report);
     check_node_tree(*root, report);
+    check_ranges(*root, report);
     return report.failed() ? std::nullopt : std::move(root);
 }
 
@@ -56,7 +60,10 @@ std::optional<Scene> import(std::span<const std::byte> bytes, const std::string&
     const Sources sources{is_glb(bytes), container->bin, base_dir, options.max_file_bytes};
     auto buffers = load_buffers(*root, sources, report);
     if (report.failed()) return std::nullopt;
-    check_ranges(*root, buffers, report);
+    decompress_views(*root, buffers, report);
+    if (report.failed()) return std::nullopt;
+    decompress_primitives(*root, buffers, report);
+    check_instances(*root, buffers, report);
     if (report.failed()) return std::nullopt;
     Scene scene;
     scene.images = load_images(*root, buffers, sources, report);

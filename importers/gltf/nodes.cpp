@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "importers/gltf/nodes.h"
 
+#include "importers/gltf/instancing.h"
 #include "importers/gltf/values.h"
 
 #include <algorithm>
@@ -99,23 +100,35 @@ class NodeConverter {
         node.morph_weights.resize(mesh.morphs.size());
     }
 
-    /// Gives the node what it holds; returns the nodes that hold its shapes.
+    /// A node that the file does not have, made for the one at `index`.
+    NodeId add_node(size_t index, const std::string& name) {
+        Node extra;
+        extra.name = name;
+        extra.from = scene_.nodes[index].from;
+        scene_.nodes.push_back(std::move(extra));
+        return NodeId{uint32_t(scene_.nodes.size() - 1)};
+    }
+
+    /// Gives the node what it holds; returns the nodes that hold its shapes. Instances are children that share these.
     std::vector<NodeId> attach(size_t index) {
         const tinygltf::Node& from = model_.nodes[index];
         const std::vector<Held> held = held_by(from);
+        const auto instances = from.mesh >= 0 ? read_instances(model_, from, child("/nodes", index), report_) : std::nullopt;
         std::vector<NodeId> with_shapes;
         for (const Held& h : held) {
+            const bool is_shape = std::holds_alternative<ShapeId>(h.what), instanced = instances && is_shape;
             NodeId id{uint32_t(index)};
-            if (held.size() > 1) {
-                id = NodeId{uint32_t(scene_.nodes.size())};
-                scene_.nodes[index].children.push_back(id);
-                Node extra;
-                extra.name = from.name;
-                extra.from = scene_.nodes[index].from;
-                scene_.nodes.push_back(std::move(extra));
-            }
+            if (held.size() > 1 || instanced) id = add_node(index, from.name);
+            if (held.size() > 1 && !instanced) scene_.nodes[index].children.push_back(id);
             put(h, from, scene_.nodes[id.index]);
-            if (std::holds_alternative<ShapeId>(h.what)) with_shapes.push_back(id);
+            if (is_shape) with_shapes.push_back(id);
+        }
+        if (!instances || with_shapes.empty()) return with_shapes;
+        for (const Transform& transform : *instances) {
+            const NodeId id = add_node(index, "");
+            scene_.nodes[id.index].to_parent = transform;
+            scene_.nodes[id.index].children = with_shapes;
+            scene_.nodes[index].children.push_back(id);
         }
         return with_shapes;
     }

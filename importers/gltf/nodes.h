@@ -9,7 +9,8 @@ namespace alidade::gltf {
 using ShapeNodes = std::vector<std::vector<NodeId>>;
 
 /// Appends the model's nodes to `scene`, with the same indices, and the roots of its scene. A glTF node may hold a mesh, a camera and a
-/// light at once; a node of ours holds one thing, so where there are more each gets a child node after all of the file's nodes.
+/// light at once; a node of ours holds one thing, so where there are more each gets a child node after all of the file's nodes. Each instance of
+/// EXT_mesh_gpu_instancing is such a child, too; they share the nodes of the mesh.
 ShapeNodes convert_nodes(const Model& model, const std::vector<std::vector<MeshPart>>& meshes, const std::vector<std::optional<LightId>>& lights,
                          Scene& scene, Reporter& report);
 

@@ -18,21 +18,15 @@ struct TypeRow {
 };
 constexpr TypeRow kTypes[] = {{"SCALAR", 1, 1}, {"VEC2", 1, 2}, {"VEC3", 1, 3}, {"VEC4", 1, 4}, {"MAT2", 2, 2}, {"MAT3", 3, 3}, {"MAT4", 4, 4}};
 
-ElementLayout layout_of(const Json& accessor) {
-    const auto& type = accessor["type"].get_ref<const std::string&>();
-    const auto* row = std::find_if(std::begin(kTypes), std::end(kTypes), [&](const TypeRow& r) { return type == r.name; });
-    return element_layout(accessor["componentType"].get<int>(), row->columns, row->rows);
-}
-
 uint64_t whole(const Json& object, const char* name) { return object.value(name, uint64_t(0)); }
 
 class RangeChecker {
   public:
     RangeChecker(const Json& root, Reporter& report) : root_(root), report_(report) {}
 
-    void check_view(size_t index, const std::vector<Bytes>& buffers) {
+    void check_view(size_t index) {
         const Json& view = root_["bufferViews"][index];
-        const uint64_t size = buffers[view["buffer"].get<size_t>()].size(), end = whole(view, "byteOffset") + whole(view, "byteLength");
+        const uint64_t size = whole(root_["buffers"][view["buffer"].get<size_t>()], "byteLength"), end = whole(view, "byteOffset") + whole(view, "byteLength");
         if (end > size) report_.error(child("/bufferViews", index), fmt::format("ends at byte {}, but its buffer has {} bytes", end, size));
     }
 
@@ -97,9 +91,15 @@ ElementLayout element_layout(int component_type, uint32_t columns, uint32_t rows
     return out;
 }
 
-void check_ranges(const Json& root, const std::vector<Bytes>& buffers, Reporter& report) {
+ElementLayout layout_of(const Json& accessor) {
+    const auto& type = accessor["type"].get_ref<const std::string&>();
+    const auto* row = std::find_if(std::begin(kTypes), std::end(kTypes), [&](const TypeRow& r) { return type == r.name; });
+    return element_layout(accessor["componentType"].get<int>(), row->columns, row->rows);
+}
+
+void check_ranges(const Json& root, Reporter& report) {
     RangeChecker checker(root, report);
-    for (size_t i = 0; i < size_of_array(root, "bufferViews"); ++i) checker.check_view(i, buffers);
+    for (size_t i = 0; i < size_of_array(root, "bufferViews"); ++i) checker.check_view(i);
     for (size_t i = 0; i < size_of_array(root, "accessors"); ++i) checker.check_accessor(i);
 }
 

@@ -22,8 +22,12 @@ struct ElementLayout {
 /// `component_type` as glTF numbers it (5120 ... 5126); `columns` and `rows` from its type.
 ElementLayout element_layout(int component_type, uint32_t columns, uint32_t rows);
 
-/// Checks the buffer views and accessors of `root`, which has passed check_schema(), against `buffers`.
-void check_ranges(const Json& root, const std::vector<Bytes>& buffers, Reporter& report);
+/// The layout of the elements of an accessor that has passed check_schema().
+ElementLayout layout_of(const Json& accessor);
+
+/// Checks the accessors of `root`, which has passed check_schema(), against their buffer views, and these against the lengths of buffers as the file
+/// states them: load_buffers() sees to it that buffers have these lengths.
+void check_ranges(const Json& root, Reporter& report);
 
 /// Accessors without a buffer view are zeros (then changed by their sparse values): gives all of them one view into one buffer of zeros, no larger
 /// than the largest of them needs. What such accessors claim all together is limited, since the file does not back it with bytes.

@@ -68,6 +68,7 @@ class Checker {
             case Kind::text: return check_text(value, field, at);
             case Kind::index: return check_index(value, field, at);
             case Kind::index_map: return check_index_map(value, field, at);
+            case Kind::integer_map: return check_integer_map(value, field, at);
             case Kind::object: return check_object(value, field.fields, at);
             case Kind::indices: check_array(value, field, at); return check_unique(value, at);
             default: return check_array(value, field, at);
@@ -160,6 +161,11 @@ class Checker {
         for (auto it = value.begin(); it != value.end(); ++it) check_index(*it, field, child(at, it.key()));
     }
 
+    void check_integer_map(Json& value, const Field& field, const std::string& at) {
+        if (!value.is_object()) return wrong_type(value, "an object", at);
+        for (auto it = value.begin(); it != value.end(); ++it) check_integer(*it, field, child(at, it.key()));
+    }
+
     void check_unique(const Json& value, const std::string& at) {
         if (!value.is_array()) return;
         std::set<int64_t> seen;
@@ -186,17 +192,23 @@ class Checker {
 
 void check_schema(Json& root, Reporter& report) { Checker(root, report).check_object(root, root_fields(), ""); }
 
+/// Has it what only glTF 1.0 has?
+static bool is_old(const Json& root) {
+    return root.contains("techniques") || root.contains("shaders") || (root.contains("meshes") && root["meshes"].is_object());
+}
+
 void check_version(const Json& root, Reporter& report) {
     const char* hint = "convert the file to glTF 2.0, for example with `gltf-pipeline -i old.gltf -o new.gltf`";
     const auto asset = root.find("asset");
     if (asset == root.end()) {
-        const bool old = root.contains("techniques") || root.contains("shaders") || (root.contains("meshes") && root["meshes"].is_object());
-        return report.error("", "property \"asset\" is missing", old ? hint : "is this a glTF file?");
+        return report.error("", "property \"asset\" is missing", is_old(root) ? hint : "is this a glTF file?");
     }
     if (!asset->is_object()) return report.error("/asset", fmt::format("must be an object, not {}", describe(*asset)));
     const auto version = asset->find("version");
+    if (version != asset->end() && version->is_number() && version->get<double>() < 2)
+        return report.error("/asset/version", fmt::format("glTF version {} is not supported, only 2.x is", version->dump()), hint);
     if (version == asset->end() || !version->is_string())
-        return report.error("/asset", "property \"version\" is missing or not a string");
+        return report.error("/asset", "property \"version\" is missing or not a string", is_old(root) ? hint : "");
     const auto& text = version->get_ref<const std::string&>();
     if (text.rfind("2.", 0) != 0) {
         return report.error("/asset/version", fmt::format("glTF version \"{}\" is not supported, only 2.x is", text.substr(0, 100)),
@@ -208,31 +220,7 @@ void check_version(const Json& root, Reporter& report) {
                      fmt::format("the file needs glTF {}, only 2.0 is supported", minimum->get_ref<const std::string&>().substr(0, 100)));
 }
 
-namespace {
-
-/// Compressed primitives are read from their uncompressed fallback; one without would be a heap of zeros.
-void check_draco(const Json& root, Reporter& report) {
-    constexpr const char* kName = "KHR_draco_mesh_compression";
-    const auto meshes = root.find("meshes");
-    for (size_t m = 0; meshes != root.end() && m < meshes->size(); ++m) {
-        const Json& primitives = (*meshes)[m]["primitives"];
-        for (size_t p = 0; p < primitives.size(); ++p) {
-            const std::string at = child(child(child("/meshes", m), "primitives"), p);
-            if (!primitives[p].contains("extensions") || !primitives[p]["extensions"].contains(kName)) continue;
-            report.extension_ignored(child(child(at, "extensions"), kName), kName);
-            for (const Json& accessor : primitives[p]["attributes"]) {
-                if (root["accessors"][accessor.get<size_t>()].contains("bufferView")) continue;
-                report.error(at, "the primitive is compressed, and has no uncompressed fallback", find_extension(kName)->hint);
-                break;
-            }
-        }
-    }
-}
-
-}  // namespace
-
 void check_extensions(const Json& root, Reporter& report) {
-    check_draco(root, report);
     const auto required = root.find("extensionsRequired");
     if (required == root.end()) return;
     const auto used = root.find("extensionsUsed");

@@ -17,6 +17,7 @@ enum class Kind {
     text,
     index,        ///< into the array `target`
     index_map,    ///< an object of such indices: attributes
+    integer_map,  ///< an object of integers
     object,       ///< with `fields`
     numbers,      ///< arrays of the above ...
     texts,

@@ -42,11 +42,24 @@ constexpr const char* kVariants = "/extensions/KHR_materials_variants/variants";
 
 constexpr Field kAsset[] = {!text("version"), text("minVersion"), text("generator"), text("copyright")};
 
-constexpr Field kBuffer[] = {!integer("byteLength", 1), text("uri"), text("name")};
+constexpr Field kMeshoptBuffer[] = {boolean("fallback")};
+constexpr Field kBufferExtensions[] = {object("EXT_meshopt_compression", kMeshoptBuffer), object("KHR_meshopt_compression", kMeshoptBuffer)};
+constexpr Field kBuffer[] = {!integer("byteLength", 1), text("uri"), text("name"), object("extensions", kBufferExtensions)};
+
+constexpr const char* kMeshoptModes[] = {"ATTRIBUTES", "TRIANGLES", "INDICES"};
+constexpr const char* kMeshoptFilters[] = {"NONE", "OCTAHEDRAL", "QUATERNION", "EXPONENTIAL", "COLOR"};
+constexpr Field kMeshopt[] = {!index("buffer", "/buffers"),
+                              integer("byteOffset", 0),
+                              !integer("byteLength", 1),
+                              !integer("byteStride", 1, 256),
+                              !integer("count", 1, kMaxInt),
+                              !one_of("mode", kMeshoptModes),
+                              one_of("filter", kMeshoptFilters)};
+constexpr Field kBufferViewExtensions[] = {object("EXT_meshopt_compression", kMeshopt), object("KHR_meshopt_compression", kMeshopt)};
 
 constexpr int kTargets[] = {34962, 34963};
 constexpr Field kBufferView[] = {!index("buffer", "/buffers"), integer("byteOffset", 0), !integer("byteLength", 1), integer("byteStride", 4, 252),
-                                 one_of("target", kTargets), text("name")};
+                                 one_of("target", kTargets), text("name"), object("extensions", kBufferViewExtensions)};
 
 constexpr int kComponentTypes[] = {5120, 5121, 5122, 5123, 5125, 5126};
 constexpr int kSparseIndexTypes[] = {5121, 5123, 5125};
@@ -122,7 +135,8 @@ constexpr Field kMaterial[] = {text("name"),
 constexpr int kModes[] = {0, 1, 2, 3, 4, 5, 6};
 constexpr Field kMapping[] = {indices("variants", kVariants), !index("material", "/materials"), text("name")};
 constexpr Field kPrimitiveVariants[] = {!objects("mappings", kMapping)};
-constexpr Field kPrimitiveExtensions[] = {object("KHR_materials_variants", kPrimitiveVariants), object("KHR_draco_mesh_compression", {})};
+constexpr Field kDraco[] = {!index("bufferView", "/bufferViews"), !Field{.name = "attributes", .kind = Kind::integer_map, .min = 0, .max = kMaxInt}};
+constexpr Field kPrimitiveExtensions[] = {object("KHR_materials_variants", kPrimitiveVariants), object("KHR_draco_mesh_compression", kDraco)};
 constexpr Field kPrimitive[] = {!Field{.name = "attributes", .kind = Kind::index_map, .target = "/accessors"},
                                 index("indices", "/accessors"),
                                 index("material", "/materials"),
@@ -135,7 +149,9 @@ constexpr Field kMesh[] = {!objects("primitives", kPrimitive, 1), numbers("weigh
 
 constexpr Field kNodeLight[] = {!index("light", kLights)};
 constexpr Field kNodeVisibility[] = {boolean("visible")};
-constexpr Field kNodeExtensions[] = {object("KHR_lights_punctual", kNodeLight), object("KHR_node_visibility", kNodeVisibility)};
+constexpr Field kNodeInstancing[] = {!Field{.name = "attributes", .kind = Kind::index_map, .target = "/accessors"}};
+constexpr Field kNodeExtensions[] = {object("KHR_lights_punctual", kNodeLight), object("KHR_node_visibility", kNodeVisibility),
+                                     object("EXT_mesh_gpu_instancing", kNodeInstancing)};
 constexpr Field kNode[] = {index("camera", "/cameras"),
                            indices("children", "/nodes"),
                            index("skin", "/skins"),

@@ -83,10 +83,10 @@ SignalId SignalBuilder::times(SignalId signal, const Vec4& factor, const std::st
 
 std::optional<ImageId> SignalBuilder::image_of(const TextureUse& use) {
     const tinygltf::Texture& texture = model_.textures[size_t(use.texture)];
-    int source = texture.source;
     const auto webp = texture.extensions.find("EXT_texture_webp");
-    if (source < 0 && webp != texture.extensions.end()) source = int(number_in(webp->second, "source", -1));
-    if (source >= 0 && is_there(scene_.images[size_t(source)])) return ImageId{uint32_t(source)};
+    const int better = webp == texture.extensions.end() ? -1 : int(number_in(webp->second, "source", -1));
+    for (const int source : {better, texture.source})
+        if (source >= 0 && is_there(scene_.images[size_t(source)])) return ImageId{uint32_t(source)};
     report_.warning(child("/textures", size_t(use.texture)), "the texture has no image that can be read: it is left out");
     return std::nullopt;
 }
