@@ -8,7 +8,7 @@ from program import PROGRAM, InFolder, run, triangle_gltf
 
 # Every option of the design's table that a verb has today.
 RENDER_OPTIONS = ("--output --size --region --camera --exposure --accel --integrator --spp --seed --max-depth --precision --isa --aov --time --environment "
-                  "--light-units --strict --sampler --light-samples --aperture --focus --full-kernel --threads --tile --stats --progress --json").split()
+                  "--light-units --strict --subdivide --decimate --crease --sampler --light-samples --aperture --focus --full-kernel --threads --tile --stats --progress --json").split()
 
 
 class Help(unittest.TestCase):
@@ -76,6 +76,10 @@ class Slips(InFolder):
             ("--aperture", "-1", "less than 0"),
             ("--sampler", "sobbol", "did you mean 'sobol'?"),
             ("--light-samples", "0", "from 1"),
+            ("--subdivide", "9", "from 0 to 8"),
+            ("--decimate", "0", "'0' is less than 1e-06"),
+            ("--decimate", "1.5", "'1.5' is more than 1"),
+            ("--crease", "200", "'200' is more than 180"),
             ("--light-units", "lumen", "not one of auto, photometric, raw"),
             ("--progress", "fast", "not one of bar, json, none"),
             ("--camera", "sidewards", "sidewards"),
