@@ -17,12 +17,25 @@ namespace {
 using Quadric = OpenMesh::Geometry::Quadricd;
 using Wedge3 = std::array<uint32_t, 3>;
 
-/// The squared distance from a plane through `point`, times `weight`.
-Quadric plane_quadric(const Vec3& unit_normal, const Vec3& point, double weight) {
-    Quadric q(unit_normal.x, unit_normal.y, unit_normal.z, -dot(unit_normal, point));
-    q *= weight;
-    return q;
-}
+/// The squared distances from planes, weighted.
+struct Error {
+    Quadric sum;
+    double weight = 0;
+
+    /// From the plane through `point`.
+    static Error plane(const Vec3& unit_normal, const Vec3& point, double weight) {
+        Error e{Quadric(unit_normal.x, unit_normal.y, unit_normal.z, -dot(unit_normal, point)), weight};
+        e.sum *= weight;
+        return e;
+    }
+    Error& operator+=(const Error& other) {
+        sum += other.sum, weight += other.weight;
+        return *this;
+    }
+};
+
+/// The root mean squared distance that a vertex may come to have from the planes it stands for, in sizes of the mesh: beyond, there is another shape.
+constexpr double kMostShift = 0.05;
 
 /// How much more a border or seam weighs than a triangle on the square over its edge: it must not move, even where the surface around is flat.
 constexpr double kWallWeight = 10;
@@ -39,8 +52,7 @@ template <class MeshT> class WedgeQuadricT : public OpenMesh::Decimater::ModBase
     const Wedge3& wedges(OpenMesh::FaceHandle face) const { return faces_[size_t(face.idx())]; }
 
     void initialize() override {
-        quadrics_.assign(Base::mesh().n_vertices(), Quadric(0.0));
-        for (auto& q : quadrics_) q.clear();
+        errors_.assign(Base::mesh().n_vertices(), Error::plane(Vec3(0), Vec3(0), 0));
         for (const auto face : Base::mesh().faces()) add_plane(face);
         for (const auto edge : Base::mesh().edges()) add_walls(edge);
     }
@@ -48,9 +60,10 @@ template <class MeshT> class WedgeQuadricT : public OpenMesh::Decimater::ModBase
     float collapse_priority(const CollapseInfo& c) override {
         for (const auto face : Base::mesh().vf_range(c.v0))
             if (face != c.fl && face != c.fr && moved(wedge_at(face, c.v0), c) == kNone) return float(Base::ILLEGAL_COLLAPSE);
-        Quadric sum = quadrics_[size_t(c.v0.idx())];
-        sum += quadrics_[size_t(c.v1.idx())];
-        return float(std::max(0.0, sum(c.p1)));   // rounding may make it negative
+        Error both = errors_[size_t(c.v0.idx())];
+        both += errors_[size_t(c.v1.idx())];
+        const double error = std::max(0.0, both.sum(c.p1));   // rounding may make it negative
+        return error > kMostShift * kMostShift * both.weight ? float(Base::ILLEGAL_COLLAPSE) : float(error);
     }
 
     void preprocess_collapse(const CollapseInfo& c) override {
@@ -60,7 +73,7 @@ template <class MeshT> class WedgeQuadricT : public OpenMesh::Decimater::ModBase
                 if (point_of_[wedge] == uint32_t(c.v0.idx())) wedge = moved(wedge, c);
         }
     }
-    void postprocess_collapse(const CollapseInfo& c) override { quadrics_[size_t(c.v1.idx())] += quadrics_[size_t(c.v0.idx())]; }
+    void postprocess_collapse(const CollapseInfo& c) override { errors_[size_t(c.v1.idx())] += errors_[size_t(c.v0.idx())]; }
 
   private:
     Vec3 point(OpenMesh::VertexHandle v) { return from_openmesh(Base::mesh().point(v)); }
@@ -94,7 +107,7 @@ template <class MeshT> class WedgeQuadricT : public OpenMesh::Decimater::ModBase
         const Vec3 normal = area(face);
         for (const uint32_t wedge : wedges(face)) {
             const OpenMesh::VertexHandle v{int(point_of_[wedge])};
-            quadrics_[size_t(v.idx())] += plane_quadric(normalized(normal), point(v), length(normal) / 2);
+            errors_[size_t(v.idx())] += Error::plane(normalized(normal), point(v), length(normal) / 2);
         }
     }
 
@@ -107,15 +120,15 @@ template <class MeshT> class WedgeQuadricT : public OpenMesh::Decimater::ModBase
         const Vec3 along = point(to) - point(from);
         for (const auto face : {one, other}) {
             if (!face.is_valid()) continue;
-            const Quadric wall = plane_quadric(normalized(cross(normalized(along), normalized(area(face)))), point(from), kWallWeight * dot(along, along));
-            quadrics_[size_t(from.idx())] += wall;
-            quadrics_[size_t(to.idx())] += wall;
+            const Error wall = Error::plane(normalized(cross(normalized(along), normalized(area(face)))), point(from), kWallWeight * dot(along, along));
+            errors_[size_t(from.idx())] += wall;
+            errors_[size_t(to.idx())] += wall;
         }
     }
 
     std::vector<Wedge3> faces_;
     std::vector<uint32_t> point_of_;
-    std::vector<Quadric> quadrics_;
+    std::vector<Error> errors_;
 };
 
 /// Errors are single numbers of float: the mesh is made to fit a unit box, so that they neither overflow nor vanish.

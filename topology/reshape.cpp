@@ -69,7 +69,7 @@ class Reshaping {
         const double wanted = std::ceil(options_.decimate * double(mesh.triangles.size()));
         if (!replace(shape, mesh, topology::decimate(mesh, options_.decimate), "decimated")) return false;
         if (double(mesh.triangles.size()) > wanted)
-            said_.warning(shape.from, fmt::format("the mesh \"{}\" still has {} triangles, not {:.0f}: its borders, seams and folds allow no fewer", shape.name,
+            said_.warning(shape.from, fmt::format("the mesh \"{}\" still has {} triangles, not {:.0f}: its shape, borders and seams allow no fewer", shape.name,
                                                   mesh.triangles.size(), wanted));
         return true;
     }

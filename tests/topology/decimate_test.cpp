@@ -110,6 +110,15 @@ TEST(Decimation, AFlatSquareKeepsItsBorder) {
     EXPECT_NEAR(examine(coarse).hole_length, 4, 1e-6);
 }
 
+/// What is asked for cannot always be had: a shape that has nothing to spare is kept.
+TEST(Decimation, TheShapeComesBeforeTheRatio) {
+    for (const Mesh& mesh : {cube(), octahedron(), grid(1, 1, [](double u, double v) { return Vec3(u, v, 0); }), grid(8, 8, [](double u, double v) { return Vec3(u, v, 0); })}) {
+        const Mesh coarse = decimated(mesh, 1e-3);
+        EXPECT_LT(hausdorff(mesh, coarse), 0.1);
+        EXPECT_GE(coarse.triangles.size(), 2u);
+    }
+}
+
 TEST(Decimation, SizeAndPlaceDoNotMatter) {
     const Mesh ball = sphere(32, 16);
     const Mesh coarse = decimated(ball, 0.25);
