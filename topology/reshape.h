@@ -15,7 +15,7 @@ struct ReshapeOptions {
     int subdivide = 0;                      ///< levels, at most topology::kMostLevels
     double decimate = 1;                    ///< the part of the triangles that is kept, from kLeastRatio
     std::optional<double> crease_degrees;   ///< 0 to 180; absent: a mesh without normals is flat
-    uint64_t most_triangles = uint64_t(1) << 24;   ///< that subdivision may make of all meshes together: 2 GB at work
+    uint64_t most_triangles = uint64_t(1) << 24;   ///< that subdivision may make of all meshes together: 200 bytes each while it works
 
     bool any() const { return subdivide > 0 || decimate < 1 || crease_degrees; }
 };
