@@ -8,11 +8,12 @@ MAY = {
     "core": "",
     "scene": "core",
     "accel": "core",
+    "topology": "core scene",
     "eval": "core scene accel",
     "importers": "core scene eval",
     "exporters": "core scene eval",
     "tracer": "core scene accel eval",
-    "tools": "core scene accel eval importers exporters tracer",
+    "tools": "core scene accel eval topology importers exporters tracer",
 }
 INCLUDE = re.compile(r'\s*#\s*include\s+["<](?:\.\./)*([^">]+)[">]')
 

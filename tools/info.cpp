@@ -3,6 +3,7 @@
 #include "tools/features.h"
 #include "tools/interrupt.h"
 #include "tools/load.h"
+#include "tools/surfaces.h"
 #include "tracer/render.h"
 
 #include <CLI/CLI.hpp>
@@ -72,6 +73,7 @@ Json describe_scene(const Request& request, const Scene& scene) {
 /// The scene, then what compile() makes of it; without the latter if it cannot be compiled.
 Json describe(const Request& request, Loaded& loaded) {
     Json document = describe_scene(request, *loaded.scene);
+    document.update(describe_surfaces(*loaded.scene));
     if (const auto compiled = compile(std::move(*loaded.scene), request.compile, loaded.said)) {
         const CompiledSummary built = summary(*compiled);
         document["kernel"] = built.kernel;

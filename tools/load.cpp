@@ -13,6 +13,8 @@ Loaded load(const Request& request) {
     ImportResult imported = import_scene(request.scene, request.import);
     loaded.said = imported ? std::move(imported->diagnostics) : std::move(imported.error());
     if (imported && !loaded.said.has_errors()) loaded.scene = request.time ? pose(imported->scene, *request.time) : std::move(imported->scene);
+    if (loaded.scene) reshape(*loaded.scene, request.reshape, loaded.said);
+    if (loaded.said.has_errors()) loaded.scene.reset();
     loaded.seconds = seconds_now() - start;
     return loaded;
 }

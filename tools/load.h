@@ -14,7 +14,7 @@ struct Loaded {
     double seconds = 0;
 };
 
-/// Reads the scene of `request`, and poses it if a time was asked for.
+/// Reads the scene of `request`, poses it if a time was asked for, and reshapes its meshes as asked.
 Loaded load(const Request& request);
 
 /// Seconds since some fixed point; for differences.

@@ -2,6 +2,7 @@
 #include "tools/options.h"
 
 #include "tools/values.h"
+#include "topology/subdivide.h"
 #include "tracer/render.h"
 #include "tracer/sampler.h"
 
@@ -89,6 +90,17 @@ std::string unknown_word(const CLI::App& app) {
     return fmt::format("unknown option '{}'{}", word, near.empty() ? "" : fmt::format("; did you mean '{}'?", near));
 }
 
+/// What is done to the meshes after reading.
+void add_mesh_options(CLI::App& app, ReshapeOptions& reshape) {
+    add_integer(app, "--subdivide", reshape.subdivide, 0, topology::kMostLevels,
+                "times that each mesh is refined: by Catmull and Clark's rules if it has faces of more than three corners, else by Loop's (default 0)");
+    add(app, "--decimate", "RATIO", [](const std::string& word) { return parse_number(word, kLeastRatio, 1); },
+        [&reshape](double ratio) { reshape.decimate = ratio; }, "the part of each mesh's triangles that is kept, 1 being all (default 1)");
+    add(app, "--crease", "DEGREES", [](const std::string& word) { return parse_number(word, 0, 180); },
+        [&reshape](double degrees) { reshape.crease_degrees = degrees; },
+        "meshes without normals are shaded smoothly over edges up to this angle (default: they are flat)");
+}
+
 }  // namespace
 
 void add_choice(CLI::App& app, const char* option, std::vector<std::string> names, std::function<void(size_t)> store, const std::string& doc) {
@@ -104,6 +116,7 @@ void add_scene_options(CLI::App& app, Request& request) {
     add_choice(app, "--light-units", {"auto", "photometric", "raw"}, [&request](size_t i) { request.import.light_units = LightUnitsOption(i); },
                "what the file's light intensities are counted in (default auto)");
     app.add_flag("--strict", request.import.strict, "what the importer does not understand is an error, not a warning");
+    add_mesh_options(app, request.reshape);
     group_options(app, "The scene");
 }
 

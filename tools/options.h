@@ -4,6 +4,7 @@
 
 #include "importers/importer.h"
 #include "tools/verbs.h"
+#include "topology/reshape.h"
 #include "tracer/options.h"
 
 #include <functional>
@@ -20,11 +21,12 @@ struct Request {
     std::string scene;
     ImportOptions import;
     std::optional<double> time;   ///< absent: the scene as the file has it, nothing posed
+    ReshapeOptions reshape;
     CompileOptions compile;
     RenderOptions render;
 };
 
-/// SCENE, and how it is read: --time, --light-units, --strict.
+/// SCENE, and how it is read: --time, --light-units, --strict, --subdivide, --decimate, --crease.
 void add_scene_options(CLI::App& app, Request& request);
 /// What is built for its rays: --accel, --precision, --isa, --environment, --full-kernel, --threads.
 void add_compile_options(CLI::App& app, Request& request);

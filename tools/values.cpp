@@ -69,10 +69,11 @@ Value<int64_t> parse_integer(std::string_view word, int64_t low, int64_t high) {
     return *value;
 }
 
-Value<double> parse_number(std::string_view word, double low) {
+Value<double> parse_number(std::string_view word, double low, double high) {
     const auto value = whole<double>(word);
     if (!value || !std::isfinite(*value)) return tl::unexpected(fmt::format("'{}' is not a number", word));
     if (*value < low) return tl::unexpected(fmt::format("'{}' is less than {}", word, low));
+    if (*value > high) return tl::unexpected(fmt::format("'{}' is more than {}", word, high));
     return *value;
 }
 

@@ -28,7 +28,7 @@ Value<Color> parse_color(std::string_view word);
 
 /// A whole number in [low, high].
 Value<int64_t> parse_integer(std::string_view word, int64_t low, int64_t high);
-/// A finite number, at least `low`.
-Value<double> parse_number(std::string_view word, double low);
+/// A finite number in [low, high].
+Value<double> parse_number(std::string_view word, double low, double high = kInf);
 
 }  // namespace alidade

@@ -63,6 +63,8 @@ TEST(ParseNumber, IsFinite) {
     EXPECT_EQ(*parse_number("-1.5e2", -1e9), -150);
     EXPECT_EQ(*parse_number("0", 0), 0);
     EXPECT_THAT(parse_number("-1e-9", 0).error(), HasSubstr("less than 0"));
+    EXPECT_EQ(*parse_number("180", 0, 180), 180);
+    EXPECT_THAT(parse_number("180.5", 0, 180).error(), HasSubstr("more than 180"));
     for (const char* word : {"", "nan", "inf", "-inf", "1e999", "1,5", "1.5x", " 1"}) EXPECT_FALSE(parse_number(word, -1e9)) << word;
 }
 

@@ -8,7 +8,7 @@ from program import PROGRAM, InFolder, run, triangle_gltf
 
 # Every option of the design's table that a verb has today.
 RENDER_OPTIONS = ("--output --size --region --camera --exposure --accel --integrator --spp --seed --max-depth --precision --isa --aov --time --environment "
-                  "--light-units --strict --sampler --light-samples --aperture --focus --full-kernel --threads --tile --stats --progress --json").split()
+                  "--light-units --strict --subdivide --decimate --crease --sampler --light-samples --aperture --focus --full-kernel --threads --tile --stats --progress --json").split()
 
 
 class Help(unittest.TestCase):
@@ -76,6 +76,10 @@ class Slips(InFolder):
             ("--aperture", "-1", "less than 0"),
             ("--sampler", "sobbol", "did you mean 'sobol'?"),
             ("--light-samples", "0", "from 1"),
+            ("--subdivide", "9", "from 0 to 8"),
+            ("--decimate", "0", "'0' is less than 1e-06"),
+            ("--decimate", "1.5", "'1.5' is more than 1"),
+            ("--crease", "200", "'200' is more than 180"),
             ("--light-units", "lumen", "not one of auto, photometric, raw"),
             ("--progress", "fast", "not one of bar, json, none"),
             ("--camera", "sidewards", "sidewards"),
@@ -138,6 +142,30 @@ class Info(InFolder):
         self.assertIn("directional lights", [each["what"] for each in said["requires"]])
         self.assertEqual(said["messages"], [])
         self.assertIn("triangle", run("info", self.scene).stdout)
+
+    def test_surfaces_and_their_defects(self):
+        said = json.loads(run("info", self.scene, "--json").stdout)
+        self.assertEqual(said["surfaces"], [{"shape": 0, "name": said["surfaces"][0]["name"], "triangles": 1, "vertices": 3, "edges": 3, "components": 1,
+                                             "closed": False, "euler": 1, "genus": None}])
+        defects = said["defects"][0]
+        self.assertEqual((defects["holes"], defects["hole edges"], defects["non-manifold edges"], defects["refused"]), (1, 3, 0, 0))
+        self.assertAlmostEqual(defects["hole length"], 2 + 2 * 5 ** 0.5)
+        (self.folder / "closed.off").write_text("OFF\n4 4 6\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n3 0 2 1\n3 0 1 3\n3 1 2 3\n3 2 0 3\n")
+        closed = json.loads(run("info", self.folder / "closed.off", "--json").stdout)
+        self.assertEqual((closed["surfaces"][0]["closed"], closed["surfaces"][0]["genus"], closed["defects"]), (True, 0, []))
+        self.assertIn("surfaces:", run("info", self.scene).stdout)
+
+    def test_meshes_are_reshaped_after_reading(self):
+        finer = json.loads(run("info", self.scene, "--subdivide", 2, "--json").stdout)
+        self.assertEqual(finer["compiled"]["triangles"], 16)
+        coarser = json.loads(run("info", self.scene, "--subdivide", 3, "--decimate", 0.25, "--json").stdout)
+        self.assertLess(coarser["compiled"]["triangles"], 64)
+        self.assertEqual(run("render", self.scene, "--size", "8x8", "--spp", 1, "--crease", 30, "--subdivide", 1, cwd=self.folder).returncode, 0)
+        (self.folder / "fan.off").write_text("OFF\n402 400 0\n0 0 0\n" + "".join(f"{i} {i * i % 7} 1\n" for i in range(401)) +
+                                             "".join(f"3 0 {i} {i + 1}\n" for i in range(1, 401)))
+        too_many = run("info", self.folder / "fan.off", "--subdivide", 8)
+        self.assertEqual((too_many.returncode, too_many.stdout), (1, ""))
+        self.assertIn("--subdivide 8 would make 26214400 triangles", too_many.stderr)
 
     def test_what_was_not_understood_is_told(self):
         self.scene.write_text(triangle_gltf(extensionsUsed=["KHR_lights_punctual", "VENDOR_unheard_of"],
