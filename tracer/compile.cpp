@@ -164,6 +164,7 @@ void choose_kernel(CompiledScene& out, const CompileOptions& options, FeatureRea
     if (out.sky->lights()) reasons.need(kSampledLights, "the sky");
     for (const PlacedLight& l : out.lights)
         if (l.sampled()) reasons.need(kSampledLights, fmt::format("light '{}'", l.light.name));
+    out.filters_light = (reasons.mask() & (kAlpha | kTransmission)) != 0;
     if (options.full_kernel) reasons.need(kAllFeatures, "--full-kernel");
     out.features = reasons.mask();
     out.kernel = reasons.text();

@@ -65,7 +65,8 @@ struct CompiledScene {
     std::vector<PlacedCamera> cameras;     ///< at least one
     std::unique_ptr<Sky> sky;              ///< what a ray sees that leaves the scene, and what lights it from there
     bool glows = false;                    ///< a surface emits light (or is unlit)
-    unsigned features = 0;
+    bool filters_light = false;            ///< some surface lets a part of the light on a shadow ray pass
+    unsigned features = 0;                 ///< of the kernel: what the scene needs, or more
     std::string kernel;                    ///< the features in words, each with what asked for it
 
     CompiledScene() = default;

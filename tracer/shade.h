@@ -24,7 +24,7 @@ Coat coat_over(const CompiledScene& scene, const GltfPbr& m, const ShadePoint& p
 
 template <unsigned F> Vec4 base_color(const CompiledScene& scene, const GltfPbr& m, const ShadePoint& p) {
     const Vec4 base = scene.textures->evaluate(m.base_color, p);
-    if constexpr ((F & kTextures) != 0) return base * p.vertex_color();
+    if ((F & kTextures) != 0 && p.has_vertex_color()) return base * p.vertex_color();
     return base;
 }
 
@@ -45,7 +45,7 @@ template <unsigned F> Surface shade(const CompiledScene& scene, const ShadePoint
         s.emitted_ = s.albedo_;
         return s;
     }
-    const double transmission = (F & kTransmission) != 0 ? scalar(scene, m.transmission, point, 0) * (1 - metallic) : 0;
+    const double transmission = (F & kTransmission) != 0 && m.transmission ? scalar(scene, m.transmission, point, 0) * (1 - metallic) : 0;
     // KHR_materials_specular: strength and colour of the dielectric's reflection.
     const double specular = scalar(scene, m.specular, point, 1);
     const Color tint = m.specular_color ? Color(scene.textures->evaluate(*m.specular_color, point)) : Color(1);

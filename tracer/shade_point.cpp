@@ -62,7 +62,7 @@ Vec2 ShadePoint::uv(uint32_t set) const {
 }
 
 Vec4 ShadePoint::vertex_color() const {
-    if (!mesh || mesh->colors.empty() || !mesh->colors[0].present()) return Vec4(1);
+    if (!has_vertex_color()) return Vec4(1);
     return Vec4(interpolate(mesh->colors[0], *mesh, triangle, u, v));
 }
 

@@ -21,6 +21,7 @@ struct ShadePoint {
 
     Vec2 uv(uint32_t set) const;
     /// The mesh's vertex colour, or white.
+    bool has_vertex_color() const { return mesh && !mesh->colors.empty() && mesh->colors[0].present(); }
     Vec4 vertex_color() const;
 };
 

@@ -47,6 +47,8 @@ class Surface {
     const Vec3& normal() const { return normal_; }
     /// The part of the surface that is there: 1 for opaque ones.
     double coverage() const { return coverage_; }
+    /// Is there any direction to follow?
+    bool mirrors_or_refracts() const { return mirror_ > 0 || !is_black(transmission_); }
     /// The directions to follow. `state` is that of the ray that arrived.
     Secondaries secondary(const CompiledScene& scene, const RayState& state) const;
 

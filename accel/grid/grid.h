@@ -1,94 +1,145 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Uniform grid.
+/// Grid of grids: cells that hold many primitives are lattices of their own, around what is in them.
 ///
 /// Cells     a counting sort of references into one array, one index a cell: Lagae, Dutre, "Compact, Fast and Robust Grids for Ray Tracing", 2008.
+/// Levels    Kalojanov, Billeter, Slusallek, "Two-Level Grids for Ray Tracing on GPUs", 2011; here to any depth, and a lattice spans only the primitives
+///           in its cell, so that a teapot in a stadium is found in one step.
 #pragma once
 
-#include "accel/grid/lattice.h"
+#include "accel/grid/plan.h"
 #include "accel/query.h"
 
 namespace alidade {
 
-/// Cells wanted for each primitive, and the most references for each: the resolution is halved until that suffices.
-inline constexpr double kCellsPerPrimitive = 4, kReferencesPerPrimitive = 12;
+/// Cells with fewer references are not divided further, nor are any at the last level.
+inline constexpr size_t kGridLeaf = 32;
+inline constexpr uint32_t kGridDepth = 8;
+
+/// References of all levels are at most this many times the primitives; a cell's lattice has its share of what is left.
+inline constexpr double kGridGrowth = 16;
 
 template <class Leaf> class Grid {
   public:
-    Grid(BuildInput<typename Leaf::Source>& input, int, BuildStats& stats) : offset_(uint32_t(input.order.size())) {
+    Grid(BuildInput<typename Leaf::Source>& input, int, BuildStats& stats) {
         if (input.ids.empty()) return;
-        lattice_ = choose_lattice(input);
-        fill(input);
-        finish_stats(input.bounds, stats);
+        const size_t before = input.order.size();
+        const GridPlanner planner(input.source, input.ids, input.bounds);
+        std::vector<Task> tasks;
+        tasks.push_back({0, 1, planner.plan(kInf), kGridGrowth * double(input.ids.size())});
+        parts_.emplace_back();
+        while (!tasks.empty()) {
+            const Task task = std::move(tasks.back());
+            tasks.pop_back();
+            add_part(task, input, tasks, stats);
+        }
+        stats.leaves += input.order.size() > before ? 0 : 1;
+        parts_.shrink_to_fit(), starts_.shrink_to_fit();
     }
 
     template <class Query> void traverse(const LocalRay& ray, Query& query, WorkCounters& work) const {
-        if (!lattice_.can_walk(ray)) {   // from very far away: cells are smaller than the rounding of positions
-            query.visit(offset_, starts_.back());
-            return;
-        }
-        LatticeWalk walk(lattice_, ray);
-        do {
-            ++work.boxes;
-            const size_t cell = walk.cell();
-            const uint32_t first = starts_[cell], count = starts_[cell + 1] - first;
-            if (count && query.visit(offset_ + first, count)) return;
-        } while (walk.advance(query.limit()));
+        if (!parts_.empty()) search(parts_.front(), Search<Query>{GridRay(ray), query, work}, ray.tmin, ray.tmax);
     }
-    size_t bytes() const { return starts_.capacity() * sizeof(uint32_t); }
+    size_t bytes() const { return starts_.capacity() * sizeof(uint32_t) + parts_.capacity() * sizeof(Part); }
 
   private:
     using Source = typename Leaf::Source;
-    struct Reference {
-        uint32_t cell, id;
+    static constexpr uint32_t kDivided = 1u << 31;
+
+    struct Part {
+        Lattice lattice;
+        size_t cells = 0;     ///< its first in starts_; one more than it has follow each other there
+        uint32_t place = 0;   ///< where the references of the cell would stand that it divides
+    };
+    struct Task {
+        uint32_t part, depth;
+        GridPlan plan;
+        double budget;
+    };
+    template <class Query> struct Search {
+        GridRay ray;
+        Query& query;
+        WorkCounters& work;
     };
 
-    static Lattice choose_lattice(const BuildInput<Source>& input) {
-        CellIndex cells = grid_resolution(input.bounds, input.typical_extent(), kCellsPerPrimitive * double(input.ids.size()));
-        for (;;) {
-            const Lattice lattice(input.bounds, cells);
-            double references = 0;
-            for (const uint32_t id : input.ids) references += lattice.overlapped(input.source.bounds(id)).count();
-            if (lattice.cells() == 1 || references <= kReferencesPerPrimitive * double(input.ids.size())) return lattice;
-            for (int& n : cells) n = std::max(1, n / 2);
-        }
-    }
-
-    void fill(BuildInput<Source>& input) {
-        std::vector<Reference> references;
-        for (const uint32_t id : input.ids) refer(input.source, id, references);
-        starts_.assign(lattice_.cells() + 1, 0);
-        for (const Reference& r : references) ++starts_[r.cell + 1];
-        for (size_t c = 1; c < starts_.size(); ++c) starts_[c] += starts_[c - 1];
-        std::vector<uint32_t> next(starts_.begin(), starts_.end() - 1);
-        input.order.resize(offset_ + references.size());
-        for (const Reference& r : references) input.order[offset_ + next[r.cell]++] = r.id;
-    }
-
-    void refer(const Source& source, uint32_t id, std::vector<Reference>& references) const {
-        const CellRange range = lattice_.overlapped(source.bounds(id));
-        const bool one = range.low == range.high;
-        CellIndex i;
-        for (i[2] = range.low[2]; i[2] <= range.high[2]; ++i[2]) {
-            for (i[1] = range.low[1]; i[1] <= range.high[1]; ++i[1]) {
-                for (i[0] = range.low[0]; i[0] <= range.high[0]; ++i[0]) {
-                    if (one || !source.clipped_bounds(id, lattice_.padded_cell(i)).empty()) references.push_back({uint32_t(lattice_.number(i)), id});
-                }
+    void add_part(const Task& task, BuildInput<Source>& input, std::vector<Task>& tasks, BuildStats& stats) {
+        const Lattice& lattice = task.plan.lattice;
+        parts_[task.part].lattice = lattice, parts_[task.part].cells = starts_.size();
+        const double area = input.bounds.half_area(), share = lattice.cell_share() * (area > 0 ? lattice.box().half_area() / area : 1);
+        double work = double(lattice.cells());
+        for (size_t c = 0; c < lattice.cells(); ++c) {
+            const std::span<const uint32_t> ids = task.plan.cell(c);
+            if (divide(task, c, input, tasks)) {
+                starts_.push_back(kDivided | uint32_t(parts_.size() - 1)), ++work;
+                continue;
             }
+            starts_.push_back(uint32_t(input.order.size()));
+            input.order.insert(input.order.end(), ids.begin(), ids.end());
+            work += double(ids.size()), stats.leaves += !ids.empty();
         }
+        starts_.push_back(uint32_t(input.order.size()));
+        stats.nodes += lattice.cells(), stats.depth = std::max(stats.depth, size_t(task.depth)), stats.sah_cost += share * work;
     }
 
-    /// A ray that hits the box visits as many cells as their areas are of the box's, and the references in them.
-    void finish_stats(const Bounds& box, BuildStats& stats) const {
-        const double area = box.half_area(), cell = lattice_.padded_cell({0, 0, 0}).half_area();
-        stats.nodes = lattice_.cells();
-        for (size_t c = 0; c + 1 < starts_.size(); ++c) stats.leaves += starts_[c + 1] > starts_[c];
-        stats.depth = 1;
-        stats.sah_cost = (area > 0 ? std::min(1.0, cell / area) : 1.0) * double(stats.nodes + starts_.back());
+    /// Makes a part of a cell, if that is expected to pay: the box around its primitives is tested, and walked through by the rays that hit it.
+    bool divide(const Task& task, size_t cell, const BuildInput<Source>& input, std::vector<Task>& tasks) {
+        const std::span<const uint32_t> ids = task.plan.cell(cell);
+        if (ids.size() < kGridLeaf || task.depth == kGridDepth) return false;
+        const Bounds within = task.plan.lattice.padded_cell(task.plan.lattice.index(cell));
+        const GridPlanner planner(input.source, ids, within);
+        if (planner.bounds().empty()) return false;
+        const double area = within.half_area(), share = area > 0 ? planner.bounds().half_area() / area : 1;
+        const double budget = task.budget * double(ids.size()) / double(task.plan.ids.size());
+        GridPlan plan = planner.plan(budget);
+        if (1 + share * plan.cost() >= double(ids.size()) || double(plan.ids.size()) > budget) return false;
+        tasks.push_back({uint32_t(parts_.size()), task.depth + 1, std::move(plan), budget});
+        parts_.emplace_back().place = uint32_t(input.order.size());
+        return true;
     }
 
-    uint32_t offset_;
-    Lattice lattice_;
-    std::vector<uint32_t> starts_;   ///< of the cells' references, and their end
+    /// Shows the query the part's primitives between two t; true to stop.
+    template <class Query> bool search(const Part& part, const Search<Query>& to, double from, double until) const {
+        if (!part.lattice.can_walk(to.ray)) return search_halves(part, part.lattice.all(), to, from, until);
+        LatticeWalk walk(part.lattice, to.ray, from);
+        do {
+            ++to.work.boxes;
+            if (visit(part.cells + walk.cell(), to, walk.entered(), std::min(until, walk.left()))) return true;
+        } while (walk.advance(std::min(until, to.query.limit())));
+        return false;
+    }
+
+    /// The same where cells are smaller than the rounding of a walk, as they are from very far away: a cell is reached by halving the lattice.
+    template <class Query> bool search_halves(const Part& part, const CellRange& range, const Search<Query>& to, double from, double until) const {
+        ++to.work.boxes;
+        const double entry = to.ray.slab.enter(part.lattice.box_of(range), from, std::min(until, to.query.limit()));
+        if (entry == kInf) return false;
+        if (range.low == range.high) return visit(part.cells + part.lattice.number(range.low), to, from, until);
+        int axis = 0;
+        for (int a = 1; a < 3; ++a) {
+            if (range.high[size_t(a)] - range.low[size_t(a)] > range.high[size_t(axis)] - range.low[size_t(axis)]) axis = a;
+        }
+        CellRange near = range, far = range;
+        near.high[size_t(axis)] = (range.low[size_t(axis)] + range.high[size_t(axis)]) / 2;
+        far.low[size_t(axis)] = near.high[size_t(axis)] + 1;
+        if (to.ray.step[axis] < 0) std::swap(near, far);
+        return search_halves(part, near, to, from, until) || search_halves(part, far, to, from, until);
+    }
+
+    template <class Query> bool visit(size_t cell, const Search<Query>& to, double from, double until) const {
+        const uint32_t start = starts_[cell];
+        if (start & kDivided) {
+            const Part& part = parts_[start & ~kDivided];
+            ++to.work.boxes;
+            const double entry = to.ray.slab.enter(part.lattice.box(), padded_down(from), padded_up(std::min(until, to.query.limit())));
+            return entry < kInf && search(part, to, std::max(padded_down(entry), padded_down(from)), padded_up(until));
+        }
+        const uint32_t count = place(starts_[cell + 1]) - start;
+        return count && to.query.visit(start, count);
+    }
+
+    uint32_t place(uint32_t start) const { return start & kDivided ? parts_[start & ~kDivided].place : start; }
+
+    std::vector<Part> parts_;        ///< the first is the whole
+    std::vector<uint32_t> starts_;   ///< for each cell, where its references begin, or kDivided and its part; the next one's begin where they end
 };
 
 }  // namespace alidade

@@ -3,11 +3,32 @@
 
 namespace alidade {
 
+GridRay::GridRay(const LocalRay& ray) : origin(ray.origin), dir(ray.dir), slab(ray.origin, ray.dir, ray.reach) {
+    for (int a = 0; a < 3; ++a) {
+        step[a] = (dir[a] > 0) - (dir[a] < 0);
+        inverse[a] = step[a] ? 1 / dir[a] : 0;
+    }
+}
+
 Lattice::Lattice(const Bounds& box, const CellIndex& cells) : box_(box), cells_(cells) {
     for (int a = 0; a < 3; ++a) {
         size_[a] = (box.max[a] - box.min[a]) / cells[size_t(a)];
         inverse_size_[a] = cells[size_t(a)] > 1 ? 1 / size_[a] : 0;
     }
+}
+
+CellIndex Lattice::index(size_t number) const {
+    const size_t row = number / size_t(cells_[0]);
+    return {int(number % size_t(cells_[0])), int(row % size_t(cells_[1])), int(row / size_t(cells_[1]))};
+}
+
+Bounds Lattice::box_of(const CellRange& range) const {
+    Bounds box;
+    for (int a = 0; a < 3; ++a) {
+        const int low = range.low[size_t(a)], high = range.high[size_t(a)];
+        box.min[a] = plane(a, low), box.max[a] = high + 1 < cells_[size_t(a)] ? plane(a, high + 1) : box_.max[a];
+    }
+    return box;
 }
 
 CellRange Lattice::overlapped(const Bounds& box) const {
@@ -28,7 +49,12 @@ Bounds Lattice::padded_cell(const CellIndex& i) const {
     return padded;
 }
 
-bool Lattice::can_walk(const LocalRay& ray) const {
+double Lattice::cell_share() const {
+    const double area = box_.half_area(), cell = Bounds{Vec3(0), size_}.half_area();
+    return area > 0 ? std::min(1.0, cell / area) : 1;
+}
+
+bool Lattice::can_walk(const GridRay& ray) const {
     for (int a = 0; a < 3; ++a) {
         const double magnitude = std::abs(ray.origin[a]) + std::max(std::abs(box_.min[a]), std::abs(box_.max[a]));
         if (cells_[size_t(a)] > 1 && 64 * kUnitRoundoff<double> * magnitude > 0.5 * kCellPad * size_[a]) return false;
@@ -37,10 +63,14 @@ bool Lattice::can_walk(const LocalRay& ray) const {
 }
 
 CellIndex grid_resolution(const Bounds& box, const Vec3& typical, double count) {
-    constexpr double most = 4096;
     const Vec3 extent = box.extent() / typical;
     CellIndex cells{1, 1, 1};
     if (!(max_component(extent) > 0)) return cells;
+    Vec3 most(4096);
+    for (int a = 0; a < 3; ++a) {   // 2^12 roundings of a plane in a cell: the pad is 16 of them
+        const double rounding = kUnitRoundoff<double> * std::max(std::abs(box.min[a]), std::abs(box.max[a]));
+        if (rounding > 0) most[a] = std::clamp(box.extent()[a] / (4096 * rounding), 1.0, most[a]);
+    }
     std::array<bool, 3> divided{extent.x > 0, extent.y > 0, extent.z > 0};
     for (bool again = true; again;) {   // an axis too short for two cells leaves its share to the others
         again = false;
@@ -51,18 +81,16 @@ CellIndex grid_resolution(const Bounds& box, const Vec3& typical, double count) 
         const double scale = std::exp((std::log(count) - log_volume) / axes);
         for (int a = 0; a < 3; ++a) {
             if (!divided[size_t(a)]) continue;
-            cells[size_t(a)] = int(std::clamp(extent[a] * scale, 1.0, most));
+            cells[size_t(a)] = int(std::clamp(extent[a] * scale, 1.0, most[a]));
             if (cells[size_t(a)] < 2 && axes > 1) divided[size_t(a)] = false, again = true, cells[size_t(a)] = 1;
         }
     }
     return cells;
 }
 
-LatticeWalk::LatticeWalk(const Lattice& lattice, const LocalRay& ray) : lattice_(lattice), ray_(ray) {
+LatticeWalk::LatticeWalk(const Lattice& lattice, const GridRay& ray, double start) : lattice_(lattice), ray_(ray), entered_(start) {
     for (int a = 0; a < 3; ++a) {
-        step_[a] = (ray.dir[a] > 0) - (ray.dir[a] < 0);
-        inverse_[a] = step_[a] ? 1 / ray.dir[a] : 0;
-        at_[size_t(a)] = lattice.cell(a, ray.origin[a] + ray.tmin * ray.dir[a]);
+        at_[size_t(a)] = lattice.cell(a, ray.origin[a] + start * ray.dir[a]);
         next_[a] = crossing(a);
     }
 }

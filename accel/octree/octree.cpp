@@ -23,12 +23,20 @@ Bounds OctreeSplit::child(const Bounds& box, uint32_t octant) const {
     return child;
 }
 
+uint32_t OctreeSplit::sides(const Bounds& part, bool lower) const {
+    uint32_t sides = 0;
+    for (int a = 0; a < 3; ++a) {
+        const bool halves = halved >> a & 1;
+        if (lower ? !halves || part.min[a] <= middle[a] : halves && part.max[a] >= middle[a]) sides |= 1u << a;
+    }
+    return sides;
+}
+
 double octree_division_cost(const Bounds& box, const OctreeSplit& split, const std::array<size_t, 8>& counts) {
-    constexpr double step = 1;   // of looking at the children, in primitive tests
     const double area = box.half_area();
-    double cost = step;
+    double cost = 0;
     for (uint32_t octant = 0; octant < 8; ++octant) {
-        if (counts[octant]) cost += double(counts[octant]) * (area > 0 ? split.child(box, octant).half_area() / area : 1);
+        if (counts[octant]) cost += 1 + double(counts[octant]) * (area > 0 ? split.child(box, octant).half_area() / area : 1);
     }
     return cost;
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Octree: cells halved along their long axes, deeper where more primitives are.
+/// Octree: cells halved along their long axes, deeper where more primitives are. A cell that is mostly empty gives way to the box of what is in it.
 #pragma once
 
 #include "accel/query.h"
@@ -9,11 +9,12 @@
 namespace alidade {
 
 struct OctreeNode {
-    static constexpr uint32_t kInner = ~uint32_t(0);
-    uint32_t first = 0;   ///< place of a leaf's references, or index of the first of eight children
-    uint32_t count = 0;   ///< of references, or kInner
+    static constexpr uint32_t kInner = ~uint32_t(0), kShrunk = kInner - 1;
+    uint32_t first = 0;   ///< place of a leaf's references, index of the first of eight children, or of the one that stands for a shrunk cell
+    uint32_t count = 0;   ///< of references, or kInner, or kShrunk
 
     bool inner() const { return count == kInner; }
+    bool shrunk() const { return count == kShrunk; }
     bool empty() const { return count == 0; }
 };
 
@@ -22,13 +23,17 @@ struct OctreeSplit {
     OctreeSplit(const Bounds& box, const Vec3& typical);
     /// Child `octant`: bit a is set for the upper half of axis a. Neighbours share their plane exactly.
     Bounds child(const Bounds& box, uint32_t octant) const;
-    bool exists(uint32_t octant) const { return (octant & ~halved) == 0; }
+    /// Bit a: does `part`, of the cell, reach into the lower (or upper) half of axis a?
+    uint32_t sides(const Bounds& part, bool lower) const;
 
     Vec3 middle;
     uint32_t halved = 0;   ///< bit a: axis a is
 };
 
-inline constexpr uint32_t kOctreeDepth = 24;
+inline constexpr uint32_t kOctreeDepth = 48;
+
+/// A cell is shrunk to the box of what is in it if its area is more than this many times as large: a quarter is what one halving leaves.
+inline constexpr double kOctreeShrink = 4;
 
 /// Cells hold at most this many references, unless dividing them does not pay.
 inline constexpr uint32_t kOctreeLeaf = 8;
@@ -36,7 +41,8 @@ inline constexpr uint32_t kOctreeLeaf = 8;
 /// References are at most this many times the primitives: a cell is not divided if its part of the budget would not suffice.
 inline constexpr double kOctreeGrowth = 12;
 
-/// Expected cost of dividing a cell, children with the counts given, in primitive tests of a ray that hits it. Probabilities are ratios of areas.
+/// Expected cost of dividing a cell, children with the counts given, in primitive tests of a ray that hits it, which are worth as much as the box tests
+/// of the children. Probabilities are ratios of areas.
 double octree_division_cost(const Bounds& box, const OctreeSplit& split, const std::array<size_t, 8>& counts);
 
 template <class Leaf> class Octree {
@@ -45,62 +51,98 @@ template <class Leaf> class Octree {
         std::vector<Task> tasks;
         const double budget = kOctreeGrowth * double(input.ids.size());
         nodes_.emplace_back();
-        tasks.push_back({0, 0, 1.0, box_, std::move(input.ids), budget});
+        tasks.push_back({0, 0, 1.0, box_, box_, std::move(input.ids), budget});
         while (!tasks.empty()) {
-            const Task task = std::move(tasks.back());
+            Task task = std::move(tasks.back());
             tasks.pop_back();
+            shrink(task, stats);
             stats.depth = std::max(stats.depth, size_t(task.depth));
             if (!divide(task, input.source, tasks, stats)) make_leaf(task, input.order, stats);
         }
-        nodes_.shrink_to_fit();
+        nodes_.shrink_to_fit(), boxes_.shrink_to_fit();
         stats.nodes = nodes_.size();
     }
 
     template <class Query> void traverse(const LocalRay& ray, Query& query, WorkCounters& work) const {
         std::array<Cell, 7 * kOctreeDepth + 8> stack;
         const SlabRay<double> slab(ray.origin, ray.dir, ray.reach);
-        stack[0] = {box_, ray.tmin, 0};
+        stack[0] = {box_.min, box_.max, ray.tmin, 0};
         for (size_t waiting = 1; waiting > 0;) {
             const Cell cell = stack[--waiting];
             if (cell.entry > query.limit()) continue;
             const OctreeNode node = nodes_[cell.node];
             if (node.inner()) {
                 waiting = push_children(cell, node.first, slab, ray.tmin, query.limit(), stack.data(), waiting, work);
+            } else if (node.shrunk()) {
+                const Shrunk& shrunk = boxes_[node.first];
+                ++work.boxes;
+                const double entry = slab.enter(shrunk.box, ray.tmin, query.limit());
+                if (entry < kInf) stack[waiting++] = {shrunk.box.min, shrunk.box.max, entry, shrunk.node};
             } else if (query.visit(node.first, node.count)) {
                 return;
             }
         }
     }
-    size_t bytes() const { return nodes_.capacity() * sizeof(OctreeNode); }
+    size_t bytes() const { return nodes_.capacity() * sizeof(OctreeNode) + boxes_.capacity() * sizeof(Shrunk); }
 
   private:
+    using Source = typename Leaf::Source;
+
     struct Task {
         uint32_t node, depth;
         double probability;   ///< that a ray which hits the root's box hits this one
-        Bounds box;
+        Bounds box, used;     ///< used: holds the parts of the primitives in the box
         std::vector<uint32_t> ids;
         double budget;
     };
-    struct Cell {
+    /// Of a child, while its parent is divided.
+    struct Part {
+        std::vector<uint32_t> ids;
+        Bounds used;
+    };
+    struct Shrunk {
         Bounds box;
+        uint32_t node;
+    };
+    struct Cell {   // without initial values: a stack of them costs nothing
+        Vec3 min, max;
         double entry;
         uint32_t node;
     };
 
-    bool divide(const Task& task, const typename Leaf::Source& source, std::vector<Task>& tasks, BuildStats& stats) {
+    void shrink(Task& task, BuildStats& stats) {
+        const double area = task.box.half_area(), used = task.used.half_area();
+        if (task.ids.size() <= kOctreeLeaf || !(area > kOctreeShrink * used)) return;
+        nodes_[task.node] = {uint32_t(boxes_.size()), OctreeNode::kShrunk};
+        boxes_.push_back({task.used, uint32_t(nodes_.size())});
+        stats.sah_cost += task.probability;
+        task.node = uint32_t(nodes_.size()), task.box = task.used, task.probability *= used / area;
+        nodes_.emplace_back();
+    }
+
+    /// The children's references. What the middle planes leave on one side only is in the child as it was in the parent.
+    static void distribute(const Task& task, const OctreeSplit& split, const Source& source, std::array<Part, 8>& parts) {
+        std::array<Bounds, 8> boxes;
+        for (uint32_t octant = 0; octant < 8; ++octant) boxes[octant] = split.child(task.box, octant);
+        for (const uint32_t id : task.ids) {
+            const Bounds part = intersection(source.bounds(id), task.box);
+            const uint32_t low = split.sides(part, true), high = split.sides(part, false), one = (low ^ high) == 7;
+            for (uint32_t octant = 0; octant < 8; ++octant) {
+                if ((octant & ~high) | (~octant & 7 & ~low)) continue;
+                const Bounds clipped = one ? part : source.clipped_bounds(id, boxes[octant]);
+                if (!clipped.empty()) parts[octant].ids.push_back(id), parts[octant].used.extend(clipped);
+            }
+        }
+    }
+
+    bool divide(const Task& task, const Source& source, std::vector<Task>& tasks, BuildStats& stats) {
         if (task.ids.size() <= kOctreeLeaf || task.depth >= kOctreeDepth) return false;
         const OctreeSplit split(task.box, typical_);
-        std::array<std::vector<uint32_t>, 8> parts;
+        std::array<Part, 8> parts;
+        distribute(task, split, source, parts);
         std::array<size_t, 8> counts{};
         size_t total = 0;
-        for (uint32_t octant = 0; octant < 8; ++octant) {
-            if (!split.exists(octant)) continue;
-            const Bounds box = split.child(task.box, octant);
-            for (const uint32_t id : task.ids) {
-                if (!source.clipped_bounds(id, box).empty()) parts[octant].push_back(id);
-            }
-            total += counts[octant] = parts[octant].size();
-        }
+        for (uint32_t octant = 0; octant < 8; ++octant) total += counts[octant] = parts[octant].ids.size();
         if (double(total) > task.budget || octree_division_cost(task.box, split, counts) >= double(task.ids.size())) return false;
         const auto first = uint32_t(nodes_.size());
         nodes_[task.node] = {first, OctreeNode::kInner};
@@ -108,10 +150,11 @@ template <class Leaf> class Octree {
         stats.sah_cost += 8 * task.probability;
         const double area = task.box.half_area();
         for (uint32_t octant = 8; octant-- > 0;) {
-            if (parts[octant].empty()) continue;
+            if (counts[octant] == 0) continue;
             const Bounds box = split.child(task.box, octant);
             const double share = area > 0 ? box.half_area() / area : 1;
-            tasks.push_back({first + octant, task.depth + 1, task.probability * share, box, std::move(parts[octant]), task.budget * double(counts[octant]) / double(total)});
+            tasks.push_back({first + octant, task.depth + 1, task.probability * share, box, parts[octant].used, std::move(parts[octant].ids),
+                             task.budget * double(counts[octant]) / double(total)});
         }
         return true;
     }
@@ -126,11 +169,12 @@ template <class Leaf> class Octree {
     /// Pushes the children that the ray may enter, the farthest first: along each axis the half on the side of the origin comes first.
     size_t push_children(const Cell& cell, uint32_t first, const SlabRay<double>& slab, double start, double limit, Cell* stack, size_t waiting,
                          WorkCounters& work) const {
-        const OctreeSplit split(cell.box, typical_);
+        const Bounds box{cell.min, cell.max};
+        const OctreeSplit split(box, typical_);
         double enter[3][2], leave[3][2];
         uint32_t backward = 0;
         for (int a = 0; a < 3; ++a) {
-            const double low = cell.box.min[a], high = cell.box.max[a], middle = split.middle[a];
+            const double low = box.min[a], high = box.max[a], middle = split.middle[a];
             enter[a][0] = slab.enter_slab(a, low, middle), leave[a][0] = slab.leave_slab(a, low, middle);
             enter[a][1] = slab.enter_slab(a, middle, high), leave[a][1] = slab.leave_slab(a, middle, high);
             backward |= uint32_t(slab.negative(a)) << a;
@@ -144,7 +188,9 @@ template <class Leaf> class Octree {
                 SlabRay<double>::narrow(enter[a][half], leave[a][half], near, far);
             }
             ++work.boxes;
-            if (near <= SlabRay<double>::padded(far)) stack[waiting++] = {split.child(cell.box, octant), near, first + octant};
+            if (!(near <= SlabRay<double>::padded(far))) continue;   // a NaN is a miss
+            const Bounds child = split.child(box, octant);
+            stack[waiting++] = {child.min, child.max, near, first + octant};
         }
         return waiting;
     }
@@ -152,6 +198,7 @@ template <class Leaf> class Octree {
     Bounds box_;
     Vec3 typical_;
     std::vector<OctreeNode> nodes_;
+    std::vector<Shrunk> boxes_;
 };
 
 }  // namespace alidade

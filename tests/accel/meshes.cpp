@@ -212,6 +212,7 @@ std::vector<Mesh> small_meshes() {
             tetrahedra(60, 1),
             cube_lattice(2, 3, 4),
             soup(300, 0.3, 2),
+            stadium(3, 2),
             wild_soup(12, 4),
             slivers(200, 1e-4, 3),
             moved(sphere, Vec3(1, 1, 1e-6), Vec3(0), "flat sphere"),

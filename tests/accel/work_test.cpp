@@ -78,14 +78,26 @@ TEST_P(Work, GrowsSlowly) {
             if (n > 5e5 && precision == Precision::double_) continue;  // the float run has shown it
             const Mesh mesh = make(n);
             const size_t count = 1000;
-            const WorkCounters work = work_of(*build(*entry, mesh, {precision}), mesh, count);
+            const auto accelerator = build(*entry, mesh, {precision});
+            const WorkCounters work = work_of(*accelerator, mesh, count);
             n_and_work.emplace_back(double(mesh.triangles.size()), double(work.boxes + work.filtered) / double(count));
-            fmt::print("{}: N = {}, {:.1f} a ray\n", kind, mesh.triangles.size(), n_and_work.back().second);
+            fmt::print("{}: N = {}, {:.1f} a ray; {:.0f} bytes a triangle, built in {:.2f} s\n", kind, mesh.triangles.size(), n_and_work.back().second,
+                       double(accelerator->stats().bytes) / double(mesh.triangles.size()), accelerator->stats().seconds);
         }
         const double exponent = growth_exponent(n_and_work);
         fmt::print("{}: exponent {:.3f}\n", kind, exponent);
         EXPECT_LE(exponent, limit) << kind;
     }
+}
+
+/// A scene a billion times farther from 0 than it is wide: cells still tell its triangles apart.
+TEST_P(Work, DoesNotGrowFarFromZero) {
+    const auto [entry, precision] = GetParam();
+    if (precision == Precision::float_) GTEST_SKIP() << "float cannot tell such vertices apart";
+    const Mesh near = geodesic_sphere(14), far = moved(near, Vec3(1), Vec3(1e9, -7e8, 3e8), "sphere + 1e9");
+    const WorkCounters there = work_of(*build(*entry, far, {precision}), far, 2000), here = work_of(*build(*entry, near, {precision}), near, 2000);
+    EXPECT_LE(double(there.boxes + there.filtered), 1.5 * double(here.boxes + here.filtered));
+    fmt::print("{} boxes and triangles near 0, {} far from it\n", here.boxes + here.filtered, there.boxes + there.filtered);
 }
 
 INSTANTIATE_TEST_SUITE_P(Registry, Work,

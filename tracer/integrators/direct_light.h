@@ -68,7 +68,9 @@ template <unsigned F> class DirectLight {
         Ray ray = spawn_ray(point_, direction, distance);
         ray.mask = kMaskShadow;
         ray.time = state_.time;
-        if constexpr ((F & (kAlpha | kTransmission)) != 0) return filtered_light(tracing_, ray, state_.inside);
+        if constexpr ((F & (kAlpha | kTransmission)) != 0) {
+            if (tracing_.scene.filters_light) return filtered_light(tracing_, ray, state_.inside);
+        }
         return tracing_.scene.top->occluded(ray, tracing_.stats.work) ? Color(0) : Color(1);
     }
 

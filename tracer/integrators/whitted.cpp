@@ -51,8 +51,10 @@ template <unsigned F> struct Whitted {
             state.weight *= transmittance(tracing.scene, state.inside, distance);
             if (state.kind == RayKind::camera) see(point, surface, distance);
             sum += state.weight * local_light<F>(tracing, point, surface, state, Shadows::cast);
-            if constexpr ((F & (kTransmission | kMirrors)) != 0) follow(point, surface.secondary(tracing.scene, state), state);
-            if constexpr ((F & kAlpha) == 0) return;
+            if constexpr ((F & (kTransmission | kMirrors)) != 0) {
+                if (surface.mirrors_or_refracts()) follow(point, surface.secondary(tracing.scene, state), state);
+            }
+            if ((F & kAlpha) == 0 || surface.coverage() >= 1) return;
             state.weight *= 1 - surface.coverage();
             if (max_component(state.weight) < tracing.bailout || is_black(state.weight)) return;
             ray = spawn_ray(point, start.dir);
