@@ -173,6 +173,33 @@ TEST(Decimation, TheTwoEndsOfAChartAreNotConfused) {
     }
 }
 
+/// A seam that ends inside: its last vertex has one pair of coordinates, the one before has two. What lies on the left of the slit keeps the left ones.
+TEST(Decimation, TheSidesOfASlitAreNotConfused) {
+    Mesh mesh = grid(16, 16, [](double u, double v) { return Vec3(u, v, 0); });
+    const auto map = [](const Vec3& p, bool right) { return Vec2f(float(p.x + (right && p.y < 0.5 ? 0.5 - p.y : 0)), float(p.y)); };
+    Attribute<Vec2f> uv;
+    for (size_t t = 0; t < mesh.triangles.size(); ++t)
+        for (int k = 0; k < 3; ++k) {
+            const bool right = (corner_point(mesh, t, 0) + corner_point(mesh, t, 1) + corner_point(mesh, t, 2)).x > 1.5;
+            uv.corners.push_back(uint32_t(uv.values.size()));
+            uv.values.push_back(map(corner_point(mesh, t, k), right));
+        }
+    mesh.uvs = {uv};
+    const Mesh coarse = decimated(mesh, 0.1);
+    EXPECT_LE(coarse.triangles.size(), 52u);
+    size_t on_slit = 0;
+    for (size_t t = 0; t < coarse.triangles.size(); ++t)
+        for (int k = 0; k < 3; ++k) {
+            const Vec3 p = corner_point(coarse, t, k);
+            const double left = std::min({corner_point(coarse, t, 0).x, corner_point(coarse, t, 1).x, corner_point(coarse, t, 2).x});
+            const Vec2f got = coarse.uvs[0].values[coarse.uvs[0].index(t, k, coarse.triangles[t])];
+            const bool slit = p.x == 0.5 && p.y < 0.5;
+            EXPECT_EQ(got, map(p, slit ? left >= 0.5 : p.x > 0.5));
+            on_slit += slit;
+        }
+    EXPECT_GT(on_slit, 2u);
+}
+
 TEST(Decimation, WhatItCannotDoIsRefused) {
     for (const Mesh& mesh : {together(cube(), cube(Vec3(1))), moebius(8)}) {
         const auto made = decimate(mesh, 0.5);
