@@ -102,7 +102,8 @@ template <class Leaf> class Grid {
         LatticeWalk walk(part.lattice, to.ray, from);
         do {
             ++to.work.boxes;
-            if (visit(part.cells + walk.cell(), to, walk.entered(), std::min(until, walk.left()))) return true;
+            const size_t cell = part.cells + walk.cell();
+            if (divided(cell) ? search_cell(cell, to, walk.entered(), std::min(until, walk.left())) : show(cell, to.query)) return true;
         } while (walk.advance(std::min(until, to.query.limit())));
         return false;
     }
@@ -110,9 +111,11 @@ template <class Leaf> class Grid {
     /// The same where cells are smaller than the rounding of a walk, as they are from very far away: a cell is reached by halving the lattice.
     template <class Query> bool search_halves(const Part& part, const CellRange& range, const Search<Query>& to, double from, double until) const {
         ++to.work.boxes;
-        const double entry = to.ray.slab.enter(part.lattice.box_of(range), from, std::min(until, to.query.limit()));
-        if (entry == kInf) return false;
-        if (range.low == range.high) return visit(part.cells + part.lattice.number(range.low), to, from, until);
+        if (to.ray.slab().enter(part.lattice.box_of(range), from, std::min(until, to.query.limit())) == kInf) return false;
+        if (range.low == range.high) {
+            const size_t cell = part.cells + part.lattice.number(range.low);
+            return divided(cell) ? search_cell(cell, to, from, until) : show(cell, to.query);
+        }
         int axis = 0;
         for (int a = 1; a < 3; ++a) {
             if (range.high[size_t(a)] - range.low[size_t(a)] > range.high[size_t(axis)] - range.low[size_t(axis)]) axis = a;
@@ -124,18 +127,21 @@ template <class Leaf> class Grid {
         return search_halves(part, near, to, from, until) || search_halves(part, far, to, from, until);
     }
 
-    template <class Query> bool visit(size_t cell, const Search<Query>& to, double from, double until) const {
-        const uint32_t start = starts_[cell];
-        if (start & kDivided) {
-            const Part& part = parts_[start & ~kDivided];
-            ++to.work.boxes;
-            const double entry = to.ray.slab.enter(part.lattice.box(), padded_down(from), padded_up(std::min(until, to.query.limit())));
-            return entry < kInf && search(part, to, std::max(padded_down(entry), padded_down(from)), padded_up(until));
-        }
-        const uint32_t count = place(starts_[cell + 1]) - start;
-        return count && to.query.visit(start, count);
+    /// The lattice in a divided cell, which the ray is in from one t to another, each as the walk around computed it.
+    template <class Query> bool search_cell(size_t cell, const Search<Query>& to, double from, double until) const {
+        const Part& part = parts_[starts_[cell] & ~kDivided];
+        ++to.work.boxes;
+        const double start = padded_down(from), end = padded_up(until);
+        const double entry = to.ray.slab().enter(part.lattice.box(), start, std::min(end, padded_up(to.query.limit())));
+        return entry < kInf && search(part, to, std::max(padded_down(entry), start), end);
     }
 
+    template <class Query> bool show(size_t cell, Query& query) const {
+        const uint32_t start = starts_[cell], count = place(starts_[cell + 1]) - start;
+        return count && query.visit(start, count);
+    }
+
+    bool divided(size_t cell) const { return starts_[cell] & kDivided; }
     uint32_t place(uint32_t start) const { return start & kDivided ? parts_[start & ~kDivided].place : start; }
 
     std::vector<Part> parts_;        ///< the first is the whole

@@ -3,13 +3,6 @@
 
 namespace alidade {
 
-GridRay::GridRay(const LocalRay& ray) : origin(ray.origin), dir(ray.dir), slab(ray.origin, ray.dir, ray.reach) {
-    for (int a = 0; a < 3; ++a) {
-        step[a] = (dir[a] > 0) - (dir[a] < 0);
-        inverse[a] = step[a] ? 1 / dir[a] : 0;
-    }
-}
-
 Lattice::Lattice(const Bounds& box, const CellIndex& cells) : box_(box), cells_(cells) {
     for (int a = 0; a < 3; ++a) {
         size_[a] = (box.max[a] - box.min[a]) / cells[size_t(a)];
@@ -56,7 +49,7 @@ double Lattice::cell_share() const {
 
 bool Lattice::can_walk(const GridRay& ray) const {
     for (int a = 0; a < 3; ++a) {
-        const double magnitude = std::abs(ray.origin[a]) + std::max(std::abs(box_.min[a]), std::abs(box_.max[a]));
+        const double magnitude = std::abs(ray.ray.origin[a]) + std::max(std::abs(box_.min[a]), std::abs(box_.max[a]));
         if (cells_[size_t(a)] > 1 && 64 * kUnitRoundoff<double> * magnitude > 0.5 * kCellPad * size_[a]) return false;
     }
     return true;
@@ -90,7 +83,7 @@ CellIndex grid_resolution(const Bounds& box, const Vec3& typical, double count) 
 
 LatticeWalk::LatticeWalk(const Lattice& lattice, const GridRay& ray, double start) : lattice_(lattice), ray_(ray), entered_(start) {
     for (int a = 0; a < 3; ++a) {
-        at_[size_t(a)] = lattice.cell(a, ray.origin[a] + start * ray.dir[a]);
+        at_[size_t(a)] = lattice.cell(a, ray.ray.origin[a] + start * ray.ray.dir[a]);
         next_[a] = crossing(a);
     }
 }

@@ -5,6 +5,7 @@
 #include "accel/local_ray.h"
 
 #include <array>
+#include <optional>
 
 namespace alidade {
 
@@ -20,12 +21,22 @@ inline constexpr double kCellPad = 0x1p-8;
 
 /// A ray as all lattices of a grid see it.
 struct GridRay {
-    explicit GridRay(const LocalRay& ray);
+    explicit GridRay(const LocalRay& local) : ray(local) {
+        for (int a = 0; a < 3; ++a) {
+            step[a] = (ray.dir[a] > 0) - (ray.dir[a] < 0);
+            inverse[a] = step[a] ? 1 / ray.dir[a] : 0;
+        }
+    }
+    /// For box tests; made when first asked for, as most rays never need one.
+    const SlabRay<double>& slab() const {
+        if (!made_slab) made_slab.emplace(ray.origin, ray.dir, ray.reach);
+        return *made_slab;
+    }
 
-    Vec3 origin, dir;
-    SlabRay<double> slab;
+    const LocalRay& ray;
     int step[3];         ///< sign of the direction
     double inverse[3];   ///< of the direction, 0 where it is 0
+    mutable std::optional<SlabRay<double>> made_slab;
 };
 
 class Lattice {
@@ -92,7 +103,7 @@ class LatticeWalk {
     double crossing(int axis) const {
         const int next = at_[size_t(axis)] + ray_.step[axis];
         if (ray_.step[axis] == 0 || next < 0 || next >= lattice_.resolution()[size_t(axis)]) return kInf;
-        return (lattice_.plane(axis, at_[size_t(axis)] + (ray_.step[axis] > 0)) - ray_.origin[axis]) * ray_.inverse[axis];
+        return (lattice_.plane(axis, at_[size_t(axis)] + (ray_.step[axis] > 0)) - ray_.ray.origin[axis]) * ray_.inverse[axis];
     }
 
     const Lattice& lattice_;
