@@ -185,7 +185,7 @@ std::shared_ptr<const CompiledScene> compile(Scene scene, const CompileOptions& 
     if (said.has_errors()) return nullptr;
     report_unrendered(scene, said);
     auto out = std::make_shared<CompiledScene>();
-    out->scene = std::move(scene);
+    out->scene = deform(std::move(scene));
     Placer placer(*out, said);
     visit_paths(out->scene, [&](const Visit& visit) { return placer.visit(visit); });
     FeatureReasons reasons;
