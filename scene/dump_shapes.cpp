@@ -36,8 +36,8 @@ void dump_shape(std::string& out, const std::string& head, const ShapeEntry& ent
             .field("positions", target.positions).field("normals", target.normals).field("tangents", target.tangents);
     }
     if (!mesh.morph_weights.empty()) Line(out, "  morph weights").always("values", mesh.morph_weights);
-    dump_attribute(out, "joints", mesh.joints);
-    dump_attribute(out, "weights", mesh.weights);
+    for (size_t i = 0; i < mesh.joint_sets.size(); ++i)
+        Line(out, fmt::format("  joints {}", i)).always("joints", mesh.joint_sets[i].joints).always("weights", mesh.joint_sets[i].weights);
 }
 
 }  // namespace

@@ -103,9 +103,9 @@ void apply(const Channel& channel, double time, Node& node) {
 
 Scene pose(const Scene& scene, double time) {
     Scene posed = scene;
-    for (const Animation& animation : posed.animations)
+    for (const Animation& animation : scene.animations)
         for (const Channel& channel : animation.channels) apply(channel, time, posed.nodes[channel.target.index]);
-    return posed;
+    return deform(std::move(posed));
 }
 
 }  // namespace alidade

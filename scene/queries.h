@@ -30,7 +30,12 @@ struct RequiredBy {
 /// What the part of `scene` that can be reached from its roots requires, in the order of the enumeration.
 std::vector<RequiredBy> requirements(const Scene& scene);
 
-/// The scene at `time` seconds: all animations at once, each clamped to its range. Ids and topology stay, so that compile() can refit.
+/// The scene with its morph targets and skins applied as its nodes and weights stand; a still without them and without animations. A mesh is copied
+/// for each skin and each set of weights that nodes show it with. Skinned meshes are where their joints put them: in nodes of their own, which are
+/// added at the end and are roots; the nodes that held them hold nothing. All other ids stay. The scene must have passed validate().
+Scene deform(Scene scene);
+
+/// The scene at `time` seconds, deformed: all animations at once, each clamped to its range. The scene must have passed validate().
 Scene pose(const Scene& scene, double time);
 
 /// One line a thing, numbers with the fewest digits that read back as the same number: equal scenes give equal text.

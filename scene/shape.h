@@ -44,6 +44,12 @@ struct MorphTarget {
     std::vector<Vec3f> positions, normals, tangents;
 };
 
+/// Four joints that move each vertex, and how much: one entry a vertex. A mesh has as many sets as its file gives; their weights add up to 1.
+struct JointSet {
+    std::vector<Joints4> joints;   ///< indices into the skin of the node that shows the mesh
+    std::vector<Vec4f> weights;
+};
+
 /// A triangle mesh. Positions are relative to `origin`, so that surveyed coordinates keep their digits.
 struct Mesh {
     Vec3 origin{0};
@@ -58,8 +64,7 @@ struct Mesh {
     std::vector<Attribute<Vec4f>> colors;   ///< linear RGBA
     std::vector<MorphTarget> morphs;
     std::vector<double> morph_weights;      ///< default weights, one a target
-    Attribute<Joints4> joints;         ///< with `weights`: linear blend skinning
-    Attribute<Vec4f> weights;
+    std::vector<JointSet> joint_sets;       ///< linear blend skinning, where a node has a skin
 };
 
 using ShapeGeometry = std::variant<Sphere, Plane, Box, Mesh>;

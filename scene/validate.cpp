@@ -14,6 +14,7 @@ Diagnostics validate(const Scene& scene) {
     check_atmosphere(v);
     check_graph(v);
     check_animations(v);
+    check_deformations(v);
     return v.found;
 }
 

@@ -42,9 +42,7 @@ class ShapeCheck {
         attribute(mesh.tangents, mesh, "tangents");
         for (const auto& uv : mesh.uvs) attribute(uv, mesh, "texture coordinates");
         for (const auto& color : mesh.colors) attribute(color, mesh, "colors");
-        attribute(mesh.weights, mesh, "joint weights");
-        attribute(mesh.joints, mesh, "joints");
-        if (mesh.joints.present() != mesh.weights.present()) error("has joints without weights, or weights without joints");
+        joints(mesh);
         morphs(mesh);
     }
 
@@ -93,9 +91,16 @@ class ShapeCheck {
         } else if (const uint32_t largest = *std::max_element(a.corners.begin(), a.corners.end()); largest >= a.values.size()) {
             error(fmt::format("has a corner that names number {} of {} {}", largest, a.values.size(), what));
         }
-        if constexpr (!std::is_same_v<T, Joints4>) {
-            const auto broken = std::count_if(a.values.begin(), a.values.end(), [](const T& x) { return !finite_components(x); });
-            if (broken) warning(fmt::format("has {} {} that are not finite: shading there is undefined", broken, what));
+        const auto broken = std::count_if(a.values.begin(), a.values.end(), [](const T& x) { return !finite_components(x); });
+        if (broken) warning(fmt::format("has {} {} that are not finite: shading there is undefined", broken, what));
+    }
+
+    void joints(const Mesh& mesh) const {
+        for (size_t i = 0; i < mesh.joint_sets.size(); ++i) {
+            const JointSet& set = mesh.joint_sets[i];
+            if (set.joints.size() != mesh.positions.size() || set.weights.size() != mesh.positions.size())
+                error(fmt::format("has {} joints and {} weights in set {} for {} positions", set.joints.size(), set.weights.size(), i, mesh.positions.size()));
+            if (!std::all_of(set.weights.begin(), set.weights.end(), finite_components<Vec4f>)) error("has a joint weight that is not finite");
         }
     }
 
@@ -109,6 +114,8 @@ class ShapeCheck {
         }
         if (!mesh.morph_weights.empty() && mesh.morph_weights.size() != mesh.morphs.size())
             error(fmt::format("has {} morph weights for {} morph targets", mesh.morph_weights.size(), mesh.morphs.size()));
+        if (!std::all_of(mesh.morph_weights.begin(), mesh.morph_weights.end(), [](double w) { return std::isfinite(w); }))
+            error("has a morph weight that is not finite");
     }
 
     Validation& v_;

@@ -7,12 +7,25 @@
 
 namespace alidade {
 
+namespace {
+
+/// Posing relies on what validate() checks.
+std::optional<Scene> posed(const Scene& scene, double time, Diagnostics& said) {
+    const Diagnostics checked = validate(scene);
+    for (const Diagnostic& d : checked.list())
+        if (d.severity == Severity::error) said.add(d);
+    return checked.has_errors() ? std::nullopt : std::optional(pose(scene, time));
+}
+
+}  // namespace
+
 Loaded load(const Request& request) {
     Loaded loaded;
     const double start = seconds_now();
     ImportResult imported = import_scene(request.scene, request.import);
     loaded.said = imported ? std::move(imported->diagnostics) : std::move(imported.error());
-    if (imported && !loaded.said.has_errors()) loaded.scene = request.time ? pose(imported->scene, *request.time) : std::move(imported->scene);
+    if (imported && !loaded.said.has_errors())
+        loaded.scene = request.time ? posed(imported->scene, *request.time, loaded.said) : std::optional(std::move(imported->scene));
     if (loaded.scene) reshape(*loaded.scene, request.reshape, loaded.said);
     if (loaded.said.has_errors()) loaded.scene.reset();
     loaded.seconds = seconds_now() - start;

@@ -5,6 +5,7 @@
 #include "tracer/cameras.h"
 #include "tracer/instance_set.h"
 #include "tracer/materials.h"
+#include "tracer/normal_maps.h"
 #include "tracer/unrendered.h"
 
 #include <fmt/format.h>
@@ -186,11 +187,12 @@ std::shared_ptr<const CompiledScene> compile(Scene scene, const CompileOptions& 
     if (said.has_errors()) return nullptr;
     report_unrendered(scene, said);
     auto out = std::make_shared<CompiledScene>();
-    out->scene = std::move(scene);
+    out->scene = deform(std::move(scene));
     Placer placer(*out, said);
     visit_paths(out->scene, [&](const Visit& visit) { return placer.visit(visit); });
     FeatureReasons reasons;
     compile_materials(*out, options, reasons, said);
+    make_missing_tangents(*out, options.threads);
     make_sky(*out, options, said);
     if (said.has_errors()) return nullptr;
     build_structures(*out, *accel, options, said);

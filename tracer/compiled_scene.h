@@ -20,6 +20,7 @@ struct Geometry {
     std::unique_ptr<Accelerator> triangles; ///< null for closed forms
     const ShapeOps* ops = nullptr;          ///< null for meshes
     Bounds bounds;                          ///< infinite where the shape is
+    std::vector<Attribute<Vec4f>> tangents; ///< by texture coordinate set: of a mesh that has none, where a normal map asks for them
 };
 
 /// A material as an instance's slot has it, with the interior that its transmission leads into.

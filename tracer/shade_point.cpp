@@ -38,6 +38,12 @@ void place_on_mesh(const Mesh& mesh, const Instance& instance, const Hit& hit, S
     if (dot(p.shading_normal, p.geometric_normal) < 0) p.geometric_normal = -p.geometric_normal;
 }
 
+/// The mesh's own tangents, else those that were made for the set; null if there are none.
+const Attribute<Vec4f>* tangents_of(const Geometry& geometry, uint32_t uv_set) {
+    if (geometry.mesh->tangents.present()) return &geometry.mesh->tangents;
+    return uv_set < geometry.tangents.size() && geometry.tangents[uv_set].present() ? &geometry.tangents[uv_set] : nullptr;
+}
+
 void place_on_shape(const Geometry& geometry, const Instance& instance, const Hit& hit, ShadePoint& p) {
     const SurfacePoint s = geometry.ops->surface(*geometry.source, instance.to_local.point(p.position), hit.part);
     p.geometric_normal = p.shading_normal = normalized(instance.to_local.transposed(s.normal));
@@ -81,23 +87,13 @@ ShadePoint shade_point(const CompiledScene& scene, const Ray& ray, const Hit& hi
 
 void tangent_frame(const CompiledScene& scene, uint32_t uv_set, ShadePoint& p) {
     const Instance& instance = scene.instances[p.instance];
+    const Attribute<Vec4f>* tangents = p.mesh ? tangents_of(scene.geometries[instance.geometry], uv_set) : nullptr;
     Vec3 along_u(0);
     double handedness = 1;
-    if (p.mesh && p.mesh->tangents.present()) {
-        const Vec4 t(interpolate(p.mesh->tangents, *p.mesh, p.triangle, p.u, p.v));
+    if (tangents) {
+        const Vec4 t(interpolate(*tangents, *p.mesh, p.triangle, p.u, p.v));
         along_u = instance.to_world.vector(Vec3(t.x, t.y, t.z));
         handedness = (t.w < 0 ? -1 : 1) * (instance.to_world.determinant() < 0 ? -1 : 1);
-    } else if (p.mesh && uv_set < p.mesh->uvs.size() && p.mesh->uvs[uv_set].present()) {
-        Vec3 e1, e2;
-        edges(*p.mesh, p.triangle, e1, e2);
-        const auto& uvs = p.mesh->uvs[uv_set];
-        const Index3& i = p.mesh->triangles[p.triangle];
-        auto at = [&](int corner) { return Vec2(uvs.values[uvs.index(p.triangle, corner, i)]); };
-        const Vec2 d1 = at(1) - at(0), d2 = at(2) - at(0);
-        const double det = d1.x * d2.y - d2.x * d1.y;
-        along_u = instance.to_world.vector((e1 * d2.y - e2 * d1.y) * (det < 0 ? -1.0 : 1.0));
-        // v grows downwards, so the bitangent of an unmirrored map is -dP/dv: a frame with det > 0 in (u, v) is left-handed as seen from the front.
-        handedness = (det < 0 ? 1 : -1) * (instance.to_world.determinant() < 0 ? -1 : 1);
     }
     const Vec3& n = p.shading_normal;
     const Vec3 t = normalized(along_u - n * dot(n, along_u));

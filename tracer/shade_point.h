@@ -28,7 +28,7 @@ struct ShadePoint {
 /// `ray` is the world-space ray that found `hit`.
 ShadePoint shade_point(const CompiledScene& scene, const Ray& ray, const Hit& hit);
 
-/// Fills in `tangent` and `bitangent`: the mesh's own, else along the texture coordinates of `uv_set`.
+/// Fills in `tangent` and `bitangent`: the mesh's own, else those that compile() made along the texture coordinates of `uv_set`; any, if there are none.
 void tangent_frame(const CompiledScene& scene, uint32_t uv_set, ShadePoint& point);
 
 /// A ray from `point` that cannot meet the surface it starts on: the origin is moved off it along the normal, to the side that `dir` points to, by the

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "tracer/normal_maps.h"
 #include "tracer/shade.h"
 
 namespace alidade {
@@ -10,11 +11,6 @@ double microfacet(double alpha, double nh, double nl, double nv) {
     const double distribution = a2 / (kPi * d * d);
     const double visibility = 0.5 / (nl * std::sqrt(a2 + (1 - a2) * nv * nv) + nv * std::sqrt(a2 + (1 - a2) * nl * nl));
     return distribution * visibility;
-}
-
-uint32_t uv_set_of(const Scene& scene, SignalId signal) {
-    const auto* image = std::get_if<ImageSignal>(&scene.signals[signal.index].what);
-    return image ? image->uv_set : 0;
 }
 
 }  // namespace
@@ -39,7 +35,7 @@ double coverage(const GltfPbr& m, double alpha) {
 
 Vec3 bent_normal(const CompiledScene& scene, SignalId map, double scale, const ShadePoint& point) {
     ShadePoint p = point;
-    tangent_frame(scene, uv_set_of(scene.scene, map), p);
+    tangent_frame(scene, tangent_uv_set(scene.scene, map), p);
     const Vec3 sampled = Vec3(scene.textures->evaluate(map, p)) * 2.0 - Vec3(1);
     return normalized(p.tangent * (sampled.x * scale) + p.bitangent * (sampled.y * scale) + p.shading_normal * sampled.z);
 }

@@ -19,8 +19,6 @@ constexpr Unrendered kTable[] = {
     {Requirement::clipping, Severity::error, "clipped_by is not rendered yet"},
     {Requirement::patterns, Severity::error, "patterns are not rendered yet"},
     {Requirement::functions, Severity::error, "functions are not rendered yet"},
-    {Requirement::skins, Severity::warning, "skins are not rendered yet: the mesh is drawn in its rest shape"},
-    {Requirement::morphs, Severity::warning, "morph targets are not rendered yet: the mesh is drawn in its rest shape"},
     {Requirement::media, Severity::warning, "media are not rendered yet: they are left out"},
     {Requirement::fog, Severity::warning, "fog is not rendered yet: it is left out"},
 };

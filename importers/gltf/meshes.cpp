@@ -25,7 +25,7 @@ bool same_layout(const Mesh& a, const Mesh& b) {
     const auto same_target = [](const MorphTarget& x, const MorphTarget& y) {
         return x.positions.empty() == y.positions.empty() && x.normals.empty() == y.normals.empty() && x.tangents.empty() == y.tangents.empty();
     };
-    return a.normals.present() == b.normals.present() && a.tangents.present() == b.tangents.present() && a.joints.present() == b.joints.present() &&
+    return a.normals.present() == b.normals.present() && a.tangents.present() == b.tangents.present() && a.joint_sets.size() == b.joint_sets.size() &&
            same_sets(a.uvs, b.uvs) && same_sets(a.colors, b.colors) &&
            std::equal(a.morphs.begin(), a.morphs.end(), b.morphs.begin(), b.morphs.end(), same_target);
 }
@@ -42,10 +42,12 @@ void append_slot(Mesh& to, const Mesh& from, uint32_t slot) {
     append(to.positions, from.positions);
     append(to.normals, from.normals);
     append(to.tangents, from.tangents);
-    append(to.joints, from.joints);
-    append(to.weights, from.weights);
     for (size_t i = 0; i < to.uvs.size(); ++i) append(to.uvs[i], from.uvs[i]);
     for (size_t i = 0; i < to.colors.size(); ++i) append(to.colors[i], from.colors[i]);
+    for (size_t i = 0; i < to.joint_sets.size(); ++i) {
+        append(to.joint_sets[i].joints, from.joint_sets[i].joints);
+        append(to.joint_sets[i].weights, from.joint_sets[i].weights);
+    }
     for (size_t i = 0; i < to.morphs.size(); ++i) {
         append(to.morphs[i].positions, from.morphs[i].positions);
         append(to.morphs[i].normals, from.morphs[i].normals);

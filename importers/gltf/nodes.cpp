@@ -179,14 +179,14 @@ void check_joints(Scene& scene, Reporter& report) {
     for (Node& node : scene.nodes) {
         if (!node.skin) continue;
         const Mesh& mesh = std::get<Mesh>(scene.shapes[std::get<ShapeId>(node.what).index].geometry);
-        if (!mesh.joints.present()) {
+        if (mesh.joint_sets.empty()) {
             report.warning(node.from.pointer, "the node has a skin, but its mesh names no joints: the skin is left out");
             node.skin.reset();
             continue;
         }
         const size_t joints = scene.skins[node.skin->index].joints.size();
-        const bool good = std::all_of(mesh.joints.values.begin(), mesh.joints.values.end(), [&](const Joints4& j) {
-            return std::max({j.x, j.y, j.z, j.w}) < joints;
+        const bool good = std::all_of(mesh.joint_sets.begin(), mesh.joint_sets.end(), [&](const JointSet& set) {
+            return std::all_of(set.joints.begin(), set.joints.end(), [&](const Joints4& j) { return std::max({j.x, j.y, j.z, j.w}) < joints; });
         });
         if (!good) report.error(node.from.pointer, fmt::format("vertices of the mesh name joints that the skin does not have: it has {}", joints));
     }

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "importers/gltf/primitives.h"
 
+#include "importers/gltf/joints.h"
+
 #include <algorithm>
 #include <charconv>
 #include <fmt/format.h>
@@ -10,7 +12,7 @@ namespace alidade::gltf {
 
 namespace {
 
-/// Sets of texture coordinates and of colours that are read.
+/// Sets of texture coordinates, of colours and of joints that are read.
 constexpr uint32_t kMaxSets = 8;
 
 enum class Semantic { position, normal, tangent, uv, color, joints, weights };
@@ -68,7 +70,7 @@ class PrimitiveReader {
         for (const KnownAttribute& a : attributes_) read_attribute(a);
         for (size_t i = 0; i < primitive_.targets.size(); ++i)
             if (!read_target(primitive_.targets[i], child(child(at_, "targets"), i))) return std::nullopt;
-        finish();
+        if (!finish()) return std::nullopt;
         return std::move(mesh_);
     }
 
@@ -95,10 +97,8 @@ class PrimitiveReader {
                 if (entry.first.rfind('_', 0) != 0) report_.warning(a.at, "unknown attribute: it is left out");
             } else if (!check_format(a)) {
                 good = false;
-            } else if (a.set >= (a.rule->semantic == Semantic::uv || a.rule->semantic == Semantic::color ? kMaxSets : 1)) {
-                report_.warning(a.at, a.rule->semantic == Semantic::joints || a.rule->semantic == Semantic::weights
-                                          ? std::string("only four joints a vertex are supported: this set is left out")
-                                          : fmt::format("only {} sets are supported: this one is left out", kMaxSets));
+            } else if (a.set >= kMaxSets) {
+                report_.warning(a.at, fmt::format("only {} sets are supported: this one is left out", kMaxSets));
             } else {
                 attributes_.push_back(std::move(a));
             }
@@ -191,12 +191,12 @@ class PrimitiveReader {
             case Semantic::tangent: mesh_.tangents.values = values<Vec4f>(a.accessor); return;
             case Semantic::uv: set_of(mesh_.uvs, a.set).values = values<Vec2f>(a.accessor); return;
             case Semantic::color: set_of(mesh_.colors, a.set).values = colors(a.accessor); return;
-            case Semantic::joints: mesh_.joints.values = joints(a.accessor); return;
-            case Semantic::weights: mesh_.weights.values = values<Vec4f>(a.accessor); return;
+            case Semantic::joints: set_of(mesh_.joint_sets, a.set).joints = joints(a.accessor); return;
+            case Semantic::weights: set_of(mesh_.joint_sets, a.set).weights = values<Vec4f>(a.accessor); return;
         }
     }
 
-    template <class T> static Attribute<T>& set_of(std::vector<Attribute<T>>& sets, uint32_t set) {
+    template <class Set> static Set& set_of(std::vector<Set>& sets, uint32_t set) {
         if (sets.size() <= set) sets.resize(set + 1);
         return sets[set];
     }
@@ -239,13 +239,10 @@ class PrimitiveReader {
         return true;
     }
 
-    /// Attributes that make no sense without another are dropped.
-    void finish() {
+    /// Attributes that make no sense without another are dropped. False if what is left makes no sense either.
+    bool finish() {
         if (mesh_.tangents.present() && !mesh_.normals.present()) mesh_.tangents = {};   // specification, section 3.7.2.1: ignored without normals
-        if (mesh_.joints.present() != mesh_.weights.present()) {
-            report_.warning(child(at_, "attributes"), "JOINTS_0 and WEIGHTS_0 are only used together: both are left out");
-            mesh_.joints = {}, mesh_.weights = {};
-        }
+        return finish_joints(mesh_, used_, child(at_, "attributes"), report_);
     }
 
     const Model& model_;

@@ -144,8 +144,8 @@ TEST(Skins, JointsAndMatrices) {
     EXPECT_EQ(scene.skins[0].joints, (std::vector<NodeId>{NodeId{1}, NodeId{2}}));
     EXPECT_EQ(scene.skins[0].inverse_bind.at(1).translation, Vec3(1, 2, 3));
     const Mesh& mesh = std::get<Mesh>(scene.shapes[0].geometry);
-    EXPECT_EQ(mesh.joints.values.at(2), Joints4(1, 1, 0, 0));
-    EXPECT_EQ(mesh.weights.values.at(2), Vec4f(0.5f, 0.5f, 0, 0));
+    EXPECT_EQ(mesh.joint_sets.at(0).joints.at(2), Joints4(1, 1, 0, 0));
+    EXPECT_EQ(mesh.joint_sets.at(0).weights.at(2), Vec4f(0.5f, 0.5f, 0, 0));
 }
 
 TEST(Skins, Errors) {

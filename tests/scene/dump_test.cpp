@@ -39,8 +39,7 @@ shape 3 mesh name="quad" from=0:0:0:"/meshes/0"
   colors 0 values=[<1 0.5 0.25 1> <1 0.5 0.25 1> <1 0.5 0.25 1> <1 0.5 0.25 1>]
   morph 0 positions=[<0 0 0.1> <0 0 0.1> <0 0 0.1> <0 0 0.1>]
   morph weights values=[0.5]
-  joints values=[<0 0 0 0> <0 0 0 0> <0 0 0 0> <0 0 0 0>]
-  weights values=[<1 0 0 0> <1 0 0 0> <1 0 0 0> <1 0 0 0>]
+  joints 0 joints=[<0 0 0 0> <0 0 0 0> <0 0 0 0> <0 0 0 0>] weights=[<1 0 0 0> <1 0 0 0> <1 0 0 0> <1 0 0 0>]
 image 0 name="wood" path="wood.png"
 image 1 name="embedded" bytes=2 fnv1a=082f2407b4e8902a
 signal 0 constant value=<0.8 0.7 0.6 1>
@@ -164,8 +163,8 @@ const Change kShapeChanges[] = {
     [](Scene& s) { mesh(s).morphs[0].normals.resize(4); },
     [](Scene& s) { mesh(s).morphs[0].tangents.resize(4); },
     [](Scene& s) { mesh(s).morph_weights[0] = 0; },
-    [](Scene& s) { mesh(s).joints.values[0].x = 1; },
-    [](Scene& s) { mesh(s).weights.values[0].x = 0; },
+    [](Scene& s) { mesh(s).joint_sets[0].joints[0].x = 1; },
+    [](Scene& s) { mesh(s).joint_sets[0].weights[0].x = 0; },
 };
 
 const Change kSurfaceChanges[] = {

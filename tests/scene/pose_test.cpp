@@ -3,13 +3,10 @@
 #include "tests/core/draw.h"
 #include "tests/scene/sample_scene.h"
 
-#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 namespace alidade {
 namespace {
-
-using testing::ElementsAre;
 
 /// One animated node.
 Scene animated(ChannelPath path, Interpolation interpolation, std::vector<float> times, std::vector<float> values) {
@@ -120,11 +117,53 @@ TEST(Pose, CubicReproducesAPolynomial) {
     for (double t = -1; t <= 4; t += 0.0625) EXPECT_LT(length(translation_at(s, t) - p(t) * Vec3(1, 2, 3)), 1e-12) << t;
 }
 
-TEST(Pose, WeightsGoToTheNode) {
-    const Scene s = test::sample_scene();
-    EXPECT_THAT(pose(s, 0).nodes[1].morph_weights, ElementsAre(0));
-    EXPECT_THAT(pose(s, 0.5).nodes[1].morph_weights, ElementsAre(0.5));
+/// On its keys a spline is the keys' values, to the last bit, whatever the tangents.
+TEST(Pose, CubicIsExactOnItsKeys) {
+    test::Draw draw(31);
+    std::vector<float> times, values;
+    for (int key = 0; key < 20; ++key) {
+        times.push_back(float(key + draw(0, 0.9)));
+        for (int k = 0; k < 9; ++k) values.push_back(float(draw(-1e3, 1e3)));
+    }
+    const Scene s = animated(ChannelPath::translation, Interpolation::cubic, times, values);
+    for (size_t key = 0; key < times.size(); ++key)
+        EXPECT_EQ(translation_at(s, times[key]), Vec3(values[9 * key + 3], values[9 * key + 4], values[9 * key + 5])) << key;
+}
+
+/// Animated weights are over the node's, and those over the mesh's; the spline 3s^2 - 2s^3 from 0 to 1 has tangents of 0.
+TEST(Pose, WeightsMorphTheMesh) {
+    Scene s = test::sample_scene();
+    s.nodes[1].skin.reset();
+    const auto height = [](const Scene& posed) {
+        return std::get<Mesh>(posed.shapes[std::get<ShapeId>(posed.nodes[1].what).index].geometry).positions[0].z;
+    };
+    EXPECT_EQ(height(pose(s, 0)), 0);
+    EXPECT_FLOAT_EQ(height(pose(s, 0.25)), 0.1f * (3.0f / 16 - 2.0f / 64));
+    EXPECT_FLOAT_EQ(height(pose(s, 1)), 0.1f);
     EXPECT_EQ(pose(s, 0.5).nodes[1].to_parent.translation, Vec3(0.5, 1, 1.5));
+    s.animations.clear();
+    EXPECT_FLOAT_EQ(height(pose(s, 0)), 0.025f) << "the node's";
+    s.nodes[1].morph_weights.clear();
+    EXPECT_FLOAT_EQ(height(pose(s, 0)), 0.05f) << "the mesh's";
+}
+
+/// All clips play at once, each within its own range.
+TEST(Pose, ClipsPlayTogether) {
+    Scene s = animated(ChannelPath::translation, Interpolation::linear, {0, 1}, {0, 0, 0, 1, 0, 0});
+    s.animations.push_back(animated(ChannelPath::scale, Interpolation::linear, {1, 3}, {1, 1, 1, 3, 3, 3}).animations[0]);
+    for (const auto& [time, x, scale] : {std::tuple{0.5, 0.5, 1.0}, {2.0, 1.0, 2.0}, {5.0, 1.0, 3.0}}) {
+        EXPECT_EQ(translation_at(s, time), Vec3(x, 0, 0)) << time;
+        EXPECT_EQ(x_axis_at(s, time), Vec3(scale, 0, 0)) << time;
+    }
+}
+
+/// A skin follows its animated joints: sample_scene's mesh node is the parent of its only joint, so that the skin moves by that node's motion.
+TEST(Pose, JointsCarryTheMesh) {
+    const Scene posed = pose(test::sample_scene(), 0.5);
+    const Node& drawn = posed.nodes[posed.roots.back().index];
+    const Mesh& mesh = std::get<Mesh>(posed.shapes[std::get<ShapeId>(drawn.what).index].geometry);
+    EXPECT_TRUE(drawn.to_parent.is_identity());
+    EXPECT_LT(length(Vec3(mesh.positions[1]) + mesh.origin - Vec3(1.5, 1, 2.55)), 1e-6) << "joint at (0.5, 1, 2.5), morphed by 0.05";
 }
 
 TEST(Pose, PartsOfATransformCombineAsTRS) {
@@ -144,9 +183,10 @@ TEST(Pose, LeavesTheSceneAndItsTopology) {
     EXPECT_EQ(dump(s), before);
     EXPECT_NE(dump(posed), before);
     EXPECT_EQ(dump(pose(posed, 0.7)), dump(posed));
+    for (size_t i = 0; i < s.nodes.size(); ++i) EXPECT_EQ(posed.nodes[i].children, s.nodes[i].children);
     Scene still = s;
     still.animations.clear();
-    EXPECT_EQ(dump(pose(still, 0.7)), dump(still));
+    EXPECT_EQ(dump(pose(still, 0.7)), dump(deform(still)));
 }
 
 }  // namespace

@@ -22,8 +22,9 @@ Mesh sample_mesh() {
     mesh.morphs.resize(1);
     mesh.morphs[0].positions.assign(4, Vec3f(0, 0, 0.1f));
     mesh.morph_weights = {0.5};
-    mesh.joints.values.assign(4, Joints4(0, 0, 0, 0));
-    mesh.weights.values.assign(4, Vec4f(1, 0, 0, 0));
+    mesh.joint_sets.resize(1);
+    mesh.joint_sets[0].joints.assign(4, Joints4(0, 0, 0, 0));
+    mesh.joint_sets[0].weights.assign(4, Vec4f(1, 0, 0, 0));
     return mesh;
 }
 

@@ -81,7 +81,9 @@ TEST(Textures, EncodingAndTransform) {
 TEST(Textures, TangentFrameFollowsTheTextureCoordinates) {
     for (const Transform& t : {Transform(), Transform::rotate({0, 0, 1}, 1), Transform::scale({-1, 1, 1}), Transform::scale({2, 0.5, 3})}) {
         SceneBuilder b;
-        b.object(square(), b.material(b.lambert(Color(1))), t);
+        GltfPbr bumpy = b.lambert(Color(1));
+        bumpy.normal = b.constant({0.5, 0.5, 1, 1});
+        b.object(square(), b.material(bumpy), t);
         const auto scene = compiled(b.scene);
         Ray ray;
         ray.origin = {0.01, 0.02, 2};
