@@ -17,7 +17,7 @@ foreach(folder ${installed_folders})
 endforeach()
 # What others may include: the types, the tables and the three functions; not how importers and integrators do their work.
 file(GLOB public_headers RELATIVE ${PROJECT_SOURCE_DIR} core/*.h scene/*.h accel/*.h eval/shapes/*.h)
-list(APPEND public_headers importers/importer.h tracer/film.h tracer/options.h tracer/render.h)
+list(APPEND public_headers importers/importer.h exporters/exporter.h exporters/losses.h exporters/output_files.h tracer/film.h tracer/options.h tracer/render.h)
 foreach(header ${public_headers})
   get_filename_component(folder ${header} DIRECTORY)
   install(FILES ${header} DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/alidade/${folder})

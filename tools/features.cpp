@@ -3,6 +3,7 @@
 
 #include "accel/accelerator.h"
 #include "eval/shapes/shape_ops.h"
+#include "exporters/exporter.h"
 #include "importers/importer.h"
 #include "tools/verbs.h"
 #include "tracer/render.h"
@@ -41,6 +42,7 @@ Json instruction_sets() {
 Json features() {
     return {
         {"importers", rows_of(importers(), [](const ImporterEntry& row, Json& each) { each["extensions"] = row.extensions; })},
+        {"exporters", rows_of(exporters(), [](const ExporterEntry& row, Json& each) { each["extensions"] = row.extensions; })},
         {"shapes", rows_of(shapes())},
         {"accelerators", rows_of(accelerators())},
         {"instruction sets", instruction_sets()},

@@ -6,7 +6,7 @@
 
 namespace alidade {
 
-/// One key a registry (importers, shapes, accelerators, instruction sets, integrators, samplers, output layers, verbs); its rows as objects.
+/// One key a registry (importers, exporters, shapes, accelerators, instruction sets, integrators, samplers, output layers, verbs); its rows as objects.
 Json features();
 
 }  // namespace alidade

@@ -14,6 +14,7 @@ constexpr const char* kExits = "0 done, 1 error in input or run, 2 interrupted, 
 constexpr Verb kVerbs[] = {
     {"render", "render SCENE [-o FILE] [options]", "makes a picture of a scene", kExits, run_render},
     {"info", "info SCENE [options] | info --features", "tells what a scene holds and requires, or what the program can do", kExits, run_info},
+    {"convert", "convert SCENE OUT [options]", "writes a scene in another format, and lists what that cannot hold", kExits, run_convert},
 };
 
 std::string help() {

@@ -21,12 +21,15 @@ bool blender_photometric(const std::string& generator) {
     return major > 3 || (major == 3 && minor >= 4);
 }
 
+/// Alidade's own exporter writes what the extension asks for.
+bool is_photometric(const std::string& generator) { return generator == "Alidade" || blender_photometric(generator); }
+
 bool decide_units(const std::string& generator, LightUnitsOption option, RenderSettings& settings) {
-    const bool blender = blender_photometric(generator);
-    const bool photometric = option == LightUnitsOption::photometric || (option == LightUnitsOption::automatic && blender);
+    const bool known = is_photometric(generator);
+    const bool photometric = option == LightUnitsOption::photometric || (option == LightUnitsOption::automatic && known);
     settings.light_units = photometric ? LightUnits::photometric : LightUnits::radiometric;
     if (option != LightUnitsOption::automatic) settings.why_light_units = "as asked for";
-    else if (blender) settings.why_light_units = fmt::format("\"{}\" writes candela and lux", generator);
+    else if (known) settings.why_light_units = fmt::format("\"{}\" writes candela and lux", generator);
     else settings.why_light_units = "nothing says that the file holds candela and lux";
     settings.why_light_units += photometric ? ": intensities are divided by 683 lm/W" : ": intensities are used as they are";
     return photometric;

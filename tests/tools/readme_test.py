@@ -15,6 +15,7 @@ README = pathlib.Path(__file__).resolve().parents[2] / "README.md"
 TABLES = {   # the README's marker: (the registry, its columns)
     "verbs": ("verbs", ["usage", "doc", "exits"]),
     "importers": ("importers", ["name", "extensions", "doc"]),
+    "exporters": ("exporters", ["name", "extensions", "doc"]),
     "accelerators": ("accelerators", ["name", "doc"]),
 }
 

@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "exporters/surfaces.h"
+
+namespace alidade {
+
+namespace {
+
+/// A product may have products as factors, and these the same factors again: no file that makes sense needs more looks than this.
+constexpr int kMostLooks = 256;
+
+/// Takes a signal apart.
+class Flattening {
+  public:
+    explicit Flattening(const Scene& scene) : scene_(scene) {}
+
+    std::optional<Texel> of(SignalId id) {
+        if (++looks_ > kMostLooks) return std::nullopt;
+        return std::visit([this](const auto& what) { return of(what); }, scene_.signals[id.index].what);
+    }
+
+  private:
+    std::optional<Texel> of(const ConstantSignal& s) { return Texel{s.value, nullptr, -1}; }
+    std::optional<Texel> of(const ImageSignal& s) { return Texel{Vec4(1), &s, -1}; }
+    std::optional<Texel> of(const PatternSignal&) { return std::nullopt; }
+    std::optional<Texel> of(const FunctionSignal&) { return std::nullopt; }
+    std::optional<Texel> of(const ProductSignal& s) {
+        const auto a = of(s.a), b = of(s.b);
+        if (!a || !b || (a->picture && b->picture)) return std::nullopt;
+        Texel out = a->picture ? *a : *b;
+        out.factor = a->factor * b->factor;
+        return out;
+    }
+    std::optional<Texel> of(const ChannelSignal& s) {
+        auto out = of(s.of);
+        if (!out || out->channel >= 0) return out;
+        out->factor = Vec4(out->factor[s.channel]);
+        if (out->picture) out->channel = s.channel;
+        return out;
+    }
+
+    const Scene& scene_;
+    int looks_ = 0;
+};
+
+bool finite(const Vec4& v) { return is_finite(Vec3(v)) && std::isfinite(v.w); }
+
+PlainSurface surface_of(const Scene& scene, const GltfPbr& from, Losses& losses) {
+    const auto maybe = [&](const std::optional<SignalId>& id) { return id ? std::optional(texel(scene, *id, losses)) : std::nullopt; };
+    PlainSurface out;
+    out.base_color = texel(scene, from.base_color, losses);
+    out.metallic = maybe(from.metallic).value_or(Texel());
+    out.roughness = maybe(from.roughness).value_or(Texel());
+    out.normal = maybe(from.normal), out.occlusion = maybe(from.occlusion), out.emissive = maybe(from.emissive);
+    out.transmission = maybe(from.transmission), out.specular = maybe(from.specular), out.specular_color = maybe(from.specular_color);
+    out.clearcoat = maybe(from.clearcoat), out.clearcoat_roughness = maybe(from.clearcoat_roughness), out.clearcoat_normal = maybe(from.clearcoat_normal);
+    out.normal_scale = from.normal_scale, out.emissive_strength = from.emissive_strength, out.alpha_cutoff = from.alpha_cutoff, out.ior = from.ior;
+    out.alpha_mode = from.alpha_mode, out.double_sided = from.double_sided, out.unlit = from.unlit;
+    return out;
+}
+
+PlainSurface surface_of(const Scene& scene, const PovFinish& from, Losses& losses) {
+    losses.add("POV-Ray finishes", 1, "their pigment and emission on a rough surface");
+    PlainSurface out;
+    out.base_color = texel(scene, from.pigment, losses);
+    const double through = std::clamp(from.filter + from.transmit, 0.0, 1.0);
+    out.base_color.factor = Vec4(from.diffuse * Vec3(out.base_color.factor), 1 - through);
+    if (through > 0) out.alpha_mode = AlphaMode::blend;
+    out.metallic.factor = Vec4(0);
+    if (!is_black(from.emission)) out.emissive = Texel{Vec4(from.emission * Vec3(out.base_color.factor), 1), nullptr, -1};
+    out.double_sided = true;
+    return out;
+}
+
+}  // namespace
+
+Texel texel(const Scene& scene, SignalId signal, Losses& losses) {
+    const auto found = Flattening(scene).of(signal);
+    if (!found) losses.add("patterns, functions and products of pictures", 1, "a constant 1");
+    if (!found || !finite(found->factor)) return Texel();
+    return *found;
+}
+
+PlainSurface plain_surface(const Scene& scene, const Material& material, Losses& losses) {
+    if (material.layers.empty()) return {};
+    losses.add("layers over the lowest of a material", material.layers.size() - 1);
+    return std::visit([&](const auto& layer) { return surface_of(scene, layer, losses); }, material.layers.front());
+}
+
+}  // namespace alidade
