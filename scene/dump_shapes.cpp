@@ -17,6 +17,26 @@ void dump_shape(std::string& out, const std::string& head, const ShapeEntry& ent
     Line(out, head).word("box").field("name", entry.name).always("a", b.a).always("b", b.b).field("from", entry.from);
 }
 
+void dump_shape(std::string& out, const std::string& head, const ShapeEntry& entry, const Disc& d) {
+    Line(out, head).word("disc").field("name", entry.name).always("center", d.center).always("normal", d.normal).always("radius", d.radius)
+        .field("hole", d.hole).field("from", entry.from);
+}
+
+void dump_shape(std::string& out, const std::string& head, const ShapeEntry& entry, const Cylinder& c) {
+    Line(out, head).word("cylinder").field("name", entry.name).always("a", c.a).always("b", c.b).always("radius", c.radius).field("open", c.open)
+        .field("from", entry.from);
+}
+
+void dump_shape(std::string& out, const std::string& head, const ShapeEntry& entry, const Cone& c) {
+    Line(out, head).word("cone").field("name", entry.name).always("a", c.a).always("b", c.b).always("radius_a", c.radius_a).always("radius_b", c.radius_b)
+        .field("open", c.open).field("from", entry.from);
+}
+
+void dump_shape(std::string& out, const std::string& head, const ShapeEntry& entry, const Torus& t) {
+    Line(out, head).word("torus").field("name", entry.name).field("center", t.center).always("major", t.major).always("minor", t.minor)
+        .field("from", entry.from);
+}
+
 template <class T> void dump_attribute(std::string& out, const std::string& name, const Attribute<T>& a) {
     if (a.values.empty() && a.corners.empty()) return;
     Line(out, "  " + name).always("values", a.values).field("corners", a.corners);

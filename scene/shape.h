@@ -28,6 +28,34 @@ struct Box {
     Vec3 a{-1}, b{1};
 };
 
+/// A flat disc with a hole of radius `hole` (0: none). As a solid: the half space opposite to `normal`, as POV-Ray has it; the hole is only not hit.
+/// Negative radii draw as positive ones.
+struct Disc {
+    Vec3 center{0}, normal{0, 1, 0};
+    double radius = 1, hole = 0;
+};
+
+/// All points within `radius` of the axis from `a` to `b`. `open`: without its caps; what is inside stays the same. A negative radius draws as a positive one.
+struct Cylinder {
+    Vec3 a{0}, b{0, 1, 0};
+    double radius = 1;
+    bool open = false;
+};
+
+/// A cone cut off at both ends: its radius goes from `radius_a` at `a` to `radius_b` at `b`, evenly. Radii of different signs make two cones that meet
+/// where the radius is 0; else a negative radius draws as a positive one. `open`: as for a cylinder.
+struct Cone {
+    Vec3 a{0}, b{0, 1, 0};
+    double radius_a = 1, radius_b = 0;
+    bool open = false;
+};
+
+/// All points within |minor| of the circle of radius |major| around `center`, in the plane y = center.y. If minor is the larger, the middle is filled.
+struct Torus {
+    Vec3 center{0};
+    double major = 1, minor = 0.25;
+};
+
 /// A vertex attribute: values, and for each corner of each triangle an index into them. `corners` empty: indexed as the positions are.
 template <class T> struct Attribute {
     std::vector<T> values;
@@ -67,7 +95,7 @@ struct Mesh {
     std::vector<JointSet> joint_sets;       ///< linear blend skinning, where a node has a skin
 };
 
-using ShapeGeometry = std::variant<Sphere, Plane, Box, Mesh>;
+using ShapeGeometry = std::variant<Sphere, Plane, Box, Disc, Cylinder, Cone, Torus, Mesh>;
 
 struct ShapeEntry {
     std::string name;

@@ -32,6 +32,29 @@ class ShapeCheck {
         if (int(size.x == 0) + int(size.y == 0) + int(size.z == 0) > 1) warning("is a box without area: it cannot be seen");
     }
 
+    void operator()(const Disc& d) const {
+        if (!is_finite(d.center) || !is_finite(d.normal) || !std::isfinite(d.radius) || !std::isfinite(d.hole)) return not_finite();
+        if (d.normal == Vec3(0)) warning("is a disc without a normal: it is left out", "give it a normal that is not <0, 0, 0>");
+        if (std::abs(d.hole) >= std::abs(d.radius)) warning("is a disc that is all hole: it cannot be seen");
+    }
+
+    void operator()(const Cylinder& c) const {
+        if (!is_finite(c.a) || !is_finite(c.b) || !std::isfinite(c.radius)) return not_finite();
+        if (c.radius == 0) warning("is a cylinder of radius 0: it cannot be seen");
+        has_length(c.a, c.b, "cylinder");
+    }
+
+    void operator()(const Cone& c) const {
+        if (!is_finite(c.a) || !is_finite(c.b) || !std::isfinite(c.radius_a) || !std::isfinite(c.radius_b)) return not_finite();
+        if (c.radius_a == 0 && c.radius_b == 0) warning("is a cone of radius 0: it cannot be seen");
+        has_length(c.a, c.b, "cone");
+    }
+
+    void operator()(const Torus& t) const {
+        if (!is_finite(t.center) || !std::isfinite(t.major) || !std::isfinite(t.minor)) return not_finite();
+        if (t.minor == 0) warning("is a torus of minor radius 0: it cannot be seen");
+    }
+
     void operator()(const Mesh& mesh) const {
         if (!is_finite(mesh.origin)) return not_finite();
         if (!positions(mesh)) return;
@@ -50,6 +73,10 @@ class ShapeCheck {
     void error(const std::string& what, std::string hint = {}) const { v_.error(from_, who_ + " " + what, std::move(hint)); }
     void warning(const std::string& what, std::string hint = {}) const { v_.warning(from_, who_ + " " + what, std::move(hint)); }
     void not_finite() const { warning("has a number that is not finite: it is left out"); }
+
+    void has_length(const Vec3& a, const Vec3& b, const char* kind) const {
+        if (a == b) warning(fmt::format("is a {} without length: it is left out", kind), "give it two different ends, or use a disc");
+    }
 
     /// False if a triangle points at nothing.
     bool positions(const Mesh& mesh) const {

@@ -57,6 +57,6 @@ bool plane_inside(const ShapeGeometry& geometry, const Vec3& point) { return Equ
 
 }  // namespace
 
-const ShapeOps kPlaneOps = {"plane", "a half space: the side opposite to a normal", kind_of<Plane>(), plane_bounds, plane_crossings, plane_surface, plane_inside};
+const ShapeOps kPlaneOps = {"plane", "a half space: the side opposite to a normal", kind_of<Plane>(), plane_bounds, plane_crossings, plane_surface, plane_inside, always_solid};
 
 }  // namespace alidade

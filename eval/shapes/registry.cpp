@@ -4,7 +4,7 @@
 namespace alidade {
 
 std::span<const ShapeOps> shapes() {
-    static const ShapeOps kTable[] = {kSphereOps, kPlaneOps, kBoxOps};
+    static const ShapeOps kTable[] = {kSphereOps, kPlaneOps, kBoxOps, kDiscOps, kCylinderOps, kConeOps, kTorusOps};
     return kTable;
 }
 

@@ -6,7 +6,9 @@
 
 namespace alidade {
 
-extern const ShapeOps kSphereOps, kPlaneOps, kBoxOps;
+extern const ShapeOps kSphereOps, kPlaneOps, kBoxOps, kDiscOps, kCylinderOps, kConeOps, kTorusOps;
+
+inline bool always_solid(const ShapeGeometry&) { return true; }
 
 /// The index of the shape `T` in ShapeGeometry.
 template <class T, size_t I = 0> constexpr size_t kind_of() {

@@ -41,6 +41,8 @@ struct ShapeOps {
     Crossings (*crossings)(const ShapeGeometry&, const Ray&);
     SurfacePoint (*surface)(const ShapeGeometry&, const Vec3& point, uint32_t part);
     bool (*inside)(const ShapeGeometry&, const Vec3& point);             ///< on the surface counts as inside
+    /// Do the crossings bound what is inside, so that the line is in and out by turns? Not those of a disc, nor of a cylinder or cone without caps.
+    bool (*solid)(const ShapeGeometry&);
 };
 
 /// One row for each closed-form shape. Meshes have none: accel/ intersects them.

@@ -1,39 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "eval/shapes/approach.h"
 #include "eval/shapes/rows.h"
 
 namespace alidade {
 
 namespace {
-
-/// a - b as the rounded difference and what the rounding took away, exactly.
-/// Source   D. E. Knuth, "The Art of Computer Programming", vol. 2, 3rd ed., theorem 4.2.2 B (TwoSum).
-struct Difference {
-    Vec3 rounded, rest;
-    Difference(const Vec3& a, const Vec3& b) : rounded(a - b) {
-        const Vec3 of_b = rounded - a, of_a = rounded - of_b;
-        rest = (a - of_a) - (b + of_b);
-    }
-};
-
-/// Where the line of a ray comes nearest to the centre of a sphere: at t = shift + rest, at the point `nearest` relative to the centre.
-struct Approach {
-    double shift, rest;
-    Vec3 nearest;
-};
-
-/// Re-centred twice: the first shift is rounded, and what is left of dot(nearest, dir) measures by how much. Neither a far origin nor a far centre
-/// costs digits: the difference origin - centre is carried exactly, and the fused multiply-add rounds only its small result.
-Approach approach(const Vec3& center, const Ray& ray) {
-    const double a = dot(ray.dir, ray.dir);
-    const Difference from_center(ray.origin, center);
-    Approach p;
-    p.shift = -dot(from_center.rounded, ray.dir) / a;
-    for (int i = 0; i < 3; ++i) p.nearest[i] = std::fma(p.shift, ray.dir[i], from_center.rounded[i]);
-    p.nearest += from_center.rest;
-    p.rest = -dot(p.nearest, ray.dir) / a;
-    p.nearest += p.rest * ray.dir;
-    return p;
-}
 
 /// A bound on the distance of ray.at(t) from the sphere: the distance found by evaluating it there, and the roundings of that evaluation (of the
 /// difference, the square root of the sum of squares, and the last difference: 5 at the most) and of ray.at(t) itself.
@@ -92,6 +63,6 @@ bool sphere_inside(const ShapeGeometry& geometry, const Vec3& point) {
 
 }  // namespace
 
-const ShapeOps kSphereOps = {"sphere", "all points at one distance from a centre", kind_of<Sphere>(), sphere_bounds, sphere_crossings, sphere_surface, sphere_inside};
+const ShapeOps kSphereOps = {"sphere", "all points at one distance from a centre", kind_of<Sphere>(), sphere_bounds, sphere_crossings, sphere_surface, sphere_inside, always_solid};
 
 }  // namespace alidade

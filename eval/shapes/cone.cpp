@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "eval/shapes/frustum.h"
+
+namespace alidade {
+
+namespace {
+
+Frustum frustum(const ShapeGeometry& geometry) {
+    const Cone& c = std::get<Cone>(geometry);
+    return {c.a, c.b, c.radius_a, c.radius_b, c.open};
+}
+
+Bounds cone_bounds(const ShapeGeometry& geometry) { return bounds(geometry); }
+Crossings cone_crossings(const ShapeGeometry& geometry, const Ray& ray) { return frustum(geometry).crossings(ray, bounds(geometry)); }
+SurfacePoint cone_surface(const ShapeGeometry& geometry, const Vec3& point, uint32_t part) { return frustum(geometry).surface(point, part); }
+bool cone_inside(const ShapeGeometry& geometry, const Vec3& point) { return frustum(geometry).inside(point); }
+bool cone_solid(const ShapeGeometry& geometry) { return !std::get<Cone>(geometry).open; }
+
+}  // namespace
+
+const ShapeOps kConeOps = {"cone", "a cone cut off at both ends, with or without caps", kind_of<Cone>(), cone_bounds, cone_crossings, cone_surface, cone_inside, cone_solid};
+
+}  // namespace alidade

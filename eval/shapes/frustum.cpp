@@ -1,0 +1,149 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "eval/shapes/frustum.h"
+
+#include "eval/shapes/approach.h"
+
+namespace alidade {
+
+/// A ray, taken apart along and across the axis: its point nearest to `a`, its direction, and how they change the radius.
+struct Frustum::Line {
+    Place start;
+    double along;
+    Vec3 across;
+    double radius;   ///< k H
+    double size;     ///< |d|
+
+    double square() const { return dot(across, across) - radius * radius; }
+    double half_linear() const { return dot(start.across, across) - radius * start.radius; }
+    double constant() const {
+        const double q = length(start.across), r = std::abs(start.radius);
+        return (q - r) * (q + r);
+    }
+    /// (b/2)^2 - a c
+    double discriminant() const {
+        const double from = length(start.radius * across - radius * start.across), to = length(cross(start.across, across));
+        return (from - to) * (from + to);
+    }
+};
+
+/// A part of the line with |q| <= |r|; its ends may be infinite.
+struct Frustum::Stretch {
+    End enter{-kInf, 0}, leave{kInf, 0};
+};
+
+Frustum::Frustum(const Vec3& a, const Vec3& b, double radius_a, double radius_b, bool open)
+    : a_(a), b_(b), axis_(normalized(b - a)), length_(length(b - a)), radius_a_(radius_a), radius_b_(radius_b), slope_((radius_b - radius_a) / length_), open_(open) {}
+
+Frustum::Place Frustum::place(const Vec3& from_a) const {
+    const double along = dot(from_a, axis_);
+    return {along, from_a - along * axis_, radius_a_ + slope_ * along};
+}
+
+/// A root of the side after at most two Newton steps on |q| - |r|; a step that does not bring it nearer, as at the silhouette, is not taken.
+double Frustum::polished(const Line& line, double t) const {
+    const auto distance = [&](double at) { return length(line.start.across + at * line.across) - std::abs(line.start.radius + at * line.radius); };
+    double here = distance(t);
+    for (int step = 0; step < 2 && here != 0; ++step) {
+        const Vec3 q = line.start.across + t * line.across;
+        const double speed = dot(q, line.across) / length(q) - std::copysign(line.radius, line.radius * (line.start.radius + t * line.radius));
+        const double next = t - here / speed, there = distance(next);
+        if (!(std::abs(there) < std::abs(here))) break;
+        t = next, here = there;
+    }
+    return t;
+}
+
+/// Where |q| <= |r|; returns how many stretches that are, in order.
+int Frustum::stretches(const Line& line, Stretch (&out)[2]) const {
+    const double a = line.square(), b = line.half_linear(), c = line.constant(), d = line.discriminant();
+    if (std::isnan(a + b + c + d) || (a >= 0 && d < 0)) return 0;
+    const double q = -(b + std::copysign(std::sqrt(std::max(d, 0.0)), b));   // steeper than the cone, a line always meets both of its halves
+    if (q == 0) return c <= 0 && a <= 0 ? 1 : 0;                             // along the axis, or along a line of the side
+    double first = c / q, second = q / a;
+    if (a == 0) {   // parallel to a line of the side: one root
+        (b > 0 ? out[0].leave : out[0].enter).t = polished(line, first);
+        return 1;
+    }
+    first = polished(line, first), second = polished(line, second);
+    if (first > second) std::swap(first, second);
+    if (a > 0) {
+        out[0].enter.t = first, out[0].leave.t = second;
+        return 1;
+    }
+    out[0].leave.t = first, out[1].enter.t = second;
+    return 2;
+}
+
+ErrorBound Frustum::distance_bound(const Ray& ray, double t, uint32_t part) const {
+    if (part != 0) {
+        const Vec3 p = ray.at(t) - (part == 1 ? a_ : b_);
+        return {std::abs(dot(p, axis_)) + gamma_bound(10) * length(p) + at_rounding(ray, t)};
+    }
+    const Vec3 p = ray.at(t) - a_;
+    const Place here = place(p);
+    const double off = std::abs(length(here.across) - std::abs(here.radius)), steep = std::abs(slope_);
+    // The roundings: of the axis, of h and q, of the slope and what it is multiplied with. Across the side, only a part of the difference counts.
+    const double rounding = gamma_bound(20) * ((1 + steep) * length(p) + std::abs(radius_a_) + std::abs(radius_b_));
+    return {(off + rounding) / std::hypot(1.0, steep) * (1 + gamma_bound(4)) + at_rounding(ray, t)};
+}
+
+Crossings Frustum::crossings(const Ray& ray, const Bounds& bounds) const {
+    Crossings out;
+    const Approach p = approach(a_, ray);
+    const LineInterval box = inside_bounds(ray, bounds);
+    if (!is_finite(ray) || !std::isfinite(p.shift) || !(length_ > 0) || box.empty()) return out;
+    const double along = dot(ray.dir, axis_);
+    const Line line{place(p.nearest), along, ray.dir - along * axis_, slope_ * along, length(ray.dir)};
+
+    Stretch between;   // the caps
+    if (line.along != 0) {
+        between.enter = {-line.start.along / line.along, 1};
+        between.leave = {(length_ - line.start.along) / line.along, 2};
+        if (between.enter.t > between.leave.t) std::swap(between.enter, between.leave);
+    } else if (!(line.start.along >= 0 && line.start.along <= length_)) {
+        return out;
+    }
+    Stretch found[2];
+    const int count = stretches(line, found);
+    for (int i = 0; i < count; ++i) {
+        const End enter = found[i].enter.t >= between.enter.t ? found[i].enter : between.enter;
+        const End leave = found[i].leave.t <= between.leave.t ? found[i].leave : between.leave;
+        if (!(enter.t <= leave.t)) continue;
+        for (const End& end : {enter, leave}) {
+            if ((open_ && end.part != 0) || !std::isfinite(end.t)) continue;
+            const double t = std::clamp(p.shift + (p.rest + end.t), box.entry, box.exit);
+            out.add(t, end.part, distance_bound(ray, t, end.part));
+        }
+    }
+    return out;
+}
+
+/// On the side, u runs around the axis and v from a (0) to b (1). On a cap, (u, v) runs from (0, 0) to (1, 1) over the square around it.
+SurfacePoint Frustum::surface(const Vec3& point, uint32_t part) const {
+    const Place here = place(point - a_);
+    SurfacePoint out;
+    Vec3 s, t;
+    orthonormal_basis(axis_, s, t);
+    if (part != 0) {
+        const double radius = std::abs(part == 1 ? radius_a_ : radius_b_), size = radius > 0 ? 2 * radius : 1;
+        out.normal = part == 1 ? -axis_ : axis_;
+        out.uv = {0.5 + dot(here.across, s) / size, 0.5 + dot(here.across, t) / size};
+        out.dpdu = size * s, out.dpdv = size * t;
+        return out;
+    }
+    const double radius = length(here.across), sign = here.radius < 0 ? -1 : 1;
+    const Vec3 outwards = radius > 0 ? here.across / radius : s;   // at a tip any direction is as good as another
+    const double angle = std::atan2(dot(outwards, t), dot(outwards, s)) / (2 * kPi);
+    out.normal = normalized(outwards - sign * slope_ * axis_);
+    out.uv = {angle < 0 ? angle + 1 : angle, here.along / length_};
+    out.dpdu = (2 * kPi * (radius > 0 ? radius : length_)) * cross(axis_, outwards);
+    out.dpdv = length_ * axis_ + sign * (radius_b_ - radius_a_) * outwards;
+    return out;
+}
+
+bool Frustum::inside(const Vec3& point) const {
+    const Place here = place(point - a_);
+    return here.along >= 0 && here.along <= length_ && length(here.across) <= std::abs(here.radius);
+}
+
+}  // namespace alidade

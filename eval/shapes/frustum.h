@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: Apache-2.0
+/// What cylinders and cones are: a radius that changes evenly along an axis. Parts: 0 the side, 1 the cap at a, 2 the cap at b.
+#pragma once
+
+#include "eval/shapes/rows.h"
+
+namespace alidade {
+
+class Frustum {
+  public:
+    Frustum(const Vec3& a, const Vec3& b, double radius_a, double radius_b, bool open);
+
+    /// Units    the shape's space; `t` counts multiples of |ray.dir|.
+    /// Method   the ray is moved to its point nearest to `a`: p + t d. With w the unit axis, h and q the parts of a point along and across it (H and Q of
+    ///          the direction), and the radius r = radius_a + k h that the axis says, the side is |q|^2 = r^2. Its discriminant is
+    ///          |r Q - k H q|^2 - |q x Q|^2, a difference of squares that cancels only at the silhouette; of the two roots, the one without cancellation
+    ///          comes from the formula, the other from their product. Each is polished by Newton steps on |q| - |r|, which carries no squares. Then the
+    ///          stretches with |q| <= |r| are cut to those between the caps.
+    /// Error    of t: <= 4 units of 2^-52 (|t| + size / |d|) / cosine of the angle to the normal, size being that of the shape. Held by
+    ///          tests/eval/frustum_test.cpp against 113-bit arithmetic.
+    Crossings crossings(const Ray& ray, const Bounds& bounds) const;
+    SurfacePoint surface(const Vec3& point, uint32_t part) const;
+    bool inside(const Vec3& point) const;
+
+  private:
+    struct Line;
+    struct Stretch;
+    struct End {
+        double t;
+        uint32_t part;
+    };
+    /// A point relative to `a`: along the axis, across it, and the signed radius there.
+    struct Place {
+        double along;
+        Vec3 across;
+        double radius;
+    };
+    Place place(const Vec3& from_a) const;
+    double polished(const Line& line, double t) const;
+    int stretches(const Line& line, Stretch (&out)[2]) const;
+    ErrorBound distance_bound(const Ray& ray, double t, uint32_t part) const;
+
+    Vec3 a_, b_, axis_;
+    double length_, radius_a_, radius_b_, slope_;
+    bool open_;
+};
+
+}  // namespace alidade

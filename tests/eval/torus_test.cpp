@@ -1,0 +1,140 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "tests/eval/shape_samples.h"
+
+#include <gtest/gtest.h>
+
+namespace alidade {
+namespace {
+
+Crossings crossings(const Torus& t, const Vec3& origin, const Vec3& dir) {
+    Ray ray;
+    ray.origin = origin, ray.dir = dir;
+    return find_shape(t)->crossings(t, ray);
+}
+
+void expect(const Crossings& got, std::initializer_list<double> want) {
+    ASSERT_EQ(size_t(got.count), want.size());
+    int i = 0;
+    for (const double t : want) EXPECT_NEAR(got.at[i++].t, t, 4e-15);
+}
+
+TEST(Torus, ThroughTheTubeAlongAndAcross) {
+    const Torus t{Vec3(0), 2, 0.5};
+    expect(crossings(t, Vec3(-5, 0, 0), Vec3(1, 0, 0)), {2.5, 3.5, 6.5, 7.5});
+    expect(crossings(t, Vec3(2, 3, 0), Vec3(0, -2, 0)), {1.25, 1.75});
+    expect(crossings(t, Vec3(0, 3, 0), Vec3(0, -1, 0)), {});
+    expect(crossings({Vec3(1, 2, 3), -2, -0.5}, Vec3(-4, 2, 3), Vec3(1, 0, 0)), {2.5, 3.5, 6.5, 7.5});
+}
+
+/// With a minor radius larger than the major one the middle is filled, and what lies inside is not met.
+TEST(Torus, ASpindleIsMetOnItsOuterSideAlone) {
+    const Torus t{Vec3(0), 1, 2};
+    expect(crossings(t, Vec3(-5, 0, 0), Vec3(1, 0, 0)), {2, 8});
+    expect(crossings(t, Vec3(0, 5, 0), Vec3(0, -1, 0)), {5 - std::sqrt(3.0), 5 + std::sqrt(3.0)});
+    EXPECT_TRUE(find_shape(t)->inside(t, Vec3(0)));
+}
+
+TEST(Torus, WithoutAMajorRadiusItIsASphere) {
+    expect(crossings({Vec3(0), 0, 1}, Vec3(-5, 0, 0), Vec3(1, 0, 0)), {4, 6});
+    expect(crossings({Vec3(0), 1, 0}, Vec3(-5, 0, 0), Vec3(1, 0, 0)), {});
+}
+
+/// A line across the top of the tube, in closed form: it meets the circle's plane distance R +- sqrt(r^2 - y^2).
+TEST(Torus, TangentsAreSharp) {
+    for (const double distance : {4.0, 1e4, 1e8})
+        for (const double depth : {1e-3, 1e-6, 1e-9}) {
+            const Torus t{Vec3(0), 1, 0.25};
+            const Crossings in = crossings(t, Vec3(-distance, 0.25 - depth, 0), Vec3(1, 0, 0));
+            ASSERT_EQ(in.count, 4) << distance << " " << depth;
+            const double half = std::sqrt((0.5 - depth) * depth);
+            for (int i = 0; i < 4; ++i)
+                EXPECT_NEAR(in.at[i].t - distance, (i < 2 ? -1 : 1) + (i % 2 ? half : -half), 1e-15 / half + 4e-16 * distance);
+            EXPECT_EQ(crossings(t, Vec3(-distance, 0.25 + depth, 0), Vec3(1, 0, 0)).count, 0) << distance << " " << depth;
+        }
+}
+
+/// As POV-Ray 3.7 maps it.
+TEST(Torus, TextureCoordinates) {
+    const Torus t{Vec3(0), 1, 0.25};
+    const ShapeOps& ops = *find_shape(t);
+    EXPECT_EQ(ops.surface(t, Vec3(1.25, 0, 0), 0).uv, Vec2(0.5, 0.5));
+    EXPECT_EQ(ops.surface(t, Vec3(0, 0, 1.25), 0).uv, Vec2(0.25, 0.5));
+    EXPECT_EQ(ops.surface(t, Vec3(1, 0.25, 0), 0).uv, Vec2(0.5, 0.75));
+}
+
+#ifdef ALIDADE_HAS_QUAD
+
+using test::Quad;
+using test::QuadVec;
+
+/// The implicit function along a ray, in 113 bits: roots by bisection between samples that are far nearer to each other than the torus is thick.
+class ExactTorus {
+  public:
+    ExactTorus(const Torus& torus, const Ray& ray) : torus_(torus), ray_(ray) {}
+
+    Quad operator()(Quad t) const {
+        const QuadVec p = QuadVec(ray_.origin) + t * QuadVec(ray_.dir) - QuadVec(torus_.center);
+        const Quad off = sqrtq(p.x * p.x + p.z * p.z) - fabsq(torus_.major);
+        return sqrtq(off * off + p.y * p.y) - fabsq(torus_.minor);
+    }
+
+    /// False if the line comes so near to a tangent that samples could miss two roots.
+    bool roots(std::vector<Quad>& out) const {
+        constexpr int kSamples = 400;
+        const Quad speed = length(QuadVec(ray_.dir)), middle = dot(QuadVec(torus_.center) - QuadVec(ray_.origin), QuadVec(ray_.dir)) / (speed * speed);
+        const Quad reach = Quad(1.5) * (fabsq(torus_.major) + fabsq(torus_.minor)) / speed;
+        std::vector<Quad> f(kSamples + 1);
+        const auto at = [&](int i) { return middle + reach * (2 * Quad(i) / kSamples - 1); };
+        for (int i = 0; i <= kSamples; ++i) f[size_t(i)] = (*this)(at(i));
+        for (int i = 1; i < kSamples; ++i) {
+            const Quad a = f[size_t(i - 1)], b = f[size_t(i)], c = f[size_t(i + 1)];
+            if (fabsq(b) < Quad(1e-3) && ((b <= a && b <= c) || (b >= a && b >= c))) return false;
+        }
+        for (int i = 0; i < kSamples; ++i)
+            if ((f[size_t(i)] > 0) != (f[size_t(i + 1)] > 0)) out.push_back(bisected(at(i), at(i + 1)));
+        return true;
+    }
+
+  private:
+    Quad bisected(Quad low, Quad high) const {
+        const bool positive = (*this)(low) > 0;
+        for (int i = 0; i < 110; ++i) {
+            const Quad middle = (low + high) / 2;
+            (((*this)(middle) > 0) == positive ? low : high) = middle;
+        }
+        return low;
+    }
+
+    const Torus& torus_;
+    const Ray& ray_;
+};
+
+/// No crossing is missed or invented, from any distance; and t is right.
+TEST(Torus, CrossingsAgainst113Bits) {
+    test::Draw draw(62);
+    for (const double distance : {4.0, 1e4, 1e8}) {
+        double worst = 0;
+        int hits = 0;
+        for (int i = 0; i < 700; ++i) {
+            Torus torus;
+            test::randomize(torus, draw);
+            const Ray ray = test::ray_from(distance, draw);
+            std::vector<Quad> want;
+            if (!ExactTorus(torus, ray).roots(want)) continue;
+            const Crossings got = find_shape(torus)->crossings(torus, ray);
+            ASSERT_EQ(size_t(got.count), want.size()) << "from " << distance << ", ray " << i;
+            for (int k = 0; k < got.count; ++k, ++hits) {
+                const double cosine = std::abs(dot(find_shape(torus)->surface(torus, ray.at(got.at[k].t), 0).normal, normalized(ray.dir)));
+                const double unit = std::numeric_limits<double>::epsilon() * (std::abs(got.at[k].t) + (std::abs(torus.major) + std::abs(torus.minor)) / length(ray.dir));
+                worst = std::max(worst, double(fabsq(Quad(got.at[k].t) - want[size_t(k)])) / unit * cosine);
+            }
+        }
+        EXPECT_GT(hits, 700);
+        std::printf("[          ] from %g: %.2f eps (|t| + (R + r) / |d|) / cosine\n", distance, worst);
+        EXPECT_LT(worst, 4);
+    }
+}
+#endif
+
+}  // namespace
+}  // namespace alidade
