@@ -37,10 +37,14 @@ class Render(InFolder):
         self.assertNotEqual((self.folder / "other.png").read_bytes(), first, "another seed moves the samples")
 
     def test_adaptive_spends_less_where_nothing_is(self):
-        self.render("-o", "plain.png", "--spp", "64", "--stats", "plain.json")
-        self.render("-o", "zero.png", "--spp", "64", "--adaptive", "0")
+        def render(*words):
+            said = run("render", self.scene, "--size", "40x30", "--spp", "64", *words, cwd=self.folder)
+            self.assertEqual(said.returncode, 0, said.stderr)
+
+        render("-o", "plain.png")
+        render("-o", "zero.png", "--adaptive", "0")
         self.assertEqual((self.folder / "zero.png").read_bytes(), (self.folder / "plain.png").read_bytes())
-        self.render("-o", "less.png", "--spp", "64", "--adaptive", "0.01", "--stats", "less.json")
+        render("-o", "less.png", "--adaptive", "0.01", "--stats", "less.json")
         cost = json.loads((self.folder / "less.json").read_text())["render"]
         self.assertLess(cost["samples_per_pixel"], 32)
         self.assertGreater(cost["pixels_ended_early"], 40 * 30 // 2)
