@@ -136,7 +136,7 @@ void add_files(std::vector<Sample>& out, const std::filesystem::path& folder) {
         // The fuzzer's seed has a normal without a direction, which a valid file may not have: it would be mended.
         for (ShapeEntry& shape : read->scene.shapes)
             for (Vec3f& n : std::get<Mesh>(shape.geometry).normals.values)
-                if (ending == ".gltf" && n == Vec3f(0)) n = Vec3f(0, 0, 1);
+                if ((ending == ".gltf" || ending == ".glb") && n == Vec3f(0)) n = Vec3f(0, 0, 1);
         out.push_back({file.path().filename().string(), std::move(read->scene)});
     }
 }
