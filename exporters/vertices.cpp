@@ -21,7 +21,7 @@ template <class T> std::vector<uint32_t> corner_indices(const Attribute<T>& attr
 
 /// Calls f(attribute) for each that the mesh has.
 template <class F> void for_each_attribute(const Mesh& mesh, const F& f) {
-    f(mesh.normals), f(mesh.tangents), f(mesh.joints), f(mesh.weights);
+    f(mesh.normals), f(mesh.tangents);
     for (const auto& uv : mesh.uvs) f(uv);
     for (const auto& color : mesh.colors) f(color);
 }

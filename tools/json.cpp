@@ -65,7 +65,9 @@ Json to_json(const CompiledSummary& s) {
 }
 
 Json to_json(const RenderStats& s) {
-    return {{"camera_rays", s.camera_rays}, {"shadow_rays", s.shadow_rays}, {"secondary_rays", s.secondary_rays},
+    const double per_pixel = s.pixels ? double(s.camera_rays) / double(s.pixels) : 0;
+    return {{"pixels", s.pixels}, {"pixels_ended_early", s.pixels_ended_early}, {"samples_per_pixel", per_pixel},
+            {"camera_rays", s.camera_rays}, {"shadow_rays", s.shadow_rays}, {"secondary_rays", s.secondary_rays},
             {"accelerator_rays", s.work.rays}, {"boxes", s.work.boxes}, {"filtered", s.work.filtered}, {"primitives", s.work.primitives},
             {"exact", s.work.exact}, {"seconds", s.seconds}, {"cpu_seconds", s.cpu_seconds}, {"tiles", s.tiles}, {"tiles_done", s.tiles_done}};
 }

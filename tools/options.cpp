@@ -3,6 +3,7 @@
 
 #include "tools/values.h"
 #include "topology/subdivide.h"
+#include "tracer/noise.h"
 #include "tracer/render.h"
 #include "tracer/sampler.h"
 
@@ -151,6 +152,9 @@ void add_render_options(CLI::App& app, Request& request) {
     const std::vector<std::string> known = names_of(integrators());
     add_choice(app, "--integrator", known, [&render, known](size_t i) { render.integrator = known[i]; }, "what a ray is asked (default whitted)");
     add_integer(app, "--spp", render.spp, 1, 1 << 20, "samples a pixel; 1: its centre (default: as the scene says)");
+    add_number(app, "--adaptive", "ERROR", 0, [&render](double error) { render.adaptive = error; },
+               fmt::format("a pixel ends after {} samples or more, --spp at the most, once the standard error of its displayed colour is below (1: black to white; default 0: none ends early)",
+                           kLeastSamples));
     const std::vector<std::string> spreads = names_of(samplers());
     add_choice(app, "--sampler", spreads, [&render, spreads](size_t i) { render.sampler = spreads[i]; }, fmt::format("how samples are spread (default {})", render.sampler));
     add_integer(app, "--light-samples", render.light_samples, 1, 1 << 16, "shadow rays to each light with an extent, and to the sky (default 1)");

@@ -30,7 +30,7 @@ struct Request {
 void add_scene_options(CLI::App& app, Request& request);
 /// What is built for its rays: --accel, --precision, --isa, --environment, --full-kernel, --threads.
 void add_compile_options(CLI::App& app, Request& request);
-/// How it is seen: --size, --region, --camera, --exposure, --aperture, --focus, --integrator, --spp, --sampler, --light-samples, --seed, --max-depth,
+/// How it is seen: --size, --region, --camera, --exposure, --aperture, --focus, --integrator, --spp, --adaptive, --sampler, --light-samples, --seed, --max-depth,
 /// --aov, --tile.
 void add_render_options(CLI::App& app, Request& request);
 

@@ -217,7 +217,7 @@ template <class Keep> void collapse(HalfEdges& edges, const Wedges& wedges, size
 }  // namespace
 
 tl::expected<Mesh, std::string> decimate(const Mesh& mesh, double ratio) {
-    if (mesh.joints.present() || !mesh.morphs.empty()) return tl::unexpected(std::string("it is skinned or morphed"));
+    if (!mesh.joint_sets.empty() || !mesh.morphs.empty()) return tl::unexpected(std::string("it is skinned or morphed"));
     const Welded surface = weld(mesh);
     HalfEdges edges = half_edges(surface);
     if (!edges.manifold) return tl::unexpected(std::string("its surface is not manifold, or not wound consistently"));

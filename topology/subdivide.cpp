@@ -153,7 +153,7 @@ template <class Subdivider, class HalfEdgeMesh> bool step(Polygons& polygons, bo
 
 tl::expected<Mesh, std::string> subdivide(const Mesh& mesh, int levels) {
     namespace uniform = OpenMesh::Subdivider::Uniform;
-    if (mesh.joints.present() || !mesh.morphs.empty()) return tl::unexpected(std::string("it is skinned or morphed"));
+    if (!mesh.joint_sets.empty() || !mesh.morphs.empty()) return tl::unexpected(std::string("it is skinned or morphed"));
     Polygons polygons = polygons_of(mesh, weld(mesh));
     const bool quads = !polygons.all_triangles();
     for (int level = 0; level < levels; ++level)

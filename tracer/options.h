@@ -34,6 +34,7 @@ struct RenderOptions {
     std::string camera;                    ///< a name, or a number from 0; empty: the scene's first, else one that frames everything
     std::string integrator = "whitted";
     int spp = 0;                           ///< samples a pixel; 1: the pixel's centre; 0: as the scene says
+    double adaptive = 0;                   ///< a pixel ends when the standard error of its mean, as displayed (1: black to white), is below; 0: none does
     std::string sampler = "sobol";         ///< a name of the table in tracer/sampler.h: how samples are spread
     int light_samples = 1;                 ///< shadow rays to each light with an extent, and to the sky, a surface point
     std::optional<double> aperture;        ///< diameter of the lens, world units, instead of the camera's; 0: pinhole

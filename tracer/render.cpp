@@ -3,6 +3,7 @@
 #include "core/parallel.h"
 #include "tracer/cameras.h"
 #include "tracer/layers.h"
+#include "tracer/noise.h"
 
 #include <charconv>
 #include <chrono>
@@ -57,7 +58,7 @@ tl::expected<Radiance, std::string> choose_kernel(const CompiledScene& scene, co
 enum Dimension : uint64_t { kPixelDimension, kLensDimension };
 
 /// One camera ray, and what it brings.
-void take_sample(const Job& job, Tracing& tracing, int x, int y, int s, PixelSamples& pixel) {
+Color take_sample(const Job& job, Tracing& tracing, int x, int y, int s, PixelSamples& pixel) {
     const uint64_t index = uint64_t(y) * uint64_t(job.options.width) + uint64_t(x);
     RayState state;
     state.key = SampleKey(job.sampler, RandomKey(job.options.seed, uint64_t(job.options.frame), index), uint32_t(s), uint32_t(job.spp));
@@ -69,14 +70,28 @@ void take_sample(const Job& job, Tracing& tracing, int x, int y, int s, PixelSam
     FirstHit first;
     const Color radiance = job.radiance(tracing, ray, state, first);
     pixel.add(radiance, first);
+    return radiance;
 }
 
-/// All samples of a pixel; fewer if the render was stopped.
-PixelSamples sample_pixel(const Job& job, Tracing& tracing, int x, int y) {
+/// All samples of a pixel: as many as asked for, or fewer where its own tell that it is known well enough. Nothing if the render was stopped.
+std::optional<PixelSamples> sample_pixel(const Job& job, Tracing& tracing, int x, int y) {
     PixelSamples pixel;
+    NoiseEstimate noise;
     const WorkCounters& work = tracing.stats.work;
     const uint64_t before = work.boxes + work.filtered + work.primitives;
-    for (int s = 0; s < job.spp && !job.stopped(); ++s) take_sample(job, tracing, x, y, s, pixel);
+    const double limit = job.options.adaptive, exposure = std::exp2(job.options.exposure);
+    for (int s = 0; s < job.spp; ++s) {
+        if (job.stopped()) return std::nullopt;
+        const Color radiance = take_sample(job, tracing, x, y, s, pixel);
+        if (!(limit > 0)) continue;
+        noise.add(radiance);
+        if (pixel.samples < kLeastSamples || pixel.samples % kSamplesBetweenLooks || pixel.samples == job.spp) continue;
+        if (noise.displayed_error(exposure) < limit) {
+            ++tracing.stats.pixels_ended_early;
+            break;
+        }
+    }
+    ++tracing.stats.pixels;
     pixel.work = work.boxes + work.filtered + work.primitives - before;
     return pixel;
 }
@@ -91,9 +106,9 @@ bool render_tile(const Job& job, size_t tile, Picture& picture, RenderStats& sta
     const double exposure = std::exp2(job.options.exposure);
     for (int y = y0; y < std::min(y0 + size, job.region.y1); ++y)
         for (int x = x0; x < std::min(x0 + size, job.region.x1); ++x) {
-            const PixelSamples pixel = sample_pixel(job, tracing, x, y);
-            if (pixel.samples < job.spp) return false;
-            job.layers.write(pixel, exposure, picture.at(x, y));
+            const std::optional<PixelSamples> pixel = sample_pixel(job, tracing, x, y);
+            if (!pixel) return false;
+            job.layers.write(*pixel, exposure, picture.at(x, y));
         }
     return true;
 }
@@ -102,6 +117,8 @@ void add(RenderStats& sum, const RenderStats& b) {
     sum.camera_rays += b.camera_rays;
     sum.shadow_rays += b.shadow_rays;
     sum.secondary_rays += b.secondary_rays;
+    sum.pixels += b.pixels;
+    sum.pixels_ended_early += b.pixels_ended_early;
     sum.work += b.work;
 }
 
@@ -114,6 +131,7 @@ tl::expected<Region, std::string> checked_region(const RenderOptions& o) {
         return tl::unexpected(fmt::format("a picture of {}x{} pixels cannot be made: both sides must be 1 to {}", o.width, o.height, kLargest));
     if (o.tile < 1 || o.tile > 4096) return tl::unexpected(fmt::format("a tile of {} pixels cannot be made: 1 to 4096", o.tile));
     if (o.spp < 0 || o.light_samples < 1) return tl::unexpected(fmt::format("{} samples a pixel and {} a light cannot be taken", o.spp, o.light_samples));
+    if (!(o.adaptive >= 0)) return tl::unexpected(fmt::format("an error of {} cannot be sampled for", o.adaptive));
     if (o.aperture.value_or(0) < 0 || o.focus.value_or(1) <= 0) return tl::unexpected(std::string("a lens needs an aperture of at least 0 and a focus distance above 0"));
     const Region whole{0, 0, o.width, o.height};
     if (!o.region) return whole;

@@ -130,7 +130,7 @@ SlotMaterials NodeWriter::materials(const Node& node, ShapeId shape, std::option
 void NodeWriter::put_shape(const Task& task, ShapeId shape, Json& json) {
     const Node& node = scene_.nodes[task.id.index];
     const auto* geometry = std::get_if<Mesh>(&scene_.shapes[shape.index].geometry);
-    const bool skinned = node.skin && geometry && geometry->joints.present();
+    const bool skinned = node.skin && geometry && !geometry->joint_sets.empty();
     const auto mesh = meshes_.add(shape, materials(node, shape, task.inherited), skinned);
     if (!mesh) return;
     Json own = {{"mesh", *mesh}};

@@ -31,8 +31,7 @@ class PrimitiveWriter {
         add_normals_and_tangents();
         add_sets("TEXCOORD", "VEC2", mesh_.uvs, Vec2f(0));
         add_sets("COLOR", "VEC4", mesh_.colors, Vec4f(1));
-        if (mesh_.joints.present()) attributes_["JOINTS_0"] = document_.add_joints(gather(mesh_.joints));
-        if (mesh_.weights.present()) put("WEIGHTS_0", "VEC4", mended(gather(mesh_.weights), Vec4f(1, 0, 0, 0)));
+        add_joints();
         Json out = {{"attributes", attributes_}, {"indices", document_.add_indices(vertices_.triangles, vertices_.size())}};
         for (const MorphTarget& target : mesh_.morphs) out["targets"].push_back(target_json(target));
         return out;
@@ -46,11 +45,11 @@ class PrimitiveWriter {
         return out;
     }
 
-    std::vector<Vec3f> gather(const std::vector<Vec3f>& by_position) const {
-        std::vector<Vec3f> out;
+    template <class T> std::vector<T> gather(const std::vector<T>& by_position) const {
+        std::vector<T> out;
         out.reserve(vertices_.size());
         for (const uint32_t p : vertices_.positions) out.push_back(by_position[p]);
-        return mended(std::move(out), Vec3f(0));
+        return out;
     }
 
     template <class V> std::vector<V> mended(std::vector<V> values, const V& instead) const {
@@ -64,7 +63,7 @@ class PrimitiveWriter {
     }
 
     void add_positions(bool add_origin) {
-        positions_ = gather(mesh_.positions);
+        positions_ = mended(gather(mesh_.positions), Vec3f(0));
         if (add_origin)
             for (Vec3f& p : positions_) p = Vec3f(Vec3(p) + mesh_.origin);
         put("POSITION", "VEC3", positions_, true);
@@ -118,10 +117,17 @@ class PrimitiveWriter {
         }
     }
 
+    void add_joints() {
+        for (size_t i = 0; i < mesh_.joint_sets.size(); ++i) {
+            attributes_[fmt::format("JOINTS_{}", i)] = document_.add_joints(gather(mesh_.joint_sets[i].joints));
+            put(fmt::format("WEIGHTS_{}", i), "VEC4", mended(gather(mesh_.joint_sets[i].weights), Vec4f(1, 0, 0, 0)));
+        }
+    }
+
     Json target_json(const MorphTarget& target) {
         Json out = Json::object();
         const auto add = [&](const char* name, const std::vector<Vec3f>& deltas, bool extent) {
-            if (!deltas.empty()) out[name] = document_.add_floats(flat(gather(deltas)), "VEC3", 3, Target::vertices, extent);
+            if (!deltas.empty()) out[name] = document_.add_floats(flat(mended(gather(deltas), Vec3f(0))), "VEC3", 3, Target::vertices, extent);
         };
         add("POSITION", target.positions, true);
         if (mesh_.normals.present()) add("NORMAL", target.normals, false);

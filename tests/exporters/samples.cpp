@@ -6,6 +6,7 @@
 
 #include <filesystem>
 #include <random>
+#include <set>
 
 namespace alidade::test {
 
@@ -128,14 +129,14 @@ void add_files(std::vector<Sample>& out, const std::filesystem::path& folder) {
     std::error_code error;
     for (const auto& file : std::filesystem::directory_iterator(folder, error)) {
         const std::string ending = file.path().extension().string();
-        if (ending != ".glb" && ending != ".gltf" && ending != ".obj") continue;
+        if (!std::set<std::string>{".glb", ".gltf", ".obj", ".ply", ".stl", ".off"}.contains(ending)) continue;
         if (file.path().stem().string().starts_with("instances")) continue;   // 3.8 million triangles: too many to copy in a test
         auto read = import_scene(file.path().string());
         if (!read) continue;
         // The fuzzer's seed has a normal without a direction, which a valid file may not have: it would be mended.
         for (ShapeEntry& shape : read->scene.shapes)
             for (Vec3f& n : std::get<Mesh>(shape.geometry).normals.values)
-                if (ending != ".obj" && n == Vec3f(0)) n = Vec3f(0, 0, 1);
+                if ((ending == ".gltf" || ending == ".glb") && n == Vec3f(0)) n = Vec3f(0, 0, 1);
         out.push_back({file.path().filename().string(), std::move(read->scene)});
     }
 }

@@ -36,6 +36,20 @@ class Render(InFolder):
         self.render("-o", "other.png", "--seed", 1)
         self.assertNotEqual((self.folder / "other.png").read_bytes(), first, "another seed moves the samples")
 
+    def test_adaptive_spends_less_where_nothing_is(self):
+        def render(*words):
+            said = run("render", self.scene, "--size", "40x30", "--spp", "64", *words, cwd=self.folder)
+            self.assertEqual(said.returncode, 0, said.stderr)
+
+        render("-o", "plain.png")
+        render("-o", "zero.png", "--adaptive", "0")
+        self.assertEqual((self.folder / "zero.png").read_bytes(), (self.folder / "plain.png").read_bytes())
+        render("-o", "less.png", "--adaptive", "0.01", "--stats", "less.json")
+        cost = json.loads((self.folder / "less.json").read_text())["render"]
+        self.assertLess(cost["samples_per_pixel"], 32)
+        self.assertGreater(cost["pixels_ended_early"], 40 * 30 // 2)
+        self.assertEqual(run("render", self.scene, "--adaptive", "-1", cwd=self.folder).returncode, 64)
+
     def test_layers_stand_beside(self):
         self.render("-o", "out.png", "--aov", "depth,coverage,depth")
         self.assertEqual({path.name for path in self.folder.glob("out*")}, {"out.png", "out.depth.exr", "out.coverage.exr"})
@@ -65,6 +79,7 @@ class Render(InFolder):
         cost = json.loads(said.stdout)
         self.assertEqual(json.loads((self.folder / "cost.json").read_text()), cost)
         self.assertEqual(cost["render"]["camera_rays"], 40 * 30 * 4)
+        self.assertEqual(cost["render"]["samples_per_pixel"], 4)
         self.assertEqual(cost["render"]["tiles"], cost["render"]["tiles_done"])
         self.assertTrue(cost["complete"])
         self.assertEqual(cost["files"], ["triangle.png"])

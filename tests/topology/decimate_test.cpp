@@ -207,7 +207,7 @@ TEST(Decimation, WhatItCannotDoIsRefused) {
         EXPECT_NE(made.error().find("manifold"), std::string::npos);
     }
     Mesh skinned = cube();
-    skinned.joints.values.resize(8);
+    skinned.joint_sets.push_back({std::vector<Joints4>(8), std::vector<Vec4f>(8, Vec4f(1, 0, 0, 0))});
     EXPECT_FALSE(decimate(skinned, 0.5));
 }
 
