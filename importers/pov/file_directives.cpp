@@ -140,7 +140,8 @@ void write(Parser& p) {
     const Token name = p.raw_token();
     const Ref<TextFile> file(&file_of(p, name));
     if (!file->writing) p.fail(name.place(), fmt::format("the file {} is open for reading", file->path));
-    while (p.accept(',')) {
+    while (!p.accept(')')) {
+        p.accept(',');                           // POV-Ray takes values without commas, too
         const Place at = p.peek().place();
         const Value value = parse_expression(p);
         if (!value.numeric() && value.kind != Kind::string) p.fail(at, fmt::format("{} cannot be written", kind_name(value)));
@@ -149,7 +150,6 @@ void write(Parser& p) {
         if (p.files.written > p.options.limits.written_bytes) p.fail_limit(at, fmt::format("the scene writes more than {} bytes", p.options.limits.written_bytes));
         file->text += text;
     }
-    p.expect(')', "behind the values of #write");
     flush(p, *file, name.place());
 }
 

@@ -96,7 +96,7 @@ void ask_listed(Questions& q) {
         q.number(e);
     for (const char* e : {"vnormalize(<1,2,3>)", "vcross(<1,2,3>, <4,5,6>)", "vrotate(<1,2,3>, <10,20,30>)", "vrotate(x, y*90)", "vaxis_rotate(x, z, 30)", "vaxis_rotate(<1,2,3>, <3,-1,2>, 77)",
                           "<1,2,3>*<4,5>", "2*y - x/3", "C", "C*2", "C + <1,2,3>", "color C filter .5", "rgb <.1,.2,.3>", "S1(.25)", "S1(-1)", "S1(9)", "S1(1.5)", "S2(.3)", "S2(1.25)", "S2(2.5)", "S3(1.1)",
-                          "S3(1.9)", "S3(.5)", "S3(2.6)", "S4(.2)", "S4(1.5)", "S4(2.9)"})
+                          "S3(1.9)", "S3(.5)", "S3(2.6)", "S4(.2)", "S4(1.5)", "S4(2.9)", "T1(1, 2, 3)", "T2(1, 2, 3)", "T3(1, 2, 3)", "T4(1, 2, 3)", "T5(1, 2, 3)", "T6(1, 2, 3)"})
         q.vector(e, 3);
     for (const char* e : {"rgbf .5", "rgbt .5", "rgbft .5", "rgbft <.1,.2,.3,.4,.5>", "color red .3 green .2", "C*.5", "color <1,2,3> transmit .25", "srgb <.2,.5,.9>", "srgb .01", "srgbt <.2,.5,.9,.3>"}) q.vector(e, 5);
 }
@@ -117,6 +117,9 @@ Questions questions() {
                 "#declare F = function(a, b) { a*2 + b*b/3 - sin(a) }\n#declare G = function { (x > 1) + y*z - mod(z, 2) + F(x, K) }\n#declare H = function(x) { select(mod(x, 2), 1, 0, 1) + (x >= 2)*floor(x) }\n"
                 "#declare S1 = spline { linear_spline 0, <0,0,0> 1, <1,2,3> 2, <-1,5,2> }\n#declare S2 = spline { quadratic_spline 0, <0,0,0> 1, <1,2,3> 2.5, <-1,5,2> 3, <0,1,0> }\n"
                 "#declare S3 = spline { cubic_spline 0, <0,0,0> 1, <1,2,3> 2.5, <-1,5,2> 3, <0,1,0> }\n#declare S4 = spline { natural_spline 0, <0,0,0> 1, <1,2,3> 2.5, <-1,5,2> 3, <0,1,0> }\n";
+    q.prelude += "#declare T = transform { rotate <10,20,30> scale <1,2,3> translate <4,5,6> }\n#declare T1 = function { transform { T } }\n#declare T2 = function { transform { T inverse } }\n"
+                 "#declare T3 = function { transform { matrix <1,2,3, 0,1,0, 1,0,1, 5,6,7> } }\n#declare T4 = function { transform { T scale 2 inverse translate x } }\n"
+                 "#declare T5 = function { transform { transform { T } rotate 90*y } }\n#declare T6 = function { transform { scale <0,2,1> } }\n";
     ask_listed(q);
     ask_strings(q);
     Generator generate;
