@@ -28,6 +28,7 @@ class Lexer {
     Lexer(const Source& source, uint16_t number, Names& names) : text_(source.text()), number_(number), names_(names) {}
 
     TokenList run(size_t max_tokens) {
+        list_.tokens.reserve(std::min(text_.size(), max_tokens) + 2);    // the most there can be: growing would hold large lists twice
         while (skip_blanks() && at_ < text_.size()) {
             if (list_.tokens.size() >= max_tokens) {
                 bad(at_, fmt::format("the file has more than {} tokens", max_tokens));
@@ -36,6 +37,7 @@ class Lexer {
             lex_one();
         }
         start(TokenKind::end, text_.size());
+        if (list_.tokens.size() < 1'000'000) list_.tokens.shrink_to_fit();
         match_directives();
         return std::move(list_);
     }

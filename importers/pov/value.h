@@ -142,10 +142,11 @@ struct Item {
 
 /// `word { items }` with every expression evaluated: what builders read.
 struct Block : Shared {
-    explicit Block(Ref<Meter> m) : meter(std::move(m)) {}
+    static constexpr size_t kWeight = 2;    ///< a block takes the memory of so many items besides its own
+    explicit Block(Ref<Meter> m) : meter(std::move(m)) { meter->used += kWeight; }
     Block(const Block&) = delete;
     Block& operator=(const Block&) = delete;
-    ~Block() override { meter->used -= items.size(); }
+    ~Block() override { meter->used -= items.size() + kWeight; }
     void add(Item item) {
         if (item.value.shared) depth = std::max(depth, item.value.shared->depth + 1);
         items.push_back(std::move(item)), ++meter->used;

@@ -74,7 +74,7 @@ TEST_P(PovHostile, EndsInALocatedErrorSoon) {
     const auto begin = std::chrono::steady_clock::now();
     Diagnostics said;
     ReadOptions options;
-    options.limits.tokens_read = 40'000'000;     // a tenth of the default
+    options.limits.tokens_read = 40'000'000;     // a fifth of the default
     options.limits.loop_turns = 5'000'000;
     read_program_text("hostile.pov", GetParam().text, options, said);
     ASSERT_TRUE(said.has_errors());
