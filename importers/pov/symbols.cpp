@@ -18,10 +18,10 @@ Slot& Symbols::bind(WordId id, size_t level, Ref<Slot> slot) {
 }
 
 void Symbols::leave() {
-    const size_t level = levels_.size() - 1;
-    for (WordId id : levels_.back())
+    const size_t level = --depth_;
+    for (WordId id : levels_[level])
         if (!of(id).empty() && of(id).back().level == level) of(id).pop_back();     // #undef may have taken it already
-    levels_.pop_back();
+    levels_[level].clear();
 }
 
 Slot& Symbols::declare(WordId id) {
@@ -40,7 +40,7 @@ Slot& Symbols::global(WordId id) { return local(id, 1); }
 
 void Symbols::alias(WordId id, Ref<Slot> slot) {
     std::vector<Binding>& all = of(id);
-    const size_t level = levels_.size() - 1;
+    const size_t level = depth_ - 1;
     if (!all.empty() && all.back().level == level) all.back().slot = std::move(slot);
     else bind(id, level, std::move(slot));
 }

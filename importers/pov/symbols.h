@@ -8,9 +8,11 @@ namespace alidade::pov {
 
 class Symbols {
   public:
-    void enter() { levels_.emplace_back(); }
+    void enter() {
+        if (depth_++ == levels_.size()) levels_.emplace_back();
+    }
     void leave();
-    size_t depth() const { return levels_.size(); }
+    size_t depth() const { return depth_; }
 
     /// The slot that `id` means, or null.
     Slot* find(WordId id) const {
@@ -36,7 +38,8 @@ class Symbols {
     Slot& bind(WordId id, size_t level, Ref<Slot> slot);
 
     std::vector<std::vector<Binding>> bindings_;    ///< by name, the outermost level first
-    std::vector<std::vector<WordId>> levels_{1};    ///< the names that each level has bound
+    std::vector<std::vector<WordId>> levels_{1};    ///< the names that each level has bound; those above depth_ are empty, and kept for the next call
+    size_t depth_ = 1;
 };
 
 }  // namespace alidade::pov
