@@ -114,12 +114,14 @@ class NodeConverter {
         const tinygltf::Node& from = model_.nodes[index];
         const std::vector<Held> held = held_by(from);
         const auto instances = from.mesh >= 0 ? read_instances(model_, from, child("/nodes", index), report_) : std::nullopt;
+        // In the scene graph materials are inherited; in glTF a mesh keeps its own for itself.
+        const bool apart = held.size() > 1 || (from.mesh >= 0 && !from.children.empty());
         std::vector<NodeId> with_shapes;
         for (const Held& h : held) {
             const bool is_shape = std::holds_alternative<ShapeId>(h.what), instanced = instances && is_shape;
             NodeId id{uint32_t(index)};
-            if (held.size() > 1 || instanced) id = add_node(index, from.name);
-            if (held.size() > 1 && !instanced) scene_.nodes[index].children.push_back(id);
+            if (apart || instanced) id = add_node(index, from.name);
+            if (apart && !instanced) scene_.nodes[index].children.push_back(id);
             put(h, from, scene_.nodes[id.index]);
             if (is_shape) with_shapes.push_back(id);
         }

@@ -55,6 +55,19 @@ TEST(Nodes, OneThingEach) {
     EXPECT_EQ(scene.cameras[0].name, "both") << "a camera without a name has its node's";
 }
 
+/// In the scene graph materials are inherited, so the mesh of a node with children stands beside them: a child without a material keeps the default one.
+TEST(Nodes, AMeshKeepsItsMaterialForItself) {
+    const std::string bytes = R"("buffers":[{"byteLength":36,"uri":"data:application/octet-stream;base64,AAAAAAAAAAAAAAAAAACAPwAAAAAAAAAAAAAAAAAAgD8AAAAA"}],
+        "bufferViews":[{"buffer":0,"byteLength":36}],"accessors":[{"bufferView":0,"componentType":5126,"count":3,"type":"VEC3","min":[0,0,0],"max":[1,1,0]}])";
+    const Scene scene = scene_of(bytes + R"(,"materials":[{}],"meshes":[{"primitives":[{"attributes":{"POSITION":0},"material":0}]},
+        {"primitives":[{"attributes":{"POSITION":0}}]}],"nodes":[{"mesh":0,"children":[1]},{"mesh":1}])");
+    ASSERT_EQ(scene.nodes.size(), 3u);
+    EXPECT_TRUE(scene.nodes[0].materials.empty());
+    EXPECT_EQ(scene.nodes[0].children, (std::vector<NodeId>{NodeId{1}, NodeId{2}}));
+    EXPECT_EQ(scene.nodes[2].materials, (std::vector<std::optional<MaterialId>>{MaterialId{0}}));
+    EXPECT_EQ(scene.nodes[1].materials, (std::vector<std::optional<MaterialId>>{std::nullopt}));
+}
+
 /// The edges of the picture are yfov / 2 from the axis.
 TEST(Cameras, PerspectiveAndOrthographic) {
     const Scene scene = scene_of(

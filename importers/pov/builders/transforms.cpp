@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "importers/pov/builders/transforms.h"
+
+#include "importers/pov/operators.h"
+#include "importers/pov/rotation.h"
+
+#include <fmt/format.h>
+
+namespace alidade::pov {
+
+namespace {
+
+Vec3 three(Parser& p, const Item& item, WordId word) {
+    if (item.kind != Item::Kind::value || !item.value.numeric()) p.fail(item.place, fmt::format("a vector is expected behind {}", kWords[word]));
+    const std::array<double, 5> c = promoted(item.value, 3);
+    return {c[0], c[1], c[2]};
+}
+
+Transform scaling(Parser& p, const Item& item) {
+    Vec3 factors = three(p, item, "scale"_w);
+    for (int i = 0; i < 3; ++i)
+        if (factors[i] == 0) {
+            p.warn(item.place, "a scale of 0 is taken as 1");
+            factors[i] = 1;
+        }
+    return Transform::scale(factors);
+}
+
+/// `matrix <...>` of twelve numbers: where x, y, z and the origin go.
+Transform matrix(Parser& p, const Item& item) {
+    const bool list = item.kind == Item::Kind::numbers && item.value.as<NumberList>().numbers.size() == 12;
+    if (!list) p.fail(item.place, "twelve numbers in < > are expected behind matrix");
+    const std::vector<double>& m = item.value.as<NumberList>().numbers;
+    return {Mat3(m[0], m[1], m[2], m[3], m[4], m[5], m[6], m[7], m[8]), Vec3(m[9], m[10], m[11])};
+}
+
+const Block* as_transform(const Item& item) {
+    const bool holds = item.value.kind == Kind::block && item.block().word == "transform"_w;
+    return holds ? &item.block() : nullptr;
+}
+
+/// The map of the word at `i`, which moves behind its argument.
+Transform one(Parser& p, const Block& block, size_t& i) {
+    const Item& item = block.items[i++];
+    if (const Block* inner = as_transform(item)) return build_transform(p, *inner);
+    const bool known = item.kind == Item::Kind::word && (item.word == "translate"_w || item.word == "rotate"_w || item.word == "scale"_w || item.word == "matrix"_w || item.word == "transform"_w);
+    if (!known) p.fail(item.place, "this is no transformation");
+    if (i >= block.items.size()) p.fail(item.place, fmt::format("a value is expected behind {}", kWords[item.word]));
+    const Item& value = block.items[i++];
+    switch (item.word) {
+        case "translate"_w: return Transform::translate(three(p, value, item.word));
+        case "rotate"_w: return {rotation(three(p, value, item.word)), Vec3(0)};
+        case "scale"_w: return scaling(p, value);
+        case "matrix"_w: return matrix(p, value);
+        default: break;
+    }
+    if (const Block* inner = as_transform(value)) return build_transform(p, *inner);
+    p.fail(value.place, "a transform is expected behind transform");
+}
+
+}  // namespace
+
+Transform build_transform(Parser& p, const Block& block) {
+    const Nested nested(p, block.place);
+    Transform all;
+    bool inverted = false;
+    for (size_t i = 0; i < block.items.size();) {
+        const Item& item = block.items[i];
+        if (item.kind == Item::Kind::word && item.word == "inverse"_w) inverted = true, ++i;
+        else all = one(p, block, i) * all;
+    }
+    if (!inverted) return all;
+    const std::optional<Transform> back = inverse(all);
+    if (!back) p.fail(block.place, "this transformation has no inverse");
+    return *back;
+}
+
+}  // namespace alidade::pov

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "importers/pov/builtins/builtins.h"
+
+#include "importers/pov/expressions.h"
+
+#include <array>
+
+namespace alidade::pov {
+
+namespace {
+
+std::array<Builtin, kWordCount> by_word() {
+    std::array<Builtin, kWordCount> all{};
+    for (std::span<const BuiltinEntry> table : {float_functions(), vector_functions(), string_functions(), constants()})
+        for (const BuiltinEntry& entry : table) all[entry.word] = entry.evaluate;
+    return all;
+}
+
+}  // namespace
+
+Builtin find_builtin(WordId word) {
+    static const std::array<Builtin, kWordCount> all = by_word();
+    return all[word];
+}
+
+double one_float(Parser& p) {
+    p.expect('(', "before the arguments of a function");
+    const double x = parse_float(p);
+    p.expect(')', "behind the arguments of a function");
+    return x;
+}
+
+double next_float(Parser& p) {
+    p.accept(',');
+    return parse_float(p);
+}
+
+Value one_value(Parser& p) {
+    p.expect('(', "before the arguments of a function");
+    Value value = parse_expression(p);
+    p.expect(')', "behind the arguments of a function");
+    return value;
+}
+
+}  // namespace alidade::pov

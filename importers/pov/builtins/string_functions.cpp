@@ -1,0 +1,157 @@
+// SPDX-License-Identifier: Apache-2.0
+/// Functions of strings (POV-Ray reference, 3.3.1.9.4).
+#include "importers/pov/builtins/builtins.h"
+#include "importers/pov/expressions.h"
+#include "importers/pov/integers.h"
+
+#include <charconv>
+#include <cmath>
+#include <cstdio>
+#include <cstring>
+#include <ctime>
+#include <fmt/format.h>
+
+namespace alidade::pov {
+
+namespace {
+
+/// What is asked for beyond this has no use, and would only fill memory.
+constexpr int kMostDigits = 1000;
+
+/// POV-Ray's str(): "%*.*f", with zeros in front for a negative width, and six digits for a negative precision.
+std::string formatted(double x, double width, double precision) {
+    const int w = std::clamp(to_int(width), -kMostDigits, kMostDigits), p = std::clamp(to_int(precision), -1, kMostDigits);
+    std::string text(2 * kMostDigits + 400, '\0');
+    const char* format = w < 0 ? (p < 0 ? "%0*f" : "%0*.*f") : (p < 0 ? "%*f" : "%*.*f");
+    const int size = p < 0 ? std::snprintf(text.data(), text.size(), format, std::abs(w), x) : std::snprintf(text.data(), text.size(), format, std::abs(w), p, x);
+    text.resize(size_t(std::clamp<int>(size, 0, int(text.size()) - 1)));
+    return text;
+}
+
+std::string one_string(Parser& p) {
+    p.expect('(', "before the arguments of a function");
+    std::string s = parse_string(p);
+    p.expect(')', "behind the arguments of a function");
+    return s;
+}
+
+Value str(Parser& p, Place) {
+    p.expect('(', "behind str");
+    const double x = parse_float(p), width = next_float(p), precision = next_float(p);
+    p.expect(')', "behind the arguments of str");
+    return Value::string(formatted(x, width, precision));
+}
+
+/// vstr(terms, vector, separator, width, precision); from two to five terms are shown whatever is asked for.
+Value vstr(Parser& p, Place) {
+    p.expect('(', "behind vstr");
+    const int terms = std::clamp(to_int(parse_float(p)), 2, 5);
+    p.accept(',');
+    const Place at = p.peek().place();
+    const Value value = parse_expression(p);
+    if (!value.numeric()) p.fail(at, fmt::format("a vector is expected, not {}", kind_name(value)));
+    const std::array<double, 5>& v = value.c;        // a float is not promoted here
+    p.accept(',');
+    const std::string separator = parse_string(p);
+    const double width = next_float(p), precision = next_float(p);
+    p.expect(')', "behind the arguments of vstr");
+    std::string all = formatted(v[0], width, precision);
+    for (int i = 1; i < terms; ++i) all += separator + formatted(v[i], width, precision);
+    return Value::string(std::move(all));
+}
+
+Value concat(Parser& p, Place at) {
+    p.expect('(', "behind concat");
+    std::string all = parse_string(p);
+    while (p.accept(',')) {
+        all += parse_string(p);
+        if (all.size() > p.options.limits.string_bytes) p.fail_limit(at, fmt::format("a string has more than {} bytes", p.options.limits.string_bytes));
+    }
+    p.expect(')', "behind the strings of concat");
+    return Value::string(std::move(all));
+}
+
+Value chr(Parser& p, Place at) {
+    const int code = to_int(one_float(p));
+    if (code < 0 || code > 0xFFFF) p.fail(at, fmt::format("there is no character {}", code));
+    return Value::string(code == 0 ? std::string() : std::string(1, char(code)));
+}
+
+Value asc(Parser& p, Place) {
+    const std::string s = one_string(p);
+    return Value::number(s.empty() ? 0 : static_cast<unsigned char>(s[0]));
+}
+
+/// The number that a string begins with, or 0.
+Value val(Parser& p, Place) {
+    const std::string s = one_string(p);
+    const char* begin = s.c_str() + s.find_first_not_of(" \t\n+");
+    double x = 0;
+    if (s.find_first_not_of(" \t\n+") != std::string::npos) std::from_chars(begin, s.c_str() + s.size(), x);
+    return Value::number(x);
+}
+
+Value strlen_(Parser& p, Place) { return Value::number(double(one_string(p).size())); }
+
+Value strcmp_(Parser& p, Place) {
+    p.expect('(', "behind strcmp");
+    const std::string a = parse_string(p);
+    p.accept(',');
+    const std::string b = parse_string(p);
+    p.expect(')', "behind the strings of strcmp");
+    const auto [at_a, at_b] = std::mismatch(a.begin(), a.end(), b.begin(), b.end());
+    auto byte = [](auto at, auto end) { return at == end ? 0 : int(static_cast<unsigned char>(*at)); };
+    return Value::number(byte(at_a, a.end()) - byte(at_b, b.end()));
+}
+
+/// substr(string, first, length), counted from 1.
+Value substr(Parser& p, Place at) {
+    p.expect('(', "behind substr");
+    const std::string s = parse_string(p);
+    const int first = to_int(next_float(p)), length = to_int(next_float(p));
+    p.expect(')', "behind the arguments of substr");
+    if (first < 1 || length < 0 || int64_t(first) + length - 1 > int64_t(s.size()))
+        p.fail(at, fmt::format("the string has {} characters, there are no {} from number {}", s.size(), length, first));
+    return Value::string(s.substr(size_t(first) - 1, size_t(length)));
+}
+
+template <int (*change)(int)>
+Value changed_case(Parser& p, Place) {
+    std::string s = one_string(p);
+    for (char& c : s) c = char(change(static_cast<unsigned char>(c)));
+    return Value::string(std::move(s));
+}
+
+/// datetime(days since 2000 [, strftime format]), in UTC.
+Value datetime(Parser& p, Place at) {
+    p.expect('(', "behind datetime");
+    const double days = parse_float(p);
+    const std::string format = p.accept(',') ? parse_string(p) : "%Y-%m-%d %H:%M:%SZ";
+    p.expect(')', "behind the arguments of datetime");
+    constexpr double kSecondsTo2000 = 946684800;
+    if (!(std::fabs(days) < 1e9)) p.fail(at, fmt::format("the date of day {} cannot be told", days));
+    const std::time_t seconds = std::time_t(std::floor(days * 86400 + kSecondsTo2000));
+    std::tm parts{};
+    if (!gmtime_r(&seconds, &parts)) p.fail(at, fmt::format("the date of day {} cannot be told", days));
+    char text[400];
+    if (format.empty()) return Value::string("");
+    const size_t size = std::strftime(text, sizeof text, format.c_str(), &parts);
+    if (size == 0) p.fail(at, "the format of this date gives nothing, or more than 400 characters");
+    return Value::string(std::string(text, size));
+}
+
+Value file_exists(Parser& p, Place) { return Value::number(p.finder.find(one_string(p)).has_value()); }
+
+Value input_file_name(Parser& p, Place) { return Value::string(std::filesystem::path(p.stream.source(0).path()).filename().string()); }
+
+constexpr BuiltinEntry kTable[] = {
+    {"str"_w, str}, {"vstr"_w, vstr}, {"concat"_w, concat}, {"chr"_w, chr}, {"asc"_w, asc}, {"val"_w, val}, {"strlen"_w, strlen_}, {"strcmp"_w, strcmp_},
+    {"substr"_w, substr}, {"strlwr"_w, changed_case<std::tolower>}, {"strupr"_w, changed_case<std::toupper>}, {"datetime"_w, datetime},
+    {"file_exists"_w, file_exists}, {"input_file_name"_w, input_file_name},
+};
+
+}  // namespace
+
+std::span<const BuiltinEntry> string_functions() { return kTable; }
+
+}  // namespace alidade::pov

@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: Apache-2.0
+/// Colour expressions (POV-Ray reference, 3.3.1.7), as probed: what `rgb` and the others make of a float or a vector, and components behind a colour.
+#include "importers/pov/expressions.h"
+#include "importers/pov/operators.h"
+
+#include <cmath>
+#include <fmt/format.h>
+
+namespace alidade::pov {
+
+namespace {
+
+/// A word that says which components follow.
+struct ColourWord {
+    WordId word;
+    uint8_t terms;
+    bool transmit_only;    ///< the fourth is transmit
+    bool srgb;
+};
+
+constexpr ColourWord kWordsOfColour[] = {
+    {"rgb"_w, 3, false, false}, {"rgbf"_w, 4, false, false}, {"rgbt"_w, 4, true, false}, {"rgbft"_w, 5, false, false},
+    {"srgb"_w, 3, false, true}, {"srgbf"_w, 4, false, true}, {"srgbt"_w, 4, true, true}, {"srgbft"_w, 5, false, true},
+};
+
+const ColourWord* find_colour_word(const Token& token) {
+    if (token.kind == TokenKind::word)
+        for (const ColourWord& entry : kWordsOfColour)
+            if (entry.word == token.id) return &entry;
+    return nullptr;
+}
+
+int component_of(const Token& token) {
+    static constexpr WordId kOrder[] = {"red"_w, "green"_w, "blue"_w, "filter"_w, "transmit"_w};
+    if (token.kind == TokenKind::word)
+        for (int i = 0; i < 5; ++i)
+            if (token.id == kOrder[i]) return i;
+    return -1;
+}
+
+/// IEC 61966-2-1. POV-Ray works in linear values with assumed_gamma 1; other gammas are applied when the scene is built.
+double srgb_to_linear(double value) {
+    const float v = float(value);            // single precision throughout, as POV-Ray calculates it
+    return double(v <= 0.04045f ? v / 12.92f : std::pow((v + 0.055f) / 1.055f, 2.4f));
+}
+
+Value from_word(Parser& p, const ColourWord& entry) {
+    const Place at = p.peek().place();
+    const Value given = parse_expression(p);
+    if (!given.numeric()) p.fail(at, fmt::format("a colour is expected, not {}", kind_name(given)));
+    if (given.terms > entry.terms && given.kind == Kind::vector) p.warn(at, fmt::format("{} components stand behind {}", given.terms, kWords[entry.word]));
+    std::array<double, 5> c = promoted(given, entry.terms);
+    if (entry.transmit_only && given.kind != Kind::colour && given.terms <= 4) c[4] = c[3], c[3] = 0;
+    if (entry.srgb)
+        for (int i = 0; i < 3; ++i) c[i] = srgb_to_linear(c[i]);
+    return Value::colour(c);
+}
+
+}  // namespace
+
+bool begins_colour(const Token& token) {
+    static const std::array<bool, kWordCount> begins = [] {
+        std::array<bool, kWordCount> all{};
+        for (WordId word : {"color"_w, "colour"_w, "red"_w, "green"_w, "blue"_w, "filter"_w, "transmit"_w}) all[word] = true;
+        for (const ColourWord& entry : kWordsOfColour) all[entry.word] = true;
+        return all;
+    }();
+    return token.kind == TokenKind::word && begins[token.id];
+}
+
+Value parse_colour_components(Parser& p, Value colour) {
+    for (;;) {
+        const int index = component_of(p.peek());
+        if (index < 0) return colour;
+        p.next();
+        colour.c[index] = double(float(parse_float(p)));
+    }
+}
+
+Value parse_colour(Parser& p) {
+    Token token = p.next();
+    const Nested nested(p, token.place());
+    if (token.is_word("color"_w) || token.is_word("colour"_w)) token = p.next();
+    if (const ColourWord* entry = find_colour_word(token)) return parse_colour_components(p, from_word(p, *entry));
+    p.put_back(token);
+    if (component_of(token) >= 0) return parse_colour_components(p, Value::colour({}));
+    const Value given = parse_expression(p);
+    if (!given.numeric()) p.fail(token.place(), fmt::format("a colour is expected, not {}", kind_name(given)));
+    return parse_colour_components(p, Value::colour(promoted(given, 5)));
+}
+
+}  // namespace alidade::pov

@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: Apache-2.0
+/// #declare, #local, #undef, #default, #version.
+#include "importers/pov/arrays.h"
+#include "importers/pov/blocks.h"
+#include "importers/pov/directives.h"
+#include "importers/pov/expressions.h"
+
+#include <fmt/format.h>
+
+namespace alidade::pov {
+
+namespace {
+
+/// `deprecated [once] ["message"]`, or nothing; `name` becomes the token behind it.
+Ref<Deprecation> read_deprecation(Parser& p, Token& name) {
+    if (!name.is_word("deprecated"_w)) return {};
+    Ref<Deprecation> deprecation(new Deprecation);
+    name = p.raw_token();
+    if (name.is_word("once"_w)) deprecation->once = true, name = p.raw_token();
+    if (name.kind == TokenKind::string) deprecation->message = p.text(name), name = p.raw_token();
+    return deprecation;
+}
+
+/// The element `name[i]...` that is assigned to, or empty if a whole identifier is.
+Ref<Slot> element(Parser& p, const Token& name) {
+    Slot* slot = p.symbols.find(name.id);
+    if (!slot || slot->value.kind != Kind::array || !p.peek().is('[')) return {};
+    return parse_reference(p, name, true);
+}
+
+/// Behind floats, vectors and colours a semicolon must stand; behind all else it may.
+void end_declaration(Parser& p, bool needs_semicolon, const Token& name) {
+    if (p.accept(';') || !needs_semicolon) return;
+    const Token behind = p.peek();
+    if (p.version >= 3.5) p.fail(behind.place(), fmt::format("; is expected behind the value of {}, not {}", p.names.text(name.id), p.describe(behind)));
+    p.warn(behind.place(), fmt::format("; is expected behind the value of {}", p.names.text(name.id)));
+}
+
+void declare(Parser& p, const Token& directive) {
+    Token name = p.raw_token();
+    Ref<Deprecation> deprecation = read_deprecation(p, name);
+    if (name.kind == TokenKind::word) p.fail(name.place(), fmt::format("{} is a word of the language and cannot be declared", p.describe(name)));
+    if (name.kind != TokenKind::name) p.fail(name.place(), fmt::format("a name is expected behind #{}, not {}", kWords[directive.directive.word], p.describe(name)));
+    const bool local = directive.directive.word == "local"_w;
+    const size_t depth = p.symbols.depth();
+    Ref<Slot> into = element(p, name);
+    if (!into && !local) into = Ref<Slot>(p.symbols.find(name.id));    // now: a macro in the value may hide the name
+    p.expect('=', "behind the name that is declared");
+    const Place at = p.peek().place();
+    Value value = parse_value(p);
+    if (value.kind == Kind::nothing) p.fail(at, "this has no value");
+    value = owned(p, std::move(value), at);
+    Slot& slot = into ? *into : local ? p.symbols.local(name.id, depth) : p.symbols.global(name.id);
+    const bool needs_semicolon = value.numeric();
+    slot.value = std::move(value);
+    slot.deprecation = std::move(deprecation);
+    end_declaration(p, needs_semicolon, name);
+}
+
+void undefine(Parser& p, const Token&) {
+    const Token name = p.raw_token();
+    if (name.kind != TokenKind::name) p.fail(name.place(), fmt::format("a name is expected behind #undef, not {}", p.describe(name)));
+    if (!p.symbols.undefine(name.id)) p.warn(name.place(), fmt::format("{} is not declared, so #undef has nothing to do", p.names.text(name.id)));
+}
+
+void set_version(Parser& p, const Token& directive) {
+    const Place at = p.peek().place();
+    const double version = parse_float(p);
+    p.accept(';');
+    if (!(version >= 1 && version <= 3.7 + 1e-9)) p.warn(at, fmt::format("the language of version {} is not known, the scene is read as one of 3.7", version));
+    p.version = std::clamp(version, 1.0, 3.7);
+    p.version_given = true;
+    (void)directive;
+}
+
+}  // namespace
+
+void obey_declaration(Parser& p, const Token& directive) {
+    switch (directive.directive.word) {
+        case "undef"_w: return undefine(p, directive);
+        case "version"_w: return set_version(p, directive);
+        case "default"_w: p.defaults.emplace_back(directive.place(), parse_block(p, "default"_w, directive.place())); return;
+        default: return declare(p, directive);
+    }
+}
+
+}  // namespace alidade::pov

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "importers/pov/directives.h"
+
+#include "importers/pov/expressions.h"
+#include "importers/pov/macros.h"
+
+#include <fmt/format.h>
+
+namespace alidade::pov {
+
+namespace {
+
+void obey_message(Parser& p, const Token& directive) {
+    static constexpr std::pair<WordId, TextStream> kStreams[] = {
+        {"debug"_w, TextStream::debug}, {"warning"_w, TextStream::warning}, {"error"_w, TextStream::error}, {"render"_w, TextStream::render}, {"statistics"_w, TextStream::statistics}};
+    const std::string text = parse_string(p);
+    for (const auto& [word, stream] : kStreams) {
+        if (word != directive.directive.word) continue;
+        if (stream != TextStream::error) return p.print(stream, directive.place(), text);
+        if (p.options.print) p.options.print(stream, text);
+        p.fail_limit(directive.place(), fmt::format("the scene says: {}", text.substr(0, text.find_last_not_of(" \n\r\t") + 1)));
+    }
+}
+
+}  // namespace
+
+void obey(Parser& p, const Token& directive) {
+    const Nested nested(p, directive.place());
+    const uint32_t index = p.stream.frame().at - 1;
+    switch (directive.directive.word) {
+        case "declare"_w: case "local"_w: case "undef"_w: case "default"_w: case "version"_w: return obey_declaration(p, directive);
+        case "macro"_w: return define_macro(p, directive, index);
+        case "include"_w: return p.include(parse_string(p), directive.place());
+        case "debug"_w: case "warning"_w: case "error"_w: case "render"_w: case "statistics"_w: return obey_message(p, directive);
+        case "fopen"_w: case "fclose"_w: case "read"_w: case "write"_w: return obey_file_directive(p, directive);
+        case "if"_w: case "ifdef"_w: case "ifndef"_w: case "else"_w: case "elseif"_w: case "end"_w: case "while"_w: case "for"_w: case "switch"_w:
+        case "case"_w: case "range"_w: case "break"_w: return obey_control(p, directive, index);
+        case "max_trace_level"_w: case "max_intersections"_w:
+            parse_float(p);
+            return p.warn(directive.place(), fmt::format("#{} is not obeyed: it belongs into global_settings", kWords[directive.directive.word]));
+        default: p.fail(directive.place(), fmt::format("there is no directive #{}", kWords[directive.directive.word]));
+    }
+}
+
+}  // namespace alidade::pov

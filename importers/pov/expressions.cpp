@@ -1,0 +1,276 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "importers/pov/expressions.h"
+
+#include "importers/pov/arrays.h"
+#include "importers/pov/blocks.h"
+#include "importers/pov/builtins/builtins.h"
+#include "importers/pov/functions.h"
+#include "importers/pov/operators.h"
+
+#include <fmt/format.h>
+
+namespace alidade::pov {
+
+namespace {
+
+void require_numeric(Parser& p, const Value& value, Place at) {
+    if (!value.numeric()) p.fail(at, fmt::format("{} is no number to calculate with", kind_name(value)));
+}
+
+/// The component that `.word` names.
+Value component(Parser& p, const Value& value, const Token& word) {
+    static constexpr std::pair<WordId, int> kComponents[] = {{"x"_w, 0}, {"u"_w, 0}, {"red"_w, 0}, {"y"_w, 1}, {"v"_w, 1}, {"green"_w, 1},
+                                                              {"z"_w, 2}, {"blue"_w, 2}, {"t"_w, 3}, {"filter"_w, 3}, {"transmit"_w, 4}};
+    require_numeric(p, value, word.place());
+    if (word.is_word("gray"_w)) return Value::number(grey(promoted(value, 5)));
+    for (const auto& [name, index] : kComponents)
+        if (word.is_word(name)) {
+            if (value.terms == 1) p.fail(word.place(), "a float has no components");
+            return Value::number(value.c[index]);
+        }
+    p.fail(word.place(), fmt::format("a component (x, y, z, t, u, v, red, green, blue, filter, transmit, gray) is expected behind the dot, not {}", p.describe(word)));
+}
+
+Value with_components(Parser& p, Value value) {
+    if (!value.numeric()) return value;           // behind a string, say, nothing is looked at: the next directive must wait
+    while (p.accept('.')) value = component(p, value, p.next());
+    return value;
+}
+
+Value vector_literal(Parser& p, Place at) {
+    std::vector<double> numbers = parse_number_list(p, at);
+    if (numbers.size() == 1) p.fail(at, "a vector has at least two components");
+    if (numbers.size() > 5) p.fail(at, fmt::format("a vector has at most five components, not {}", numbers.size()));
+    Value v = Value::vector(uint8_t(numbers.size()), {});
+    std::copy(numbers.begin(), numbers.end(), v.c.begin());
+    return v;
+}
+
+[[noreturn]] void fail_undeclared(Parser& p, const Token& name) {
+    const std::string_view text = p.names.text(name.id);
+    const std::string_view near = p.names.nearest(text, [&](WordId id) { return id < kWordCount || p.symbols.find(id) != nullptr; });
+    p.fail(name.place(), fmt::format("{} is not declared", text), near.empty() ? "" : fmt::format("did you mean {}?", near));
+}
+
+void warn_if_deprecated(Parser& p, Slot& slot, const Token& name) {
+    if (!slot.deprecation) return;
+    const std::string& message = slot.deprecation->message;
+    p.warn(name.place(), message.empty() ? fmt::format("{} was declared deprecated", p.names.text(name.id)) : message);
+    if (slot.deprecation->once) slot.deprecation = {};
+}
+
+Value identifier(Parser& p, const Token& name) {
+    Slot* plain = p.symbols.find(name.id);
+    if (!plain) fail_undeclared(p, name);
+    warn_if_deprecated(p, *plain, name);
+    if (plain->value.numeric()) return plain->value;
+    const Ref<Slot> slot = parse_reference(p, name, false);
+    if (!slot) p.fail(name.place(), "this array element has no value yet");
+    Value value = slot->value;
+    if (value.kind == Kind::function) return p.peek_in_value().is('(') ? call_function(p, value.as<Function>(), name.place()) : value;
+    if (value.kind == Kind::spline) return p.peek_in_value().is('(') ? call_spline(p, value.as<Spline>(), name.place()) : value;
+    return value;
+}
+
+[[noreturn]] void fail_no_value(Parser& p, const Token& token) {
+    static constexpr WordId kNotModelled[] = {"trace"_w, "inside"_w, "min_extent"_w, "max_extent"_w, "vturbulence"_w};
+    if (token.kind == TokenKind::word && std::find(std::begin(kNotModelled), std::end(kNotModelled), token.id) != std::end(kNotModelled))
+        p.fail(token.place(), fmt::format("{}() is not modelled yet", p.describe(token)));
+    p.fail(token.place(), fmt::format("a number, a vector or another value is expected, not {}", p.describe(token)));
+}
+
+Value factor(Parser& p) {
+    const Token token = p.next();
+    switch (token.kind) {
+        case TokenKind::number: return Value::number(token.number);
+        case TokenKind::string: return Value::string(p.text(token));
+        case TokenKind::name: {
+            const Slot* slot = p.symbols.find(token.id);      // the most frequent case, made short
+            if (slot && slot->value.kind == Kind::number && !slot->deprecation) return slot->value;
+            return with_components(p, identifier(p, token));
+        }
+        case TokenKind::word:
+            if (const Builtin builtin = find_builtin(token.id)) return with_components(p, builtin(p, token.place()));
+            break;
+        case TokenKind::mark: {
+            const Nested nested(p, token.place());
+            if (token.mark == '-' || token.mark == '+' || token.mark == '!') {
+                Value value = factor(p);
+                require_numeric(p, value, token.place());
+                if (token.mark == '!') return Value::number(!truth(value.c[0]));
+                return token.mark == '-' ? negated(std::move(value)) : value;
+            }
+            if (token.mark == '(') {
+                Value value = parse_full(p);
+                p.expect(')', "behind the expression");
+                return with_components(p, std::move(value));
+            }
+            if (token.mark == '<') return with_components(p, vector_literal(p, token.place()));
+            break;
+        }
+        default: break;
+    }
+    fail_no_value(p, token);
+}
+
+Value apply(Parser& p, const Token& op, const Value& a, const Value& b) {
+    require_numeric(p, a, op.place());
+    require_numeric(p, b, op.place());
+    bool by_zero = false;
+    Value value = arithmetic(op.mark, a, b, by_zero);
+    if (by_zero) p.warn(op.place(), "division by zero");
+    return value;
+}
+
+Value continue_term(Parser& p, Value left) {
+    while (p.peek().is('*') || p.peek().is('/')) {
+        const Token op = p.next();
+        left = apply(p, op, left, factor(p));
+    }
+    return left;
+}
+
+Value continue_expression(Parser& p, Value left) {
+    left = continue_term(p, std::move(left));
+    while (p.peek().is('+') || p.peek().is('-')) {
+        const Token op = p.next();
+        left = apply(p, op, left, continue_term(p, factor(p)));
+    }
+    return left;
+}
+
+bool is_comparison(const Token& token) {
+    return token.kind == TokenKind::mark && (token.mark == '<' || token.mark == '>' || token.mark == '=' || token.mark == kLessEqual ||
+                                             token.mark == kGreaterEqual || token.mark == kNotEqual);
+}
+
+Value comparison(Parser& p) {
+    Value left = parse_expression(p);
+    while (is_comparison(p.peek())) {
+        const Token op = p.next();
+        const Value right = parse_expression(p);
+        if (left.kind == Kind::string && right.kind == Kind::string) {
+            left = Value::number(compared(op.mark, left.text(), right.text()));
+        } else {
+            if (left.kind != Kind::number || right.kind != Kind::number)
+                p.fail(op.place(), fmt::format("two floats or two strings can be compared, not {} and {}", kind_name(left), kind_name(right)));
+            left = Value::number(compared(op.mark, left.c[0], right.c[0]));
+        }
+    }
+    return left;
+}
+
+bool truth_of(Parser& p, const Value& value, Place at) {
+    if (value.kind != Kind::number) p.fail(at, fmt::format("a condition is a float, not {}", kind_name(value)));
+    return truth(value.c[0]);
+}
+
+}  // namespace
+
+Ref<Slot> parse_reference(Parser& p, const Token& name, bool make) {
+    Slot* found = p.symbols.find(name.id);
+    if (!found) fail_undeclared(p, name);
+    Ref<Slot> slot(found);
+    while (slot && slot->value.kind == Kind::array && p.peek_in_value().is('[')) slot = parse_subscripts(p, slot->value.as<Array>(), make);
+    return slot;
+}
+
+Value continue_from_identifier(Parser& p, const Token& name) {
+    Value value = with_components(p, identifier(p, name));
+    return value.numeric() ? continue_expression(p, std::move(value)) : value;
+}
+
+Value continue_from_value(Parser& p, Value value) {
+    if (!value.numeric()) return value;
+    return continue_expression(p, with_components(p, std::move(value)));
+}
+
+Value parse_expression(Parser& p) {
+    Value first = factor(p);
+    return first.numeric() ? continue_expression(p, std::move(first)) : first;
+}
+
+Value parse_full(Parser& p) {
+    Value left = comparison(p);
+    while (p.peek().is('&') || p.peek().is('|')) {       // of equal precedence, from left to right; both sides are evaluated
+        const Token op = p.next();
+        const bool a = truth_of(p, left, op.place()), b = truth_of(p, comparison(p), op.place());
+        left = Value::number(op.is('&') ? a && b : a || b);
+    }
+    if (!p.peek().is('?')) return left;
+    const Token op = p.next();
+    const Nested nested(p, op.place());
+    const bool first = truth_of(p, left, op.place());
+    Value yes = parse_full(p);
+    p.expect(':', "between the two values of a condition");
+    Value no = parse_full(p);
+    return first ? yes : no;
+}
+
+double parse_float(Parser& p) {
+    const Place at = p.peek().place();
+    const Value value = parse_expression(p);
+    if (value.kind != Kind::number) p.fail(at, fmt::format("a float is expected, not {}", kind_name(value)));
+    return value.c[0];
+}
+
+std::array<double, 5> parse_vector(Parser& p, uint8_t terms) {
+    const Place at = p.peek().place();
+    const Value value = parse_expression(p);
+    if (!value.numeric()) p.fail(at, fmt::format("a vector is expected, not {}", kind_name(value)));
+    return promoted(value, terms);
+}
+
+std::string parse_string(Parser& p) {
+    const Place at = p.peek().place();
+    const Value value = parse_expression(p);
+    if (value.kind != Kind::string) p.fail(at, fmt::format("a string is expected, not {}", kind_name(value)));
+    return value.text();
+}
+
+bool parse_condition(Parser& p) {
+    const Place at = p.expect('(', "before the condition").place();
+    const Value value = parse_full(p);
+    p.expect(')', "behind the condition");
+    return truth_of(p, value, at);
+}
+
+bool begins_expression(const Parser& p, const Token& token) {
+    switch (token.kind) {
+        case TokenKind::number: case TokenKind::string: return true;
+        case TokenKind::name: return true;
+        case TokenKind::word: return find_builtin(token.id) != nullptr;
+        case TokenKind::mark: return token.mark == '(' || token.mark == '<' || token.mark == '-' || token.mark == '+' || token.mark == '!';
+        default: return (void)p, false;
+    }
+}
+
+std::vector<double> parse_number_list(Parser& p, Place at) {
+    const Nested nested(p, at);
+    std::vector<double> numbers;
+    while (!p.accept('>')) {
+        if (numbers.size() > 1000) p.fail(at, "more than 1000 numbers stand in < >");
+        numbers.push_back(parse_float(p));
+        p.accept(',');
+    }
+    return numbers;
+}
+
+Value parse_value(Parser& p) {
+    const Token token = p.peek();
+    if (begins_colour(token)) return parse_colour(p);
+    if (token.kind != TokenKind::word || find_builtin(token.id)) {
+        Value value = parse_expression(p);
+        return value.kind == Kind::colour ? Value::colour(value.c) : value;      // what is kept of a colour is in single precision
+    }
+    p.next();
+    if (token.id != "array"_w && token.id != "spline"_w && token.id != "function"_w && !p.peek().is('{')) fail_no_value(p, token);
+    switch (token.id) {
+        case "array"_w: return parse_array(p, token.place());
+        case "spline"_w: return parse_spline(p, token.place());
+        case "function"_w: return parse_function(p, token.place());
+        default: return parse_declared_block(p, token);
+    }
+}
+
+}  // namespace alidade::pov

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: Apache-2.0
+/// Expressions are evaluated while they are read (POV-Ray reference, 3.3.1.5 to 3.3.1.9).
+#pragma once
+
+#include "importers/pov/parser.h"
+
+namespace alidade::pov {
+
+/// What may stand behind `=` of a #declare: any expression, colour, string, array, spline, function or block.
+Value parse_value(Parser& p);
+/// A float, vector or colour expression without comparisons (those stand in brackets alone), or another value as it is.
+Value parse_expression(Parser& p);
+/// What stands in brackets: comparisons, & and |, `? :`.
+Value parse_full(Parser& p);
+/// The whole expression of which the first operand was read already: its dots and operators follow.
+Value continue_from_value(Parser& p, Value first);
+/// The same from a name that was taken.
+Value continue_from_identifier(Parser& p, const Token& name);
+
+double parse_float(Parser& p);
+/// Three components; a float stands for all.
+std::array<double, 5> parse_vector(Parser& p, uint8_t terms = 3);
+std::string parse_string(Parser& p);
+/// `( condition )`
+bool parse_condition(Parser& p);
+
+/// Can `token` begin an expression?
+bool begins_expression(const Parser& p, const Token& token);
+
+/// The slot that a name and its subscripts mean, empty for an array element that was never assigned to; the name has been taken.
+/// With `make`, that element is made (and the array is no longer shared).
+Ref<Slot> parse_reference(Parser& p, const Token& name, bool make);
+
+/// `color ...`, `rgb ...`, `red .3 green .2`
+bool begins_colour(const Token& token);
+Value parse_colour(Parser& p);
+/// `red .3`, `filter .5` ... behind a colour replace its components.
+Value parse_colour_components(Parser& p, Value colour);
+/// A whole vector literal `<...>` behind its `<`, of any length.
+std::vector<double> parse_number_list(Parser& p, Place at);
+
+}  // namespace alidade::pov

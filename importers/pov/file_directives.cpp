@@ -1,0 +1,167 @@
+// SPDX-License-Identifier: Apache-2.0
+/// #fopen, #fclose, #read, #write (POV-Ray reference, 3.3.2.3). Reading works where includes may lie; writing in the folder that the options name, and nowhere else.
+#include "importers/pov/directives.h"
+#include "importers/pov/expressions.h"
+
+#include <charconv>
+#include <fmt/format.h>
+
+namespace alidade::pov {
+
+namespace {
+
+Ref<TextFile> open_for_writing(Parser& p, const std::string& name, bool append, Place at) {
+    if (!p.options.write_folder) p.fail(at, fmt::format("the scene wants to write the file {}, and nothing has allowed it", name), "allow it with --allow-write DIR");
+    const std::optional<std::string> path = TextFiles::below(*p.options.write_folder, name);
+    if (!path) p.fail(at, fmt::format("the file {} lies outside of the folder that may be written to", name));
+    Ref<TextFile> file(new TextFile);
+    file->path = *path, file->writing = true, file->append = append;
+    if (!TextFiles::write(*file)) p.fail(at, fmt::format("the file {} cannot be written", *path));
+    file->append = true;
+    return file;
+}
+
+Ref<TextFile> open_for_reading(Parser& p, const std::string& name, Place at) {
+    const std::optional<SourceFinder::Found> found = p.finder.find(name);
+    std::optional<std::string> text = found ? read_whole(found->path, p.options.limits.file_bytes) : std::nullopt;
+    if (!text && p.options.write_folder)                          // what the scene itself has written
+        if (const std::optional<std::string> path = TextFiles::below(*p.options.write_folder, name)) text = read_whole(*path, p.options.limits.file_bytes);
+    if (!text) p.fail(at, fmt::format("the file {} is not found", name));
+    Ref<TextFile> file(new TextFile);
+    file->path = found ? found->path : name, file->text = std::move(*text);
+    return file;
+}
+
+void open(Parser& p) {
+    const Token name = p.raw_token();
+    if (name.kind != TokenKind::name) p.fail(name.place(), fmt::format("a name is expected behind #fopen, not {}", p.describe(name)));
+    const Place at = p.peek().place();
+    const std::string path = parse_string(p);
+    const Token how = p.next();
+    Ref<TextFile> file;
+    if (how.is_word("read"_w)) file = open_for_reading(p, path, at);
+    else if (how.is_word("write"_w) || how.is_word("append"_w)) file = open_for_writing(p, path, how.is_word("append"_w), at);
+    else p.fail(how.place(), fmt::format("read, write or append is expected, not {}", p.describe(how)));
+    p.symbols.global(name.id).value = Value::of(Kind::file, file);
+}
+
+void flush(Parser& p, TextFile& file, Place at) {
+    if (!file.writing || file.text.empty()) return;
+    if (!TextFiles::write(file)) p.fail(at, fmt::format("the file {} cannot be written", file.path));
+    file.text.clear();
+}
+
+TextFile& file_of(Parser& p, const Token& name) {
+    Slot* slot = name.kind == TokenKind::name ? p.symbols.find(name.id) : nullptr;
+    if (!slot || slot->value.kind != Kind::file) p.fail(name.place(), fmt::format("the name of an open file is expected, not {}", p.describe(name)));
+    return slot->value.as<TextFile>();
+}
+
+void close(Parser& p) {
+    const Token name = p.raw_token();
+    if (name.kind == TokenKind::name && !p.symbols.find(name.id)) return;      // read to its end, and so closed already
+    flush(p, file_of(p, name), name.place());
+    p.symbols.undefine(name.id);
+}
+
+void skip_separators(TextFile& file) {
+    while (file.at < file.text.size() && std::string_view(" \t\r\n,").find(file.text[file.at]) != std::string_view::npos) ++file.at;
+}
+
+std::optional<double> read_number(TextFile& file) {
+    skip_separators(file);
+    if (file.at < file.text.size() && file.text[file.at] == '+') ++file.at;
+    double x = 0;
+    const char *begin = file.text.data() + file.at, *end = file.text.data() + file.text.size();
+    const auto [behind, failed] = std::from_chars(begin, end, x);
+    if (behind == begin || failed != std::errc()) return std::nullopt;
+    file.at = size_t(behind - file.text.data());
+    return x;
+}
+
+/// A float, a vector <...> or a string "...", as #write leaves them.
+std::optional<Value> read_value(TextFile& file) {
+    skip_separators(file);
+    if (file.at >= file.text.size()) return std::nullopt;
+    if (file.text[file.at] == '"') {
+        const size_t end = file.text.find('"', file.at + 1);
+        if (end == std::string::npos) return std::nullopt;
+        Value text = Value::string(file.text.substr(file.at + 1, end - file.at - 1));
+        file.at = end + 1;
+        return text;
+    }
+    if (file.text[file.at] != '<') {
+        const std::optional<double> x = read_number(file);
+        return x ? std::optional(Value::number(*x)) : std::nullopt;
+    }
+    Value v = Value::vector(0, {});
+    ++file.at;
+    while (v.terms < 5) {
+        const std::optional<double> x = read_number(file);
+        if (!x) break;
+        v.c[v.terms++] = *x;
+    }
+    skip_separators(file);
+    if (v.terms < 2 || file.at >= file.text.size() || file.text[file.at] != '>') return std::nullopt;
+    ++file.at;
+    return v;
+}
+
+void read(Parser& p) {
+    p.expect('(', "behind #read");
+    const Token name = p.raw_token();
+    const Ref<TextFile> file(&file_of(p, name));
+    if (file->writing) p.fail(name.place(), fmt::format("the file {} is open for writing", file->path));
+    while (p.accept(',')) {
+        const Token into = p.raw_token();
+        if (into.kind != TokenKind::name) p.fail(into.place(), fmt::format("a name is expected, not {}", p.describe(into)));
+        const bool known_array = p.symbols.find(into.id) && p.symbols.find(into.id)->value.kind == Kind::array;
+        const Ref<Slot> slot = known_array ? parse_reference(p, into, true) : Ref<Slot>(&p.symbols.declare(into.id));
+        std::optional<Value> value = read_value(*file);
+        if (!value) p.fail(into.place(), fmt::format("the file {} has no further number, vector or string here (byte {})", file->path, file->at));
+        slot->value = std::move(*value);
+    }
+    p.expect(')', "behind the names of #read");
+    skip_separators(*file);
+    if (file->at >= file->text.size()) p.symbols.undefine(name.id);
+}
+
+/// Floats as "%g"; vectors as "<%g,%g,%g> ", with a blank behind.
+std::string written(const Value& value) {
+    if (value.kind == Kind::string) return value.text();
+    if (value.kind == Kind::number) return fmt::format("{:g}", value.c[0]);
+    std::string all = fmt::format("<{:g}", value.c[0]);
+    for (int i = 1; i < value.terms; ++i) all += fmt::format(",{:g}", value.c[i]);
+    return all + "> ";
+}
+
+void write(Parser& p) {
+    p.expect('(', "behind #write");
+    const Token name = p.raw_token();
+    const Ref<TextFile> file(&file_of(p, name));
+    if (!file->writing) p.fail(name.place(), fmt::format("the file {} is open for reading", file->path));
+    while (!p.accept(')')) {
+        p.accept(',');                           // POV-Ray takes values without commas, too
+        const Place at = p.peek().place();
+        const Value value = parse_expression(p);
+        if (!value.numeric() && value.kind != Kind::string) p.fail(at, fmt::format("{} cannot be written", kind_name(value)));
+        const std::string text = written(value);
+        p.files.written += text.size();
+        if (p.files.written > p.options.limits.written_bytes) p.fail_limit(at, fmt::format("the scene writes more than {} bytes", p.options.limits.written_bytes));
+        file->text += text;
+    }
+    flush(p, *file, name.place());
+}
+
+}  // namespace
+
+void obey_file_directive(Parser& p, const Token& directive) {
+    switch (directive.directive.word) {
+        case "fopen"_w: return open(p);
+        case "fclose"_w: return close(p);
+        case "read"_w: return read(p);
+        default: return write(p);
+    }
+}
+
+}  // namespace alidade::pov

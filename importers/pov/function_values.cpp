@@ -1,0 +1,207 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "importers/pov/function_values.h"
+
+#include "importers/pov/functions.h"
+#include "importers/pov/integers.h"
+#include "importers/pov/operators.h"
+
+#include <cmath>
+#include <fmt/format.h>
+#include <numbers>
+
+namespace alidade::pov {
+
+namespace {
+
+constexpr int kMostCalls = 200;      // of functions inside one another
+
+/// A built-in of floats; `arity` 0: any number.
+struct FloatFunction {
+    WordId word;
+    int arity;
+    double (*value)(std::span<const double> a);
+};
+
+double atan_of_two(std::span<const double> a) { return std::atan2(a[0], a[1]); }
+double least(std::span<const double> a) { return *std::min_element(a.begin(), a.end()); }
+double greatest(std::span<const double> a) { return *std::max_element(a.begin(), a.end()); }
+double select_sign(std::span<const double> a) { return a[0] < 0 ? a[1] : a.size() < 4 || a[0] == 0 ? a[2] : a[3]; }
+
+template <double (*function)(double)>
+double of_one(std::span<const double> a) { return function(a[0]); }
+double degrees(double x) { return x * (180.0 / std::numbers::pi); }
+double radians(double x) { return x * (std::numbers::pi / 180.0); }
+
+constexpr FloatFunction kFunctions[] = {
+    {"abs"_w, 1, of_one<std::fabs>}, {"acos"_w, 1, of_one<std::acos>}, {"acosh"_w, 1, of_one<std::acosh>}, {"asin"_w, 1, of_one<std::asin>},
+    {"asinh"_w, 1, of_one<std::asinh>}, {"atan"_w, 1, of_one<std::atan>}, {"atanh"_w, 1, of_one<std::atanh>}, {"ceil"_w, 1, of_one<std::ceil>},
+    {"cos"_w, 1, of_one<std::cos>}, {"cosh"_w, 1, of_one<std::cosh>}, {"exp"_w, 1, of_one<std::exp>}, {"floor"_w, 1, of_one<std::floor>},
+    {"ln"_w, 1, of_one<std::log>}, {"log"_w, 1, of_one<std::log10>}, {"sin"_w, 1, of_one<std::sin>}, {"sinh"_w, 1, of_one<std::sinh>},
+    {"sqrt"_w, 1, of_one<std::sqrt>}, {"tan"_w, 1, of_one<std::tan>}, {"tanh"_w, 1, of_one<std::tanh>}, {"degrees"_w, 1, of_one<degrees>},
+    {"radians"_w, 1, of_one<radians>}, {"int"_w, 1, of_one<std::trunc>}, {"atan2"_w, 2, atan_of_two},
+    {"mod"_w, 2, [](std::span<const double> a) { return std::fmod(a[0], a[1]); }}, {"pow"_w, 2, [](std::span<const double> a) { return std::pow(a[0], a[1]); }},
+    {"div"_w, 2, [](std::span<const double> a) { return std::trunc(a[0] / a[1]); }}, {"min"_w, 0, least}, {"max"_w, 0, greatest}, {"select"_w, 0, select_sign},
+};
+
+/// Reads a function's parts from left to right, and calculates at once. Comparisons are exact here (probed).
+class Evaluation {
+  public:
+    Evaluation(const Parser& p, const Function& function, std::span<const double> arguments, int calls) : p_(p), f_(function), arguments_(arguments), calls_(calls) {}
+
+    double all() {
+        const double value = logical();
+        if (!at_end()) not_expected();
+        return value;
+    }
+
+  private:
+    bool at_end() const { return at_ >= f_.parts.size() || token().is(';'); }
+    const Function::Part& part() const { return f_.parts[at_]; }
+    const Token& token() const { return f_.parts[at_].token; }
+    bool take(char mark) {
+        const bool there = at_ < f_.parts.size() && token().is(mark);
+        at_ += there;
+        return there;
+    }
+    [[noreturn]] void not_expected() const {
+        if (at_ >= f_.parts.size()) p_.fail(f_.place, "the function ends in the middle of its expression");
+        p_.fail(token().place(), fmt::format("{} is not expected in a function", p_.describe(token())));
+    }
+    void need(char mark) { if (!take(mark)) not_expected(); }
+
+    double logical() {
+        double left = comparison();
+        for (;;) {
+            if (take('&')) {
+                const double right = comparison();
+                left = left != 0 && right != 0;
+            } else if (take('|')) {
+                const double right = comparison();
+                left = left != 0 || right != 0;
+            } else {
+                return left;
+            }
+        }
+    }
+
+    double comparison() {
+        const double left = sum();
+        if (take('<')) return left < sum();
+        if (take('>')) return left > sum();
+        if (take('=')) return left == sum();
+        if (take(kLessEqual)) return left <= sum();
+        if (take(kGreaterEqual)) return left >= sum();
+        if (take(kNotEqual)) return left != sum();
+        return left;
+    }
+
+    double sum() {
+        double left = product();
+        for (;;) {
+            if (take('+')) left += product();
+            else if (take('-')) left -= product();
+            else return left;
+        }
+    }
+
+    double product() {
+        double left = operand();
+        for (;;) {
+            if (take('*')) left *= operand();
+            else if (take('/')) left /= operand();
+            else return left;
+        }
+    }
+
+    double operand() {
+        if (take('-')) return -operand();
+        if (take('+')) return operand();
+        if (at_end()) not_expected();
+        if (take('(')) {
+            const double value = logical();
+            need(')');
+            return value;
+        }
+        if (token().kind == TokenKind::number) return f_.parts[at_++].token.number;
+        if (token().kind == TokenKind::name || token().kind == TokenKind::word) return word();
+        not_expected();
+    }
+
+    double word() {
+        const auto parameter = std::find(f_.parameters.begin(), f_.parameters.end(), token().id);
+        if (parameter != f_.parameters.end()) return ++at_, arguments_[size_t(parameter - f_.parameters.begin())];
+        if (token().kind == TokenKind::name) return identifier();
+        if (token().is_word("pi"_w)) return ++at_, std::numbers::pi;
+        if (token().is_word("true"_w) || token().is_word("on"_w) || token().is_word("yes"_w)) return ++at_, 1;
+        if (token().is_word("false"_w) || token().is_word("off"_w) || token().is_word("no"_w)) return ++at_, 0;
+        if (token().is_word("clock"_w)) return ++at_, p_.options.frame.clock;
+        return built_in();
+    }
+
+    double built_in() {
+        const auto entry = std::find_if(std::begin(kFunctions), std::end(kFunctions), [&](const FloatFunction& f) { return f.word == token().id; });
+        if (entry == std::end(kFunctions)) p_.fail(token().place(), fmt::format("{} in a function is not modelled yet", p_.describe(token())));
+        const Place at = token().place();
+        ++at_;
+        const std::vector<double> values = call_arguments();
+        const bool fits = entry->arity ? values.size() == size_t(entry->arity) : entry->word == "select"_w ? values.size() == 3 || values.size() == 4 : !values.empty();
+        if (!fits) p_.fail(at, fmt::format("{} does not take {} arguments", kWords[entry->word], values.size()));
+        return entry->value(values);
+    }
+
+    std::vector<double> call_arguments() {
+        std::vector<double> values;
+        need('(');
+        while (!take(')')) {
+            values.push_back(logical());
+            if (!take(',') && !(at_ < f_.parts.size() && token().is(')'))) not_expected();
+        }
+        return values;
+    }
+
+    double identifier() {
+        const Function::Part& it = part();
+        ++at_;
+        if (it.value.kind == Kind::number) return it.value.c[0];
+        if (it.value.kind == Kind::function) return inner_call(it.value.as<Function>(), it.token.place());
+        if (it.value.kind == Kind::vector || it.value.kind == Kind::colour) {
+            need('.');
+            return component(it.value.c);
+        }
+        if (it.value.kind == Kind::spline) {
+            const std::vector<double> t = call_arguments();
+            if (t.size() != 1) p_.fail(it.token.place(), "a spline takes one argument");
+            need('.');
+            return component(spline_value(it.value.as<Spline>(), t[0]));
+        }
+        p_.fail(it.token.place(), fmt::format("{} cannot stand in a function", kind_name(it.value)));
+    }
+
+    double inner_call(const Function& inner, Place at) {
+        const std::vector<double> values = call_arguments();
+        if (values.size() != inner.parameters.size()) p_.fail(at, fmt::format("the function has {} parameters, and {} arguments are given", inner.parameters.size(), values.size()));
+        if (calls_ >= kMostCalls) p_.fail_limit(at, fmt::format("more than {} functions call one another", kMostCalls));
+        return Evaluation(p_, inner, values, calls_ + 1).all();
+    }
+
+    double component(const std::array<double, 5>& c) {
+        static constexpr std::pair<WordId, int> kComponents[] = {{"x"_w, 0}, {"y"_w, 1}, {"z"_w, 2}, {"t"_w, 3}, {"u"_w, 0}, {"v"_w, 1}, {"red"_w, 0},
+                                                                  {"green"_w, 1}, {"blue"_w, 2}, {"filter"_w, 3}, {"transmit"_w, 4}};
+        if (at_end()) not_expected();
+        for (const auto& [word, index] : kComponents)
+            if (token().is_word(word)) return ++at_, c[size_t(index)];
+        not_expected();
+    }
+
+    const Parser& p_;
+    const Function& f_;
+    std::span<const double> arguments_;
+    int calls_;
+    size_t at_ = 0;
+};
+
+}  // namespace
+
+double function_value(const Parser& p, const Function& function, std::span<const double> arguments, Place) { return Evaluation(p, function, arguments, 0).all(); }
+
+}  // namespace alidade::pov

@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "importers/pov/functions.h"
+
+#include "importers/pov/blocks.h"
+#include "importers/pov/builders/transforms.h"
+#include "importers/pov/expressions.h"
+#include "importers/pov/function_values.h"
+
+#include <fmt/format.h>
+
+namespace alidade::pov {
+
+namespace {
+
+void read_parameters(Parser& p, Function& function) {
+    if (!p.accept('(')) return;
+    for (Token token = p.raw_token(); !token.is(')'); token = p.raw_token()) {
+        if (token.is(',')) continue;
+        if (token.kind != TokenKind::name && token.kind != TokenKind::word) p.fail(token.place(), fmt::format("the name of a parameter is expected, not {}", p.describe(token)));
+        function.parameters.push_back(token.id);
+    }
+}
+
+bool is_parameter(const Function& function, const Token& token) {
+    return std::find(function.parameters.begin(), function.parameters.end(), token.id) != function.parameters.end();
+}
+
+/// What an identifier is worth now. Array elements become their values.
+void resolve(Parser& p, Function& function, Function::Part& part) {
+    const Token& token = part.token;
+    if (token.kind == TokenKind::name && !is_parameter(function, token)) {
+        const Ref<Slot> slot = parse_reference(p, token, false);
+        if (!slot) p.fail(token.place(), "this array element has no value yet");
+        part.value = slot->value;
+    } else if (token.kind == TokenKind::word && (token.id == "pigment"_w || token.id == "pattern"_w || token.id == "transform"_w) && p.peek().is('{')) {
+        part.value = parse_block(p, token.id, token.place());
+    } else if (token.kind == TokenKind::string) {
+        part.value = Value::string(p.text(token));
+    }
+    if (part.value.shared) function.depth = std::max(function.depth, part.value.shared->depth + 1);
+    p.check_depth(part.value, token.place());
+}
+
+}  // namespace
+
+Value parse_function(Parser& p, Place at) {
+    const Nested nested(p, at);
+    Ref<Function> function(new Function);
+    function->place = at;
+    read_parameters(p, *function);
+    if (function->parameters.empty() && !p.peek().is('{')) {       // the sizes of a picture made of a function
+        parse_float(p);
+        p.accept(',');
+        parse_float(p);
+    }
+    if (function->parameters.empty()) function->parameters = {"x"_w, "y"_w, "z"_w};
+    p.expect('{', "before the body of a function");
+    if (p.peek().is_word("spline"_w)) {                            // such a function is a spline by another name
+        Value spline = parse_spline(p, p.next().place());
+        p.expect('}', "behind the spline");
+        return spline;
+    }
+    for (int depth = 1;;) {
+        p.check_items(at);
+        Function::Part part;
+        part.token = p.next();
+        if (part.token.kind == TokenKind::end) p.fail_limit(at, "the function is not closed", "} is missing");
+        depth += part.token.is('{') - part.token.is('}');
+        if (depth == 0) break;
+        resolve(p, *function, part);
+        function->parts.push_back(std::move(part));
+    }
+    return Value::of(Kind::function, function);
+}
+
+namespace {
+
+/// `function { transform { ... } }`: the map, or null.
+const Block* transform_of(const Function& function) {
+    const bool one = function.parts.size() == 1 && function.parts[0].value.kind == Kind::block;
+    const Block* block = one ? &function.parts[0].value.as<Block>() : nullptr;
+    return block && block->word == "transform"_w ? block : nullptr;
+}
+
+}  // namespace
+
+Value call_function(Parser& p, const Function& function, Place at) {
+    const Ref<Function> hold(const_cast<Function*>(&function));
+    p.expect('(', "before the arguments of a function");
+    std::vector<double> arguments;
+    while (!p.accept(')')) {
+        arguments.push_back(parse_float(p));
+        p.accept(',');
+    }
+    if (arguments.size() != function.parameters.size())
+        p.fail(at, fmt::format("the function has {} parameters, and {} arguments are given", function.parameters.size(), arguments.size()));
+    if (const Block* transform = transform_of(function)) {
+        if (arguments.size() != 3) p.fail(at, "the function of a transformation takes three arguments");
+        const Vec3 q = build_transform(p, *transform).point({arguments[0], arguments[1], arguments[2]});
+        return Value::vector(3, {q.x, q.y, q.z});
+    }
+    return Value::number(function_value(p, function, arguments, at));
+}
+
+}  // namespace alidade::pov

@@ -1,0 +1,223 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "importers/pov/lexer.h"
+
+#include <charconv>
+#include <fmt/format.h>
+
+namespace alidade::pov {
+
+namespace {
+
+constexpr size_t kLongestName = 200;
+
+bool is_letter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_'; }
+bool is_digit(char c) { return c >= '0' && c <= '9'; }
+
+void append_utf8(std::string& out, uint32_t code) {
+    if (code < 0x80) {
+        out += char(code);
+    } else if (code < 0x800) {
+        out += char(0xC0 | code >> 6), out += char(0x80 | (code & 0x3F));
+    } else {
+        out += char(0xE0 | code >> 12), out += char(0x80 | (code >> 6 & 0x3F)), out += char(0x80 | (code & 0x3F));
+    }
+}
+
+class Lexer {
+  public:
+    Lexer(const Source& source, uint16_t number, Names& names) : text_(source.text()), number_(number), names_(names) {}
+
+    TokenList run(size_t max_tokens) {
+        list_.tokens.reserve(std::min(text_.size(), max_tokens) + 2);    // the most there can be: growing would hold large lists twice
+        while (skip_blanks() && at_ < text_.size()) {
+            if (list_.tokens.size() >= max_tokens) {
+                bad(at_, fmt::format("the file has more than {} tokens", max_tokens));
+                break;
+            }
+            lex_one();
+        }
+        start(TokenKind::end, text_.size());
+        if (list_.tokens.size() < 1'000'000) list_.tokens.shrink_to_fit();
+        match_directives();
+        return std::move(list_);
+    }
+
+  private:
+    char peek(size_t ahead = 0) const { return at_ + ahead < text_.size() ? text_[at_ + ahead] : '\0'; }
+
+    Token& start(TokenKind kind, size_t offset) {
+        Token token;
+        token.kind = kind, token.source = number_, token.offset = uint32_t(offset);
+        return list_.tokens.emplace_back(token);
+    }
+    void with_text(TokenKind kind, size_t offset, std::string text) {
+        start(kind, offset).id = uint32_t(list_.texts.size());
+        list_.texts.push_back(std::move(text));
+    }
+    void bad(size_t offset, std::string message) { with_text(TokenKind::bad, offset, std::move(message)); }
+
+    /// Blanks and comments; block comments nest. False if one is not closed.
+    bool skip_blanks() {
+        for (; at_ < text_.size(); ++at_) {
+            const char c = text_[at_];
+            if (c == ' ' || c == '\t' || c == '\n' || c == '\r' || c == '\f' || c == '\v' || c == '\x1a') continue;
+            if (c == '/' && peek(1) == '/') {
+                at_ = std::min(text_.find('\n', at_), text_.size() - 1);
+            } else if (c == '/' && peek(1) == '*') {
+                if (!skip_comment()) return false;
+            } else {
+                return true;
+            }
+        }
+        return true;
+    }
+
+    bool skip_comment() {
+        const size_t opened = at_;
+        int depth = 0;
+        for (; at_ < text_.size(); ++at_) {
+            if (peek() == '/' && peek(1) == '*') {
+                ++depth, ++at_;
+            } else if (peek() == '*' && peek(1) == '/') {
+                ++at_;
+                if (--depth == 0) return true;
+            }
+        }
+        bad(opened, "the comment is not closed");
+        return false;
+    }
+
+    void lex_one() {
+        const char c = peek();
+        if (is_digit(c) || (c == '.' && is_digit(peek(1)))) return lex_number();
+        if (is_letter(c)) return lex_name();
+        if (c == '"') return lex_string();
+        if (c == '#') return lex_directive();
+        lex_mark();
+    }
+
+    void lex_number() {
+        const size_t begin = at_;
+        while (is_digit(peek())) ++at_;
+        if (peek() == '.') ++at_;
+        while (is_digit(peek())) ++at_;
+        if (peek() == 'e' || peek() == 'E') {
+            const size_t sign = peek(1) == '+' || peek(1) == '-' ? 1 : 0;
+            if (is_digit(peek(1 + sign)))
+                for (at_ += 1 + sign; is_digit(peek());) ++at_;
+        }
+        double value = 0;
+        const auto [_, failed] = std::from_chars(text_.data() + begin, text_.data() + at_, value);
+        if (failed == std::errc::result_out_of_range) value = std::strtod(std::string(text_.substr(begin, at_ - begin)).c_str(), nullptr);
+        start(TokenKind::number, begin).number = value;
+    }
+
+    std::string_view take_name() {
+        const size_t begin = at_;
+        while (is_letter(peek()) || is_digit(peek())) ++at_;
+        return text_.substr(begin, at_ - begin);
+    }
+
+    void lex_name() {
+        const size_t begin = at_;
+        const std::string_view name = take_name();
+        if (name.size() > kLongestName) return bad(begin, fmt::format("a name has more than {} characters", kLongestName));
+        const WordId id = names_.id(name);
+        start(id < kWordCount ? TokenKind::word : TokenKind::name, begin).id = id;
+    }
+
+    void lex_string() {
+        const size_t opened = at_++;
+        std::string value;
+        for (; peek() != '"'; ++at_) {
+            if (at_ >= text_.size()) return bad(opened, "the string is not closed");
+            if (peek() != '\\') {
+                value += peek();
+            } else if (++at_; !escape(value)) {
+                return bad(at_ - 1, "this escape sequence is not known in a string");
+            }
+        }
+        ++at_;
+        with_text(TokenKind::string, opened, std::move(value));
+    }
+
+    /// The character after a backslash. "\0" ends nothing here: POV-Ray's strings hold no NUL either way, so it is left out.
+    bool escape(std::string& value) {
+        static constexpr std::string_view kFrom = "abfnrtv\\'\"", kTo = "\a\b\f\n\r\t\v\\'\"";
+        if (const size_t known = kFrom.find(peek()); known != std::string_view::npos && at_ < text_.size()) {
+            value += kTo[known];
+            return true;
+        }
+        if (peek() == '0') return true;
+        uint32_t code = 0;
+        const std::string_view digits = peek() == 'u' ? text_.substr(at_ + 1, 4) : std::string_view();
+        const auto [end, failed] = std::from_chars(digits.data(), digits.data() + digits.size(), code, 16);
+        if (digits.size() < 4 || failed != std::errc() || end != digits.data() + 4) return false;
+        append_utf8(value, code);
+        at_ += 4;
+        return true;
+    }
+
+    /// Blanks may stand behind #. One without a word behind it means nothing, and is no error.
+    void lex_directive() {
+        const size_t begin = at_++;
+        if (!skip_blanks() || !is_letter(peek())) return;
+        const std::string_view name = take_name();
+        const WordId id = name.size() > kLongestName ? kWordCount : names_.id(name);
+        if (id >= kWordCount) return bad(begin, fmt::format("there is no directive #{}", name.substr(0, kLongestName)));
+        Token& token = start(TokenKind::directive, begin);
+        token.directive = {uint16_t(id), 0, kOpen};
+    }
+
+    void lex_mark() {
+        static constexpr std::string_view kMarks = "{}()[]<>,;:.=+-*/?&|!@^%";
+        const size_t begin = at_++;
+        char mark = text_[begin];
+        if (mark == '\0') return bad(begin, "a NUL byte stands in the text");
+        if (kMarks.find(mark) == std::string_view::npos)
+            return bad(begin, static_cast<unsigned char>(mark) < 127 && mark > 32 ? fmt::format("the character {} means nothing here", mark)
+                                                                                    : fmt::format("the byte 0x{:02X} means nothing here", static_cast<unsigned char>(mark)));
+        if (peek() == '=' && (mark == '<' || mark == '>' || mark == '!')) {
+            mark = mark == '<' ? kLessEqual : mark == '>' ? kGreaterEqual : kNotEqual;
+            ++at_;
+        }
+        start(TokenKind::mark, begin).mark = mark;
+    }
+
+    /// Links every #if, #while ... to its clauses and its #end, so that what is not taken is jumped over.
+    void match_directives() {
+        std::vector<uint32_t> opened, last;
+        for (uint32_t i = 0; i < list_.tokens.size(); ++i) {
+            Token& token = list_.tokens[i];
+            if (token.kind != TokenKind::directive) continue;
+            switch (token.directive.word) {
+                case "if"_w: case "ifdef"_w: case "ifndef"_w: case "while"_w: case "for"_w: case "switch"_w: case "macro"_w:
+                    opened.push_back(i), last.push_back(i);
+                    break;
+                case "else"_w: case "elseif"_w: case "case"_w: case "range"_w: case "end"_w: {
+                    token.directive.unmatched = opened.empty();
+                    if (opened.empty()) break;
+                    list_.tokens[last.back()].directive.next = i;
+                    last.back() = i;
+                    if (token.directive.word != "end"_w) break;
+                    token.directive.next = opened.back();
+                    opened.pop_back(), last.pop_back();
+                    break;
+                }
+                default: break;
+            }
+        }
+    }
+
+    std::string_view text_;
+    uint16_t number_;
+    Names& names_;
+    size_t at_ = 0;
+    TokenList list_;
+};
+
+}  // namespace
+
+TokenList lex(const Source& source, uint16_t number, Names& names, size_t max_tokens) { return Lexer(source, number, names).run(max_tokens); }
+
+}  // namespace alidade::pov

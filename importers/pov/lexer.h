@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: Apache-2.0
+/// Text -> tokens, once a file: macros and loops replay them.
+#pragma once
+
+#include "importers/pov/source.h"
+#include "importers/pov/words.h"
+
+namespace alidade::pov {
+
+enum class TokenKind : uint8_t { end, number, string, word, name, directive, mark, bad };
+
+/// Two-character operators as single ones.
+inline constexpr char kLessEqual = 'l', kGreaterEqual = 'g', kNotEqual = 'n';
+
+/// 16 bytes, because a file of a million triangles has 26 million of them.
+struct Token {
+    TokenKind kind = TokenKind::end;
+    char mark = 0;                ///< of a mark: the character itself, or one of the above
+    uint16_t source = 0;
+    uint32_t offset = 0;
+    union {
+        double number;
+        uint32_t id;              ///< word, name: its number; string, bad: index into TokenList::texts
+        struct {
+            uint16_t word;        ///< directive: its reserved word
+            uint16_t unmatched;   ///< a clause or #end without its opening directive
+            uint32_t next;        ///< opening directives and clauses: the next clause or #end of the same structure; #end: its opening directive
+        } directive;
+    };
+
+    Token() : number(0) {}
+    bool is(char c) const { return kind == TokenKind::mark && mark == c; }
+    bool is_word(WordId w) const { return kind == TokenKind::word && id == w; }
+    Place place() const { return {source, offset}; }
+};
+static_assert(sizeof(Token) == 16);
+
+/// No `next`: the structure is not closed in this file.
+inline constexpr uint32_t kOpen = ~uint32_t(0);
+
+struct TokenList {
+    std::vector<Token> tokens;          ///< ends with one of kind `end`
+    std::vector<std::string> texts;     ///< string literals with their escapes resolved; what is wrong with bad tokens
+};
+
+/// What is wrong with the text (an open comment or string, a byte that means nothing) becomes a token `bad`: it is an error only if it is reached.
+/// More than `max_tokens`: the list ends with a bad token.
+TokenList lex(const Source& source, uint16_t number, Names& names, size_t max_tokens);
+
+}  // namespace alidade::pov

@@ -1,0 +1,190 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "importers/pov/parser.h"
+
+#include "importers/pov/directives.h"
+#include "importers/pov/macros.h"
+
+#include <fmt/format.h>
+
+namespace alidade::pov {
+
+Parser::Parser(const ReadOptions& given, Diagnostics& diagnostics) : options(given), said(diagnostics), finder({}, {}) {}
+
+void Parser::check_budget(Place at) const {
+    if (stream.tokens_read() > options.limits.tokens_read)
+        fail_limit(at, fmt::format("the scene has made more than {} steps: does a loop never end?", options.limits.tokens_read));
+}
+
+/// The next token of the stream; what a directive has looked at and left comes first.
+Token Parser::fetch(bool in_value) {
+    for (;;) {
+        const Token token = stream.raw();
+        switch (token.kind) {
+            case TokenKind::directive:
+                if (in_value && (token.directive.word == "declare"_w || token.directive.word == "local"_w)) return token;
+                check_budget(token.place());
+                obey(*this, token);
+                break;
+            case TokenKind::name: {
+                const Slot* slot = symbols.find(token.id);
+                if (!slot || slot->value.kind != Kind::macro) return token;
+                check_budget(token.place());
+                call_macro(*this, token, Ref<Macro>(&slot->value.as<Macro>()));
+                break;
+            }
+            case TokenKind::bad: fail_limit(token.place(), text(token));
+            case TokenKind::end:
+                if (stream.frames().size() == 1 && !stream.frame_has_conditions()) {
+                    Token end;
+                    end.source = stream.frame().source, end.offset = stream.frame().tokens[stream.frame().end].offset;
+                    return end;
+                }
+                finish_frame();
+                break;
+            default: return token;
+        }
+        if (has_ahead_) {
+            has_ahead_ = false;
+            return ahead_;
+        }
+    }
+}
+
+/// The end of a macro's body or of an include.
+void Parser::finish_frame() {
+    const Frame& frame = stream.frame();
+    if (stream.frame_has_conditions()) {
+        const Token& opened = frame.tokens[stream.conditions().back().opened];
+        fail_limit(opened.place(), fmt::format("#{} has no #end", kWords[opened.directive.word]));
+    }
+    stream.pop();
+    symbols.leave();
+}
+
+Token Parser::peek_in_value() {
+    if (has_ahead_) return ahead_;
+    const Token token = fetch(true);
+    if (token.kind == TokenKind::directive) --stream.frame().at;
+    else put_back(token);
+    return token;
+}
+
+Token Parser::expect(char mark, const char* where) {
+    const Token token = next();
+    if (!token.is(mark)) fail(token.place(), fmt::format("{} is expected {}, not {}", mark, where, describe(token)));
+    return token;
+}
+
+Token Parser::raw_token() {
+    if (has_ahead_) {
+        has_ahead_ = false;
+        return ahead_;
+    }
+    const Token token = stream.raw();
+    if (token.kind == TokenKind::bad) fail_limit(token.place(), text(token));
+    return token;
+}
+
+std::string Parser::describe(const Token& token) const {
+    switch (token.kind) {
+        case TokenKind::end: return "the end of the text";
+        case TokenKind::number: return fmt::format("the number {}", token.number);
+        case TokenKind::string: return fmt::format("the string \"{}\"", text(token).substr(0, 40));
+        case TokenKind::word: case TokenKind::name: return std::string(names.text(token.id));
+        case TokenKind::directive: return fmt::format("#{}", kWords[token.directive.word]);
+        case TokenKind::mark: return token.mark == kLessEqual ? "<=" : token.mark == kGreaterEqual ? ">=" : token.mark == kNotEqual ? "!=" : std::string(1, token.mark);
+        case TokenKind::bad: return text(token);
+    }
+    return {};
+}
+
+Diagnostic Parser::diagnostic(Severity severity, Place at, std::string message, std::string hint) const {
+    Diagnostic d{severity, {}, std::move(message), std::move(hint), {}, {}};
+    if (at.source >= stream.sources()) return d;
+    const Source& source = stream.source(uint16_t(at.source));
+    d.at = source.position(at.offset);
+    uint32_t column = 0;
+    d.excerpt = source.excerpt(at.offset, column);
+    if (column != d.at.column) d.excerpt.clear();          // a caret would stand at the wrong place in the cut line
+    constexpr size_t kShown = 8;
+    auto& frames = const_cast<TokenStream&>(stream).frames();
+    for (size_t i = frames.size(); i-- > 1 && d.included_from.size() < kShown;)
+        d.included_from.push_back(stream.source(uint16_t(frames[i].called_from.source)).position(frames[i].called_from.offset));
+    return d;
+}
+
+void Parser::fail(Place at, std::string message, std::string hint) const {
+    throw Failure{diagnostic(Severity::error, at, std::move(message), std::move(hint)), false};
+}
+
+void Parser::fail_limit(Place at, std::string message, std::string hint) const {
+    throw Failure{diagnostic(Severity::error, at, std::move(message), std::move(hint)), true};
+}
+
+void Parser::warn(Place at, std::string message, std::string hint) {
+    const std::pair<uint64_t, std::string> key{uint64_t(at.source) << 32 | at.offset, message};
+    if (warned_.size() > Diagnostics::kKept || std::find(warned_.begin(), warned_.end(), key) != warned_.end()) return;
+    warned_.push_back(key);
+    said.add(diagnostic(Severity::warning, at, std::move(message), std::move(hint)));
+}
+
+void Parser::tally(Place at, const std::string& message) {
+    for (Tally& tally : tallies_)
+        if (tally.message == message) {
+            ++tally.count;
+            return;
+        }
+    tallies_.push_back({message, at, 1});
+}
+
+void Parser::say_tallies() {
+    for (const Tally& tally : tallies_)
+        warn(tally.first, tally.count > 1 ? fmt::format("{} ({} times)", tally.message, tally.count) : tally.message);
+}
+
+void Parser::print(TextStream where, Place at, const std::string& text) {
+    if (options.print) return options.print(where, text);
+    const bool warning = where == TextStream::warning;
+    std::string line = text.substr(0, text.find_last_not_of(" \n\r\t") + 1);
+    if (!line.empty()) said.add(diagnostic(warning ? Severity::warning : Severity::note, at, std::move(line), {}));
+}
+
+void Parser::open_scene(const std::string& path, std::string text) {
+    finder = SourceFinder(std::filesystem::path(path).parent_path(), options.include_paths);
+    stream.push_file(stream.add(Source(path, std::move(text), said.add_file(path)), names, options.limits), {});
+}
+
+void Parser::include(const std::string& name, Place at) {
+    const std::optional<SourceFinder::Found> found = finder.find(name);
+    if (!found || (found->other_case && options.strict)) {
+        const bool installed = std::filesystem::exists(kStandardIncludes);
+        fail_limit(at, fmt::format("the file {} is not found", name),
+                   installed ? "say where it lies with -I DIR" : "POV-Ray's own includes are in the package povray-includes; other folders are given with -I DIR");
+    }
+    if (found->other_case) warn(at, fmt::format("the file {} is not found, {} is taken", name, found->path));
+    if (symbols.depth() >= options.limits.levels) fail_limit(at, fmt::format("more than {} files and macros include or call one another", options.limits.levels));
+    auto known = lexed_.find(found->path);
+    if (known == lexed_.end()) {
+        if (stream.sources() >= 60000) fail_limit(at, "the scene includes more than 60000 files");
+        std::optional<std::string> text = read_whole(found->path, options.limits.file_bytes);
+        if (!text) fail_limit(at, fmt::format("the file {} cannot be read", found->path));
+        known = lexed_.emplace(found->path, stream.add(Source(found->path, std::move(*text), said.add_file(found->path)), names, options.limits)).first;
+    }
+    stream.push_file(known->second, at);
+    symbols.enter();
+}
+
+void Parser::check_array_elements(uint64_t more, Place at) const {
+    if (more > options.limits.array_elements || elements->used + more > options.limits.array_elements)
+        fail_limit(at, fmt::format("the arrays have more than {} elements", options.limits.array_elements));
+}
+
+void Parser::check_depth(const Value& value, Place at) const {
+    if (value.shared && value.shared->depth > options.limits.nesting) fail_limit(at, "objects or functions are made of one another too deeply");
+}
+
+void Parser::check_items(Place at) const {
+    if (items->used >= options.limits.items) fail_limit(at, fmt::format("the scene has more than {} words and values in its blocks", options.limits.items));
+}
+
+}  // namespace alidade::pov

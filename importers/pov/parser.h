@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: Apache-2.0
+/// Tokens with directives obeyed and macros expanded: what expressions and blocks are read from.
+#pragma once
+
+#include "importers/pov/random.h"
+#include "importers/pov/settings.h"
+#include "importers/pov/symbols.h"
+#include "importers/pov/text_files.h"
+#include "importers/pov/token_stream.h"
+
+#include <exception>
+
+namespace alidade::pov {
+
+/// An error that ends the statement which is being read; Program reading goes on behind it.
+struct Failure {
+    Diagnostic diagnostic;
+    bool fatal = false;          ///< a limit or #error: reading ends
+};
+
+class Parser {
+  public:
+    Parser(const ReadOptions& options, Diagnostics& said);
+
+    // ---- tokens ----
+    /// Directives before it have been obeyed; never a macro's name. Of kind `end` at the end of the scene.
+    Token next() {
+        if (!has_ahead_) return fetch();
+        has_ahead_ = false;
+        return ahead_;
+    }
+    const Token& peek() {
+        if (!has_ahead_) put_back(fetch());
+        return ahead_;
+    }
+    void put_back(const Token& token) { ahead_ = token, has_ahead_ = true; }
+    /// Takes the mark if it comes next.
+    bool accept(char mark) {
+        if (!peek().is(mark)) return false;
+        has_ahead_ = false;
+        return true;
+    }
+    /// What comes next, for a value that may go on: a #declare or #local ends it and is not obeyed yet (kind `directive`).
+    Token peek_in_value();
+    Token expect(char mark, const char* where);
+    /// The name behind #declare, #ifdef ...: not expanded if it is a macro.
+    Token raw_token();
+    std::string describe(const Token& token) const;
+    const std::string& text(const Token& token) const { return stream.text(token); }
+
+    // ---- messages ----
+    [[noreturn]] void fail(Place at, std::string message, std::string hint = {}) const;
+    [[noreturn]] void fail_limit(Place at, std::string message, std::string hint = {}) const;
+    /// Said once for each place.
+    void warn(Place at, std::string message, std::string hint = {});
+    /// A message with its line, and the includes and macro calls that lead to it.
+    Diagnostic diagnostic(Severity severity, Place at, std::string message, std::string hint) const;
+    /// Counted by `message`, and said once with the count when reading has ended.
+    void tally(Place at, const std::string& message);
+    void say_tallies();
+    /// What the scene prints with #debug, #warning ...
+    void print(TextStream stream, Place at, const std::string& text);
+
+    // ---- files ----
+    void open_scene(const std::string& path, std::string text);
+    void include(const std::string& name, Place at);
+
+    /// There is room for so many array elements more, or reading ends.
+    void check_array_elements(uint64_t elements, Place at) const;
+    void check_items(Place at) const;
+    void check_depth(const Value& value, Place at) const;
+    /// Taken back when an error has left it half way.
+    void reset_nesting() { nesting_ = 0, has_ahead_ = false; }
+
+    const ReadOptions& options;
+    Diagnostics& said;
+    Names names;
+    TokenStream stream;
+    Symbols symbols;
+    RandomStreams random;
+    TextFiles files;
+    SourceFinder finder;
+    double version = 3.7;             ///< as #version has set it; what POV-Ray starts with
+    bool version_given = false;
+    bool keep_names = false;          ///< in function{}: names that nobody declared are parameters
+    uint64_t loop_turns = 0;
+    Ref<Meter> elements{new Meter}, items{new Meter};   ///< of all arrays, of all blocks
+    std::vector<std::pair<Place, Value>> defaults;    ///< #default, in order
+
+  private:
+    friend class Nested;
+    Token fetch(bool in_value = false);
+    void finish_frame();
+    void check_budget(Place at) const;
+
+    Token ahead_;
+    bool has_ahead_ = false;     ///< peek() or put_back() has left a token
+    size_t nesting_ = 0;
+    std::vector<std::pair<uint64_t, std::string>> warned_;
+    struct Tally {
+        std::string message;
+        Place first;
+        size_t count;
+    };
+    std::vector<Tally> tallies_;
+    std::unordered_map<std::string, uint16_t> lexed_;   ///< by path: an include that is read again is not lexed again
+};
+
+/// Guards the call stack: stands in every function that can call itself through what a scene nests.
+class Nested {
+  public:
+    Nested(Parser& parser, Place at) : parser_(parser) {
+        if (++parser_.nesting_ > parser_.options.limits.nesting)
+            parser_.fail_limit(at, "brackets, blocks or calls are nested too deeply");
+    }
+    Nested(const Nested&) = delete;
+    Nested& operator=(const Nested&) = delete;
+    ~Nested() { if (parser_.nesting_) --parser_.nesting_; }
+
+  private:
+    Parser& parser_;
+};
+
+}  // namespace alidade::pov

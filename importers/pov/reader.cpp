@@ -1,0 +1,118 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "importers/pov/reader.h"
+
+#include "importers/pov/blocks.h"
+#include "importers/pov/expressions.h"
+
+#include <fmt/format.h>
+
+namespace alidade::pov {
+
+namespace {
+
+/// Errors after which reading ends: most of what follows would be caused by those before.
+constexpr size_t kMostErrors = 10;
+
+class Reader {
+  public:
+    Reader(const ReadOptions& options, Diagnostics& said) : p_(options, said) {}
+
+    Program run(const std::string& path, std::string text) {
+        attempt([&] {
+            p_.open_scene(path, std::move(text));
+            for (const std::string& declaration : p_.options.declarations) declare(declaration);
+        });
+        while (!done_ && p_.said.errors() < kMostErrors) attempt([&] { statement(); });
+        p_.say_tallies();
+        program_.version = p_.version, program_.version_given = p_.version_given;
+        for (size_t i = 0; i < p_.stream.sources(); ++i) program_.files.push_back({p_.stream.source(uint16_t(i)).path()});
+        return std::move(program_);
+    }
+
+  private:
+    template <class Step>
+    void attempt(Step step) {
+        try {
+            step();
+        } catch (Failure& failure) {
+            p_.said.add(std::move(failure.diagnostic));
+            done_ = done_ || failure.fatal || p_.stream.frames().empty();
+            if (!done_) recover();
+        } catch (const std::bad_alloc&) {
+            p_.said.error({}, "there is not enough memory for this scene");
+            done_ = true;
+        }
+    }
+
+    /// NAME=VALUE of the command line.
+    void declare(const std::string& text) {
+        const size_t equals = text.find('=');
+        char* end = nullptr;
+        const double value = equals == std::string::npos ? 0 : std::strtod(text.c_str() + equals + 1, &end);
+        const WordId name = p_.names.id(std::string_view(text).substr(0, equals));
+        if (!end || *end || end == text.c_str() + equals + 1 || name < kWordCount)
+            throw Failure{{Severity::error, {}, fmt::format("{} declares nothing", text), "give a name, = and a number", {}, {}}, true};
+        p_.symbols.global(name).value = Value::number(value);
+    }
+
+    void statement() {
+        const Token token = p_.next();
+        if (token.kind == TokenKind::end) {
+            done_ = true;
+            return;
+        }
+        if (token.kind == TokenKind::name && !p_.symbols.find(token.id)) parse_reference(p_, token, false);   // says what is not declared
+        if (token.kind != TokenKind::word || !p_.peek().is('{')) p_.fail(token.place(), fmt::format("an object or a directive is expected, not {}", p_.describe(token)));
+        Item item;
+        item.kind = Item::Kind::block, item.place = token.place(), item.word = token.id;
+        item.value = parse_block(p_, token.id, token.place());
+        for (; seen_defaults_ < p_.defaults.size(); ++seen_defaults_) program_.defaults.emplace_back(program_.items.size(), p_.defaults[seen_defaults_].second);
+        program_.items.push_back(std::move(item));
+    }
+
+    /// After an error: leaves macros, and goes on at the next directive or word that begins a line.
+    void recover() {
+        p_.reset_nesting();
+        while (p_.stream.frame().macro && p_.stream.frames().size() > 1) p_.stream.pop(), p_.symbols.leave();
+        Frame& frame = p_.stream.frame();
+        const std::string_view text = p_.stream.source(frame.source).text();
+        for (; frame.at < frame.end; ++frame.at) {
+            const Token& token = frame.tokens[frame.at];
+            const bool begins_line = token.offset == 0 || text[token.offset - 1] == '\n';
+            if (begins_line && (token.kind == TokenKind::directive || token.kind == TokenKind::word)) return;
+            if (token.kind != TokenKind::directive) continue;
+            if (const WordId word = token.directive.word; word == "end"_w || word == "else"_w || word == "elseif"_w || word == "case"_w || word == "range"_w) {
+                if (p_.stream.frame_has_conditions()) return;
+            } else if (word == "if"_w || word == "ifdef"_w || word == "ifndef"_w || word == "while"_w || word == "for"_w || word == "switch"_w || word == "macro"_w) {
+                skip_structure(frame);
+            }
+        }
+    }
+
+    /// To the #end of the structure that begins here.
+    static void skip_structure(Frame& frame) {
+        uint32_t at = frame.at;
+        while (at < frame.end && (at == frame.at || frame.tokens[at].directive.word != "end"_w)) at = std::min(frame.tokens[at].directive.next, frame.end);
+        frame.at = std::min(at, frame.end - 1);
+    }
+
+    Parser p_;
+    Program program_;
+    size_t seen_defaults_ = 0;
+    bool done_ = false;
+};
+
+}  // namespace
+
+Program read_program_text(const std::string& path, std::string text, const ReadOptions& options, Diagnostics& said) { return Reader(options, said).run(path, std::move(text)); }
+
+Program read_program(const std::string& path, const ReadOptions& options, Diagnostics& said) {
+    std::optional<std::string> text = read_whole(path, options.limits.file_bytes);
+    if (text) return read_program_text(path, std::move(*text), options, said);
+    SourcePos at;
+    at.file = said.add_file(path);
+    said.error(at, "the file cannot be read, or is too large");
+    return {};
+}
+
+}  // namespace alidade::pov

@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: Apache-2.0
+/// A scene in POV-Ray's language -> Program: its top-level blocks, with every directive obeyed and every expression evaluated.
+#pragma once
+
+#include "importers/pov/settings.h"
+#include "importers/pov/value.h"
+
+namespace alidade::pov {
+
+/// What builders read.
+struct Program {
+    std::vector<Item> items;                          ///< top-level blocks in order
+    std::vector<std::pair<size_t, Value>> defaults;   ///< #default: the number of items that stood before it, and its block
+    double version = 3.7;
+    bool version_given = false;
+    std::vector<SourceFile> files;                    ///< by Place::source
+};
+
+/// Reads a whole scene. Errors are in `said`; what could be read is in the program. Throws nothing.
+Program read_program(const std::string& path, const ReadOptions& options, Diagnostics& said);
+/// The same from memory; `path` names it in messages, and its folder is where includes are looked for.
+Program read_program_text(const std::string& path, std::string text, const ReadOptions& options, Diagnostics& said);
+
+}  // namespace alidade::pov

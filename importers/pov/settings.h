@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: Apache-2.0
+/// What whoever reads a scene may set: where files are, the clock, limits, where text goes.
+#pragma once
+
+#include "importers/pov/limits.h"
+
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace alidade::pov {
+
+/// The streams of #debug, #warning, #error, #render and #statistics.
+enum class TextStream { debug, warning, error, render, statistics };
+
+/// Of an animation's frame; as POV-Ray has them without one.
+struct FrameSettings {
+    double clock = 0, clock_delta = 0, initial_clock = 0, final_clock = 0;
+    int frame_number = 0, initial_frame = 0, final_frame = 0;
+    bool clock_on = false;
+    int image_width = 160, image_height = 120;
+};
+
+struct ReadOptions {
+    std::vector<std::string> include_paths;
+    std::vector<std::string> declarations;               ///< NAME=VALUE, a float each (POV-Ray's Declare=)
+    std::optional<std::string> write_folder;             ///< #fopen ... write works below it, and nowhere else
+    FrameSettings frame;
+    bool strict = false;                                 ///< names of files are not found in another case
+    Limits limits;
+    std::function<void(TextStream, const std::string&)> print;   ///< absent: #warning becomes a warning, the rest notes
+};
+
+}  // namespace alidade::pov

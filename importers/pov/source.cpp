@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "importers/pov/source.h"
+
+#include <algorithm>
+#include <fstream>
+
+namespace alidade::pov {
+
+namespace fs = std::filesystem;
+
+SourcePos Source::position(uint32_t offset) const {
+    if (line_starts_.empty()) {
+        line_starts_.push_back(0);
+        for (size_t at = text_.find('\n'); at != std::string::npos; at = text_.find('\n', at + 1)) line_starts_.push_back(uint32_t(at + 1));
+    }
+    const auto line = std::upper_bound(line_starts_.begin(), line_starts_.end(), offset) - 1;
+    SourcePos at;
+    at.file = file_, at.line = uint32_t(line - line_starts_.begin()) + 1, at.column = offset - *line + 1;
+    return at;
+}
+
+std::string Source::excerpt(uint32_t offset, uint32_t& column) const {
+    constexpr uint32_t kAround = 80;
+    const uint32_t start = offset - (position(offset).column - 1);
+    const uint32_t end = uint32_t(std::min(text_.find('\n', start), text_.size()));
+    const uint32_t from = offset - start > 2 * kAround ? offset - kAround : start;
+    column = offset - from + 1;
+    std::string line = text_.substr(from, std::min(end, from + 3 * kAround) - from);
+    std::replace_if(line.begin(), line.end(), [](char c) { return static_cast<unsigned char>(c) < 32; }, ' ');
+    return line;
+}
+
+SourceFinder::SourceFinder(fs::path scene_folder, std::vector<std::string> include_paths) {
+    folders_.push_back(scene_folder.empty() ? fs::path(".") : std::move(scene_folder));
+    for (std::string& path : include_paths) folders_.emplace_back(std::move(path));
+    folders_.emplace_back(kStandardIncludes);
+}
+
+bool SourceFinder::allowed(const fs::path& path) const {
+    std::error_code failed;
+    const fs::path real = fs::weakly_canonical(path, failed);
+    if (failed) return false;
+    for (const fs::path& folder : folders_) {
+        const fs::path root = fs::weakly_canonical(folder, failed);
+        if (failed) continue;
+        const auto [end, _] = std::mismatch(root.begin(), root.end(), real.begin(), real.end());
+        if (end == root.end()) return true;
+    }
+    return false;
+}
+
+namespace {
+
+bool same_letters(const std::string& a, const std::string& b) {
+    return std::equal(a.begin(), a.end(), b.begin(), b.end(),
+                      [](unsigned char p, unsigned char q) { return std::tolower(p) == std::tolower(q); });
+}
+
+/// The file of `folder` whose name is `name` but for the case of its letters.
+std::optional<fs::path> other_case(const fs::path& folder, const std::string& name) {
+    std::error_code failed;
+    for (fs::directory_iterator it(folder, failed), end; !failed && it != end; it.increment(failed))
+        if (same_letters(it->path().filename().string(), name)) return it->path();
+    return std::nullopt;
+}
+
+bool is_file(const fs::path& path) {
+    std::error_code failed;
+    return fs::is_regular_file(path, failed);
+}
+
+}  // namespace
+
+std::optional<SourceFinder::Found> SourceFinder::find(const std::string& name) const {
+    if (name.empty() || name.find('\0') != std::string::npos) return std::nullopt;
+    for (const fs::path& folder : folders_)
+        if (const fs::path path = folder / name; is_file(path) && allowed(path)) return Found{path.string(), false};
+    for (const fs::path& folder : folders_) {
+        const fs::path asked = folder / name;
+        if (const auto path = other_case(asked.parent_path(), asked.filename().string()); path && is_file(*path) && allowed(*path))
+            return Found{path->string(), true};
+    }
+    return std::nullopt;
+}
+
+std::optional<std::string> read_whole(const std::string& path, uint64_t limit) {
+    std::ifstream in(path, std::ios::binary | std::ios::ate);
+    if (!in) return std::nullopt;
+    const std::streamoff size = in.tellg();
+    if (size < 0 || uint64_t(size) > limit) return std::nullopt;
+    std::string text(size_t(size), '\0');
+    in.seekg(0);
+    in.read(text.data(), size);
+    text.resize(size_t(std::max<std::streamsize>(in.gcount(), 0)));
+    return text;
+}
+
+}  // namespace alidade::pov

@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "importers/pov/text_files.h"
+
+#include <fstream>
+
+namespace alidade::pov {
+
+namespace fs = std::filesystem;
+
+std::optional<std::string> TextFiles::below(const std::string& folder, const std::string& name) {
+    std::error_code failed;
+    const fs::path root = fs::weakly_canonical(folder, failed), path = fs::weakly_canonical(root / name, failed);
+    if (failed || name.empty()) return std::nullopt;
+    const auto [end, _] = std::mismatch(root.begin(), root.end(), path.begin(), path.end());
+    if (end != root.end() || path == root) return std::nullopt;
+    return path.string();
+}
+
+bool TextFiles::write(const TextFile& file) {
+    std::ofstream out(file.path, std::ios::binary | (file.append ? std::ios::app : std::ios::trunc));
+    out << file.text;
+    return bool(out.flush());
+}
+
+}  // namespace alidade::pov

@@ -1,0 +1,190 @@
+// SPDX-License-Identifier: Apache-2.0
+/// What an expression of the scene language can be worth.
+#pragma once
+
+#include "importers/pov/lexer.h"
+
+#include <array>
+#include <utility>
+
+namespace alidade::pov {
+
+/// Counted by the one thread that reads a scene.
+struct Shared {
+    Shared() = default;
+    Shared(const Shared&) {}
+    Shared& operator=(const Shared&) { return *this; }
+    virtual ~Shared() = default;
+    uint32_t uses = 0;
+    uint32_t depth = 0;          ///< how many others stand inside one another in it: bounded, so that taking it apart is
+};
+
+/// Deletes; in a file of its own, where g++ 12 does not see it: inlined, it warns of uses after it that cannot happen.
+void destroy(const Shared* unused);
+
+/// An owning pointer to a Shared.
+template <class T>
+class Ref {
+  public:
+    Ref() = default;
+    explicit Ref(T* p) : p_(p) { if (p_) ++p_->uses; }
+    Ref(const Ref& other) : Ref(other.p_) {}
+    Ref(Ref&& other) noexcept : p_(std::exchange(other.p_, nullptr)) {}
+    Ref& operator=(Ref other) noexcept {
+        std::swap(p_, other.p_);
+        return *this;
+    }
+    ~Ref() { if (p_ && --p_->uses == 0) destroy(p_); }
+
+    T* get() const { return p_; }
+    T* operator->() const { return p_; }
+    T& operator*() const { return *p_; }
+    explicit operator bool() const { return p_ != nullptr; }
+
+  private:
+    T* p_ = nullptr;
+};
+
+enum class Kind : uint8_t { nothing, number, vector, colour, string, array, block, function, spline, macro, file };
+
+/// "float", "vector of 3", ...: as messages say it.
+std::string kind_name(const struct Value& value);
+
+/// Numbers, vectors and colours in place. Everything else is shared: blocks, strings ... never change; arrays are copied by whoever keeps them.
+struct Value {
+    Kind kind = Kind::nothing;
+    uint8_t terms = 0;                 ///< number 1, vector 2..5, colour 5 (red, green, blue, filter, transmit)
+    std::array<double, 5> c{};
+    Ref<Shared> shared;
+
+    static Value number(double x) {
+        Value v;
+        v.kind = Kind::number, v.terms = 1, v.c[0] = x;
+        return v;
+    }
+    static Value vector(uint8_t terms, const std::array<double, 5>& c) {
+        Value v;
+        v.kind = Kind::vector, v.terms = terms, v.c = c;
+        return v;
+    }
+    /// Components are kept in single precision, as POV-Ray keeps them.
+    static Value colour(const std::array<double, 5>& c) {
+        Value v;
+        v.kind = Kind::colour, v.terms = 5;
+        for (int i = 0; i < 5; ++i) v.c[i] = double(float(c[i]));
+        return v;
+    }
+    static Value string(std::string text);
+    template <class T>
+    static Value of(Kind kind, Ref<T> what) {
+        Value v;
+        v.kind = kind, v.shared = Ref<Shared>(what.get());
+        return v;
+    }
+
+    bool numeric() const { return kind == Kind::number || kind == Kind::vector || kind == Kind::colour; }
+    template <class T>
+    T& as() const { return static_cast<T&>(*shared.get()); }
+    const std::string& text() const;
+};
+
+struct String : Shared {
+    explicit String(std::string t) : text(std::move(t)) {}
+    std::string text;
+};
+
+/// What to say when an identifier is used that was declared deprecated.
+struct Deprecation : Shared {
+    std::string message;         ///< may be empty
+    bool once = false;
+};
+
+/// What an identifier, a macro parameter or an array element holds.
+struct Slot : Shared {
+    Value value;
+    Ref<Deprecation> deprecation;
+};
+
+/// How much of something lives at present.
+struct Meter : Shared {
+    uint64_t used = 0;
+};
+
+/// A rectangle of slots; one that was never assigned to is empty.
+struct Array : Shared {
+    explicit Array(Ref<Meter> m) : meter(std::move(m)) {}
+    Array(const Array&) = delete;
+    Array& operator=(const Array&) = delete;
+    ~Array() override { meter->used -= slots.size(); }
+    void resize(std::vector<uint32_t> to, size_t elements) { sizes = std::move(to), slots.resize(elements), meter->used += elements; }
+
+    std::vector<uint32_t> sizes;
+    std::vector<Ref<Slot>> slots;
+    Ref<Meter> meter;
+};
+
+/// A long vector literal `<...>` (a matrix, a polynomial) in a block.
+struct NumberList : Shared {
+    std::vector<double> numbers;
+};
+
+struct Block;
+
+/// One thing in a block: a word, a value, a block, or the brackets of a map's entry.
+struct Item {
+    enum class Kind : uint8_t { word, value, numbers, block, entry };
+    Kind kind = Kind::word;
+    Place place;
+    WordId word = 0;               ///< of a word or a block
+    Value value;                   ///< of a value; a block or an entry is a Value of kind block
+    const Block& block() const { return value.as<Block>(); }
+};
+
+/// `word { items }` with every expression evaluated: what builders read.
+struct Block : Shared {
+    static constexpr size_t kWeight = 2;    ///< a block takes the memory of so many items besides its own
+    explicit Block(Ref<Meter> m) : meter(std::move(m)) { meter->used += kWeight; }
+    Block(const Block&) = delete;
+    Block& operator=(const Block&) = delete;
+    ~Block() override { meter->used -= items.size() + kWeight; }
+    void add(Item item) {
+        if (item.value.shared) depth = std::max(depth, item.value.shared->depth + 1);
+        items.push_back(std::move(item)), ++meter->used;
+    }
+
+    WordId word = 0;
+    Place place;
+    std::vector<Item> items;
+    Ref<Meter> meter;
+    std::vector<Ref<Block>> layers;   ///< further textures of a declared layered texture
+};
+
+/// A macro: its body is a range of tokens of a file.
+struct Macro : Shared {
+    WordId name = 0;
+    uint16_t source = 0;
+    uint32_t begin = 0, end = 0;
+    std::vector<WordId> parameters;
+};
+
+/// `spline { ... }`: knots in order of their parameter.
+struct Spline : Shared {
+    enum class Type { linear, quadratic, cubic, natural };
+    Type type = Type::linear;
+    uint8_t terms = 1;
+    std::vector<std::pair<double, std::array<double, 5>>> knots;
+};
+
+/// `function(parameters) { tokens }`: what stood in the braces, with macros expanded and identifiers resolved; compiled when it is first asked.
+struct Function : Shared {
+    struct Part {
+        Token token;
+        Value value;                ///< what an identifier was worth when the function was declared
+    };
+    std::vector<WordId> parameters;
+    std::vector<Part> parts;
+    std::vector<std::string> texts;
+    Place place;
+};
+
+}  // namespace alidade::pov

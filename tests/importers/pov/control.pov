@@ -1,0 +1,68 @@
+//---- loops
+#for (i, 1, 3) #debug concat(str(i, 0, 0), "\n") #end       // expect 1
+#debug concat(str(i, 0, 0), "\n")                           // expect 2
+#declare I = 0;                                             // expect 3
+#while (I < 2) #declare I = I + 1; #debug "w\n" #end        // expect 4
+#for (k, 0, 0.3, 0.1) #debug concat(str(k, 0, 1), "\n") #if (k > 0.15) #break #end #end   // expect w
+// expect w
+// expect 0.0
+// expect 0.1
+// expect 0.2
+//---- switch falls through until break
+#declare A = 5;
+#switch (A) #case (5) #debug "5\n" #case (6) #debug "6\n" #range (0, 1) #debug "r\n" #break #else #debug "else\n" #end   // expect 5
+#switch (A) #case (1) #debug "1\n" #else #debug "other\n" #end   // expect 6
+// expect r
+// expect other
+//---- what is not taken is not read
+#if (0) #include "nowhere.inc" #declare = ; #elseif (1) #debug "second\n" #else #debug "third\n" #end   // expect second
+#ifdef (Nothing) #debug "defined\n" #else #debug "not\n" #end   // expect not
+#ifndef (Nothing) #debug "not\n" #end                       // expect not
+//---- break leaves a macro
+#macro Q() #debug "q\n" #if (1) #break #end #debug "r\n" #end
+Q()                                                         // expect q
+#debug "s\n"                                                // expect s
+//---- macros: by reference, by value, as expressions, recursive
+#macro Set(a) #local a = 7; #end
+#declare B = array[2] {1, 2}
+#declare C = 1;
+#declare D = 1;
+Set(C) Set(B[0]) Set((D)) Set(+D)
+#debug concat(str(C, 0, 0), str(B[0], 0, 0), str(D, 0, 0), "\n")   // expect 771
+#macro Twice(x1) x1*2 #end
+#debug concat(str(Twice(3) + Twice(Twice(1)), 0, 0), "\n")  // expect 10
+#macro Fib(n) #if (n < 2) #local r = n; #else #local r = Fib(n-1) + Fib(n-2); #end r #end
+#debug concat(str(Fib(12), 0, 0), "\n")                     // expect 144
+//---- scopes: local hides, declare assigns the newest, unknown ones become global
+#declare A = 1;
+#macro Inner() #declare A = A + 10; #declare Fresh = 5; #end
+#macro Outer() #local A = 2; Inner() #debug concat(str(A, 0, 0), "\n") #end
+Outer()                                                     // expect 12
+#debug concat(str(A, 0, 0), str(Fresh, 0, 0), "\n")         // expect 15
+#undef Fresh
+#debug concat(str(defined(Fresh), 0, 0), "\n")              // expect 0
+//---- comments nest, blanks stand behind #
+/* a /* b */ #debug "no\n" */
+#  declare A = 4; // #debug "no\n"
+#debug concat(str(A, 0, 0), "\n")                           // expect 4
+//---- a declaration behind a texture is not part of it
+#declare T = texture { pigment { rgb 1 } }
+#declare U = texture { T } texture { pigment { rgbt 1 } }
+#debug "both\n"                                             // expect both
+//---- blocks that nobody knows are read to their end
+sphere { 0, 1 pigment { bozo turbulence .5 color_map { [0 rgb 1] [.5, .7 color red 1 color blue 1] } scale <1,2,3> } matrix <1,0,0, 0,1,0, 0,0,1, 0,0,0> }
+mesh2 { vertex_vectors { 3, <0,0,0>, <1,0,0>, <0,1,0> } face_indices { 1, <0,1,2> } }
+global_settings { assumed_gamma srgb radiosity { count 10 } }
+isosurface { function { x*x + y - 1 } contained_by { box { -1, 1 } } }
+#debug "end\n"                                              // expect end
+//---- a local holds what a macro returns, though the macro has locals of that name
+#macro Turned(a) #local T = a; transform { rotate T } #end
+#macro User() #local T = Turned(3); #local S = transform { T } #debug "kept\n" #end
+User()                                                      // expect kept
+#declare T = 1;
+#declare T = Turned(4);
+#declare O = sphere { 0, 1 transform { T } }
+#debug "global\n"                                           // expect global
+//---- a # without a word is nothing
+sphere { 0, 1 # }
+#debug "end\n"                                              // expect end

@@ -1,0 +1,47 @@
+//---- a name that is not declared, with the nearest one
+#declare Radius = 2;
+sphere { 0, Radios }    // expect error 2:13 Radios is not declared
+//---- a missing semicolon
+#declare A = 3 B        // expect error 1:16 ; is expected behind the value of A
+//---- a comparison of vectors
+#if (<1,2> = <1,2>) #end   // expect error 1:12 two floats or two strings can be compared
+//---- subscripts
+#declare A = array[3] {1, 2, 3}
+#debug str(A[3], 0, 0)  // expect error 2:14 the subscript 3 is out of range
+//---- an element without a value
+#declare A = array[3];
+#debug str(A[1], 0, 0)  // expect error 2:12 this array element has no value yet
+//---- too few arguments
+#macro P(a, b) #end
+P(1)                    // expect error 2:1 P has 2 parameters, and 1 arguments are given
+//---- a word of the language cannot be declared
+#declare sphere = 3;    // expect error 1:10 sphere is a word of the language
+//---- no #end
+#if (1)                 // expect error 1:1 #if has no #end
+//---- an #end too many
+#end                    // expect error 1:1 #end stands without
+//---- an open comment
+ /* never closed        // expect error 1:2 the comment is not closed
+//---- an open string
+#debug "abc             // expect error 1:8 the string is not closed
+//---- an open block
+sphere { 0, 1           // expect error 1:1 sphere is not closed
+//---- arithmetic with a string
+#declare A = 1 + "x";   // expect error 1:16 a string is no number
+//---- the scene's own error
+#error "stop"           // expect error 1:1 the scene says: stop
+//---- reading goes on behind an error
+#declare A = ;          // expect error 1:14 a number, a vector or another value is expected
+#declare B = foo;       // expect error 2:14 foo is not declared
+sphere { 0, B2 }        // expect error 3:13 B2 is not declared
+//---- roots and logarithms
+#debug str(sqrt(-1), 0, 3)   // expect error 1:12 the square root of -1 is not real
+//---- writing is not allowed
+#fopen F "x.txt" write  // expect error 1:10 nothing has allowed it
+//---- files outside of the scene's folder
+#include "/etc/hostname"   // expect error 1:1 the file /etc/hostname is not found
+//---- an endless macro
+#macro M() M() #end
+M()                     // expect error 1:12 macros call one another
+//---- a step of 0
+#for (i, 0, 1, 0) #end  // expect error 1:14 the step of a #for must not be 0

@@ -1,0 +1,69 @@
+//---- promotion of floats and short vectors
+#debug concat(vstr(3, <1,2,3>*2, ",", 0, 1), "\n")          // expect 2.0,4.0,6.0
+#debug concat(vstr(3, <1,2,3>*<4,5>, ",", 0, 1), "\n")      // expect 4.0,10.0,0.0
+#debug concat(vstr(5, <1,2,3,4,5>+1, ",", 0, 0), "\n")      // expect 2,3,4,5,6
+#debug concat(vstr(4, t*2, ",", 0, 1), "\n")                // expect 0.0,0.0,0.0,2.0
+#debug concat(vstr(2, u+v, ",", 0, 1), "\n")                // expect 1.0,1.0
+#debug concat(str((<1,2,3>*2).z - <4,5>.v, 0, 1), "\n")     // expect 1.0
+//---- operators: unary before product before sum; comparisons in brackets alone
+#debug concat(str(2--3, 0, 0), str(!0+1, 0, 0), str(-!0, 0, 0), str(2+3*4, 0, 0), "\n")   // expect 52-114
+#debug concat(str((1|0&0), 0, 0), str((1 < 2 & 3 > 2), 0, 0), str((1 < 1+1e-11), 0, 0), str((1 = 1+1e-11), 0, 0), "\n")   // expect 0111
+#debug concat(str((0 ? 2 : 1 ? 5 : 6), 0, 0), str((1 ? <1,2,3> : 2).y, 0, 0), "\n")       // expect 52
+#debug concat(str(("a" < "b"), 0, 0), str(("a" = "b"), 0, 0), str(("b" != "a"), 0, 0), "\n")   // expect 101
+//---- colours are kept in single precision
+#declare C = rgb .1;
+#debug concat(str(C.red, 0, 17), "\n")                      // expect 0.10000000149011612
+#declare C = rgb <.1,.2,.3> filter .4;
+#declare D = color C transmit .5;
+#debug concat(vstr(5, D, ",", 0, 9), "\n")                  // expect 0.100000001,0.200000003,0.300000012,0.400000006,0.500000000
+#declare E = color red .5 green .25;
+#debug concat(vstr(5, E, ",", 0, 2), "\n")                  // expect 0.50,0.25,0.00,0.00,0.00
+#declare F = rgbt .5;
+#debug concat(vstr(5, F, ",", 0, 1), "\n")                  // expect 0.5,0.5,0.5,0.0,0.5
+#declare G = rgbf .5;
+#debug concat(vstr(5, G, ",", 0, 1), " ", str(G.gray, 0, 3), "\n")   // expect 0.5,0.5,0.5,0.5,0.0 0.500
+//---- strings
+#debug concat(substr("hello", 2, 3), strupr("aBc"), strlwr("aBc"), chr(65), str(asc("A"), 0, 0), "\n")   // expect ellABCabcA65
+#debug concat(str(strlen("abc"), 0, 0), str(strcmp("a", "b"), 0, 0), str(strcmp("abc", "a"), 0, 0), "\n")  // expect 3-198
+#debug concat(str(val("12abc"), 0, 3), str(val("x"), 0, 0), str(val(" -3.5e2"), 0, 0), "\n")   // expect 12.0000-350
+#debug concat("a\u0041\\ \"x\"\n")                          // expect aA\ "x"
+#debug concat(datetime(0.5), datetime(7500.25, "%Y"), "\n")   // expect 2000-01-01 12:00:00Z2020
+//---- str: width, zeros, precision
+#debug concat(str(1, 10, 3), str(-1, -10, 3), str(2.5, 0, 0), str(1/3, 0, -4), str(1/3, 8, -1), "\n")   // expect      1.000-00001.00020.3333330.333333
+#debug concat(str(-1e-9, 0, 3), "\n")                       // expect -0.000
+//---- rand: POV-Ray's own numbers, a stream for each seed
+#declare R = seed(123);
+#declare S = seed(1);
+#debug concat(str(rand(R), 0, 15), " ", str(rand(R), 0, 15), "\n")   // expect 0.904772982211963 0.995137868913621
+#debug concat(str(rand(S), 0, 17), "\n")                    // expect 0.42199287526821549
+//---- arrays: copied when assigned, elements by reference to macros, subscripts truncate
+#declare A = array[2][2] {{1, 2}, {3, 4}}
+#declare B = A;
+#declare B[0][1] = 7;
+#debug concat(str(A[0][1], 0, 0), str(B[0][1], 0, 0), str(A[1.9][0], 0, 0), str(dimensions(A), 0, 0), str(dimension_size(A, 2), 0, 0), "\n")   // expect 27322
+#declare N = array[3];
+#debug concat(str(defined(N[0]), 0, 0), "\n")               // expect 0
+#declare N[0] = "x";
+#debug concat(str(defined(N[0]), 0, 0), N[0], "\n")         // expect 1x
+#declare Outer = array[2] {A, A}
+#declare Outer[0][1][1] = 9;
+#debug concat(str(A[1][1], 0, 0), str(Outer[0][1][1], 0, 0), str(Outer[1][1][1], 0, 0), "\n")   // expect 494
+//---- an array grows no loop through itself
+#declare A = array[2] {1, 2}
+#declare B = array[2] {A, A}
+#declare B[0] = B;
+#declare B[0][0] = B;
+#debug concat(str(B[1][1], 0, 0), str(B[0][1][1], 0, 0), "\n")   // expect 22
+//---- splines
+#declare S = spline { linear_spline 0, <0,0,0> 1, <1,2,3> }
+#debug concat(vstr(3, S(0.5), ",", 0, 2), str(S(7).z, 0, 1), "\n")   // expect 0.50,1.00,1.503.0
+#declare T = spline { cubic_spline 0,1 1,2 2,5 3,1 }
+#debug concat(vstr(3, T(1.5), ",", 0, 5), "\n")             // expect 3.81250,3.81250,0.00000
+//---- functions of floats
+#declare F = function(a, b) { a*2 + b }
+#declare K = 3;
+#declare G = function { x + y*K - F(z, 1) }
+#declare K = 100;
+#debug concat(str(F(1, 2), 0, 1), " ", str(G(1, 2, 3), 0, 1), "\n")   // expect 4.0 0.0
+#declare H = function(x) { select(mod(x, 2), 1, 0, 1) }
+#debug concat(str(H(3), 0, 0), str(H(4), 0, 0), "\n")       // expect 10

@@ -1,0 +1,179 @@
+// SPDX-License-Identifier: Apache-2.0
+/// The same expressions by POV-Ray itself: all go into one scene, which prints their values with #debug, and both programs must print the same.
+#include "importers/pov/reader.h"
+
+#include "core/diagnostics.h"
+
+#include <cmath>
+#include <cstdlib>
+#include <filesystem>
+#include <fmt/format.h>
+#include <fstream>
+#include <gtest/gtest.h>
+#include <random>
+
+using namespace alidade;
+using namespace alidade::pov;
+
+namespace {
+
+/// A scene whose output is one line a value.
+struct Questions {
+    std::string prelude, text;
+    std::vector<std::string> asked;
+
+    void line(const std::string& expression, const std::string& what) {
+        text += fmt::format("#debug concat({}, \"\\n\")\n", expression);
+        asked.push_back(what);
+    }
+    void number(const std::string& expression) { line(fmt::format("str({}, 0, 17)", expression), expression); }
+    void vector(const std::string& expression, int terms) {
+        text += fmt::format("#declare V_ = {};\n", expression);
+        for (int i = 0; i < terms; ++i) line(fmt::format("str(V_.{}, 0, 17)", std::vector{"x", "y", "z", "filter", "transmit"}[size_t(i)]), fmt::format("{} [{}]", expression, i));
+    }
+};
+
+/// Random expressions whose values stay small and defined.
+class Generator {
+  public:
+    std::string number(int depth) {
+        if (depth == 0) return literal();
+        const std::string a = number(depth - 1), b = number(depth - 1);
+        switch (random(16)) {
+            case 0: case 1: return fmt::format("{} + {}", a, b);
+            case 2: return fmt::format("{} - {}", a, b);
+            case 3: return fmt::format("({}) * ({})", a, b);
+            case 4: return fmt::format("{} * {}", a, literal());
+            case 5: return fmt::format("({}) / (abs({}) + .5)", a, b);
+            case 6: return fmt::format("sin({}) - cos({})", a, b);
+            case 7: return fmt::format("-({})", a);
+            case 8: return fmt::format("({} {} {} ? {} : {})", a, comparison(), b, a, literal());
+            case 9: return fmt::format("mod({}, {})", a, literal());
+            case 10: return fmt::format("floor({}) + int({}) * ceil({})", a, b, literal());
+            case 11: return fmt::format("min({}, {}, {})", a, b, literal());
+            case 12: return fmt::format("({} {} {} {} {})", a, comparison(), b, random(2) ? "&" : "|", literal());
+            case 13: return fmt::format("vdot({}, {})", vector(depth - 1), vector(depth - 1));
+            case 14: return fmt::format("({}).{}", vector(depth - 1), "xyz"[random(3)]);
+            default: return fmt::format("sqrt(abs({})) - !({})", a, b);
+        }
+    }
+
+    std::string vector(int depth) {
+        if (depth <= 0) return random(2) ? fmt::format("<{}, {}, {}>", literal(), literal(), literal()) : std::string(1, "xyz"[random(3)]);
+        const std::string a = vector(depth - 1), b = vector(depth - 1);
+        switch (random(6)) {
+            case 0: return fmt::format("{} + {}", a, b);
+            case 1: return fmt::format("({}) * ({})", a, b);
+            case 2: return fmt::format("({}) * {}", a, literal());
+            case 3: return fmt::format("vcross({}, {})", a, b);
+            case 4: return fmt::format("vrotate({}, {} * 7)", a, b);
+            default: return fmt::format("<{}, {}, {}>", number(depth - 1), literal(), number(depth - 1));
+        }
+    }
+
+  private:
+    size_t random(int n) { return size_t(std::uniform_int_distribution<int>(0, n - 1)(engine_)); }
+    std::string comparison() { return std::vector<std::string>{" < ", " > ", " <= ", " >= ", " = ", " != "}[random(6)]; }
+    std::string literal() {
+        static const std::vector<std::string> all = {"1", "2.5", ".3", "3e-2", "7", "-1.25", "pi", "12.", "0.1", "K", "A[1]", "W.y", "true", "1.5E1"};
+        return all[random(int(all.size()))];
+    }
+    std::mt19937 engine_{20240};
+};
+
+void ask_listed(Questions& q) {
+    const std::vector<std::string> arguments = {"0", ".3", "1", "-.7", "2.5", "1e-3"};
+    for (const char* f : {"abs", "asinh", "atan", "ceil", "cos", "cosh", "exp", "floor", "int", "sin", "sinh", "tan", "tanh", "degrees", "radians", "acos", "asin"})
+        for (const std::string& a : arguments)
+            if (!(std::string("acos asin").find(f) != std::string::npos && a == "2.5")) q.number(fmt::format("{}({})", f, a));
+    for (const char* e : {"acosh(1.5)", "atanh(.5)", "atanh(-.25)", "ln(2)", "ln(1e-9)", "log(1000)", "log(3)", "sqrt(2)", "sqrt(0)", "pow(2, .5)", "pow(-2, 3)", "pow(3, -2)", "atan2(1, 2)",
+                          "atan2(-1, -2)", "atan2(0, -1)", "mod(-7, 3)", "mod(1, .1)", "mod(7.5, -2)", "div(7, 2)", "div(-7, 2)", "div(7.9, 2.5)", "int(1e20)", "int(-3.9)", "min(3, 1, 2)", "max(1)",
+                          "max(3, 5, 4)", "select(-1, 5, 6)", "select(0, 5, 6)", "select(0, 5, 6, 7)", "select(1e-12, 5, 6, 7)", "bitwise_and(7, 2, 3)", "bitwise_or(4294967296, 1)",
+                          "bitwise_xor(7.9, -2)", "1/3", "2/3*3", "-2*-3", "1e308*10", "(1 < 1+1e-11)", "(1 = 1+1e-11)", "(1 >= 1+1e-11)", "(1 != 1+1e-11)", "!1e-11", "!1e-9", "(1|0&0)", "clock", "version",
+                          "frame_number", "clock_on", "vlength(<3,4>)", "vlength(5)", "strlen(\"abc\")", "strcmp(\"a\", \"b\")", "strcmp(\"abc\", \"a\")", "strcmp(\"\", \"z\")", "val(\"12.5abc\")",
+                          "val(\"-3e2\")", "val(\".5\")", "asc(\"A\")", "asc(\"\")", "dimensions(A)", "dimension_size(A, 1)", "defined(A)", "defined(Zork)", "R1", "R2", "rand(R1)", "rand(R1)",
+                          "rand(R2)", "rand(R2)", "rand(R3)", "F(1, 2)", "F(F(1, 2), 3)", "G(1, 2, 3)", "H(2.5)", "H(-7)"})
+        q.number(e);
+    for (const char* e : {"vnormalize(<1,2,3>)", "vcross(<1,2,3>, <4,5,6>)", "vrotate(<1,2,3>, <10,20,30>)", "vrotate(x, y*90)", "vaxis_rotate(x, z, 30)", "vaxis_rotate(<1,2,3>, <3,-1,2>, 77)",
+                          "<1,2,3>*<4,5>", "2*y - x/3", "C", "C*2", "C + <1,2,3>", "color C filter .5", "rgb <.1,.2,.3>", "S1(.25)", "S1(-1)", "S1(9)", "S1(1.5)", "S2(.3)", "S2(1.25)", "S2(2.5)", "S3(1.1)",
+                          "S3(1.9)", "S3(.5)", "S3(2.6)", "S4(.2)", "S4(1.5)", "S4(2.9)", "T1(1, 2, 3)", "T2(1, 2, 3)", "T3(1, 2, 3)", "T4(1, 2, 3)", "T5(1, 2, 3)", "T6(1, 2, 3)"})
+        q.vector(e, 3);
+    for (const char* e : {"rgbf .5", "rgbt .5", "rgbft .5", "rgbft <.1,.2,.3,.4,.5>", "color red .3 green .2", "C*.5", "color <1,2,3> transmit .25", "srgb <.2,.5,.9>", "srgb .01", "srgbt <.2,.5,.9,.3>"}) q.vector(e, 5);
+}
+
+void ask_strings(Questions& q) {
+    for (const char* v : {"0", "1", "-1.5", "2.5", "3.5", "1/3", "-1e-9", "123456.789", "1e15"})
+        for (const char* format : {"0, 0", "10, 3", "-10, 3", "0, -1", "12, -4", "3, 1", "-3, 0", "0, 20"}) q.line(fmt::format("str({}, {})", v, format), fmt::format("str({}, {})", v, format));
+    for (const char* e : {"vstr(3, <1,2,3>, \",\", 0, 1)", "vstr(2, x, \" \", 6, 2)", "vstr(5, rgbf .5, \"/\", 0, 0)", "vstr(7, <1,2>, \";\", 0, 0)", "vstr(1, <1,2>, \";\", 0, 0)", "vstr(3, 2, \",\", 0, 0)",
+                          "substr(\"hello\", 2, 3)", "substr(\"hello\", 5, 1)", "strupr(\"aBc1\")", "strlwr(\"aBc1\")", "chr(65)", "concat(\"a\", \"b\", str(1, 0, 0))", "datetime(0.5)", "datetime(7500.25, \"%Y/%j\")",
+                          "datetime(-100)"})
+        q.line(std::string(e) == "vstr(5, rgbf .5, \"/\", 0, 0)" ? "vstr(5, C, \"/\", 0, 0)" : e, e);
+}
+
+Questions questions() {
+    Questions q;
+    q.prelude = "#version 3.7;\nglobal_settings { assumed_gamma 1 }\n#declare K = 1.75;\n#declare A = array[2] {2, .6}\n#declare W = <.5, -.25, 4>;\n#declare C = rgb <.1, .7, .2>;\n"
+                "#declare R1 = seed(123);\n#declare R2 = seed(-5.7);\n#declare R3 = seed(4294967295);\n"
+                "#declare F = function(a, b) { a*2 + b*b/3 - sin(a) }\n#declare G = function { (x > 1) + y*z - mod(z, 2) + F(x, K) }\n#declare H = function(x) { select(mod(x, 2), 1, 0, 1) + (x >= 2)*floor(x) }\n"
+                "#declare S1 = spline { linear_spline 0, <0,0,0> 1, <1,2,3> 2, <-1,5,2> }\n#declare S2 = spline { quadratic_spline 0, <0,0,0> 1, <1,2,3> 2.5, <-1,5,2> 3, <0,1,0> }\n"
+                "#declare S3 = spline { cubic_spline 0, <0,0,0> 1, <1,2,3> 2.5, <-1,5,2> 3, <0,1,0> }\n#declare S4 = spline { natural_spline 0, <0,0,0> 1, <1,2,3> 2.5, <-1,5,2> 3, <0,1,0> }\n";
+    q.prelude += "#declare T = transform { rotate <10,20,30> scale <1,2,3> translate <4,5,6> }\n#declare T1 = function { transform { T } }\n#declare T2 = function { transform { T inverse } }\n"
+                 "#declare T3 = function { transform { matrix <1,2,3, 0,1,0, 1,0,1, 5,6,7> } }\n#declare T4 = function { transform { T scale 2 inverse translate x } }\n"
+                 "#declare T5 = function { transform { transform { T } rotate 90*y } }\n#declare T6 = function { transform { scale <0,2,1> } }\n";
+    ask_listed(q);
+    ask_strings(q);
+    Generator generate;
+    for (int i = 0; i < 200; ++i) q.number(generate.number(1 + i % 3));
+    for (int i = 0; i < 60; ++i) q.vector(generate.vector(1 + i % 3), 3);
+    return q;
+}
+
+std::vector<std::string> lines_of(std::istream& in) {
+    std::vector<std::string> all;
+    for (std::string line; std::getline(in, line);) all.push_back(line);
+    return all;
+}
+
+/// What POV-Ray's debug stream holds: blanks at the end of a line are its own.
+std::vector<std::string> by_povray(const std::string& scene) {
+    namespace fs = std::filesystem;
+    const fs::path folder = fs::temp_directory_path() / fmt::format("alidade_pov_differential_{}", std::random_device{}());
+    fs::create_directories(folder);
+    std::ofstream(folder / "scene.pov") << scene << "sphere { 0, 1 }\n";
+    const std::string command = fmt::format("cd '{}' && povray +Iscene.pov -D -F +W1 +H1 +WT1 -GA +GDdebug.txt +GFfatal.txt > /dev/null 2>&1", folder.string());
+    const int code = std::system(command.c_str());
+    std::ifstream said(folder / "fatal.txt");
+    const std::string fatal((std::istreambuf_iterator<char>(said)), {});
+    EXPECT_EQ(code, 0) << fatal;
+    std::ifstream debug(folder / "debug.txt");
+    std::vector<std::string> all = lines_of(debug);
+    fs::remove_all(folder);
+    return all;
+}
+
+bool same(const std::string& ours, const std::string& theirs) {
+    if (ours == theirs) return true;
+    char *end_a = nullptr, *end_b = nullptr;
+    const double a = std::strtod(ours.c_str(), &end_a), b = std::strtod(theirs.c_str(), &end_b);
+    return !*end_a && !*end_b && !ours.empty() && !theirs.empty() && std::fabs(a - b) <= 2e-15 * std::max(1.0, std::fabs(b));
+}
+
+}  // namespace
+
+TEST(PovDifferential, ExpressionsHaveThePovRaysOwnValues) {
+    if (std::system("command -v povray > /dev/null 2>&1") != 0) GTEST_SKIP() << "povray is not installed";
+    const Questions q = questions();
+    ASSERT_GT(q.asked.size(), 500u);
+    std::string printed;
+    ReadOptions options;
+    options.print = [&](TextStream, const std::string& text) { printed += text; };
+    Diagnostics said;
+    read_program_text("scene.pov", q.prelude + q.text, options, said);
+    ASSERT_FALSE(said.has_errors()) << said.text();
+    std::istringstream in(printed);
+    const std::vector<std::string> ours = lines_of(in), theirs = by_povray(q.prelude + q.text);
+    ASSERT_EQ(ours.size(), q.asked.size());
+    ASSERT_EQ(theirs.size(), q.asked.size());
+    for (size_t i = 0; i < ours.size(); ++i) EXPECT_TRUE(same(ours[i], theirs[i])) << q.asked[i] << ": " << ours[i] << ", POV-Ray has " << theirs[i];
+    RecordProperty("values", int(ours.size()));
+}

@@ -1,0 +1,154 @@
+// SPDX-License-Identifier: Apache-2.0
+/// Scenes that are made to hurt: each ends in an error that says where, soon. Limits are lowered where only their size would take time.
+#include "importers/pov/reader.h"
+
+#include "core/diagnostics.h"
+
+#include <chrono>
+#include <filesystem>
+#include <fstream>
+#include <gtest/gtest.h>
+
+using namespace alidade;
+using namespace alidade::pov;
+
+namespace {
+
+struct Hostile {
+    const char* name;
+    std::string text, message;
+};
+
+std::string repeated(const std::string& piece, size_t times) {
+    std::string all;
+    all.reserve(piece.size() * times);
+    for (size_t i = 0; i < times; ++i) all += piece;
+    return all;
+}
+
+std::string macro_bomb() {
+    std::string text;
+    for (char c = 'A'; c < 'J'; ++c) text += std::string("#macro ") + c + "() " + repeated(std::string(1, char(c + 1)) + "() ", 10) + "#end\n";
+    return text + "#macro J() #end\nA()\n";
+}
+
+std::vector<Hostile> cases() {
+    return {
+        {"EndlessWhile", "#while (1) #declare A = 1; #end", "never end"},
+        {"EndlessFor", "#for (i, 0, 1) #declare i = 0; #end", "never end"},
+        {"MacroBomb", macro_bomb(), "never end"},
+        {"EndlessRecursion", "#macro M() M() #end M()", "call one another"},
+        {"RecursionInDeclarations", "#macro M() #local A = M() + 1; A #end #declare B = M();", "call one another"},
+        {"HugeArray", "#declare A = array[1e9];", "elements"},
+        {"HugeArrayOfManyDimensions", "#declare A = array[10000][10000][10000];", "elements"},
+        {"ManyArrays", "#declare A = array[1000000]; #declare B = array[100]; #for (i, 0, 99) #declare B[i] = A; #end", "elements"},
+        {"Nul", std::string("sphere { 0, \0 1 }", 17), "NUL"},
+        {"DeepBrackets", "#declare A = " + repeated("(", 1000000), "nested too deeply"},
+        {"DeepUnary", "#declare A = " + repeated("-", 1000000) + "1;", "nested too deeply"},
+        {"DeepBlocks", repeated("union {", 1000000), "nested too deeply"},
+        {"DeepEntries", "sphere {" + repeated("[", 1000000), "nested too deeply"},
+        {"DeepVectors", "#declare A = " + repeated("<", 1000000), "nested too deeply"},
+        {"DeepConditions", "#declare A = (" + repeated("1 ? ", 1000000), "nested too deeply"},
+        {"DeepIfs", repeated("#if (1) ", 1000000), "has no #end"},
+        {"DeepComments", repeated("/*", 1000000), "not closed"},
+        {"DeepArrays", "#declare A = " + repeated("array[1] {", 100000), "nested too deeply"},
+        {"ObjectsOfOneAnother", "#declare A = sphere { 0, 1 } #while (1) #declare A = union { object { A } } #end", "too deeply"},
+        {"ArraysOfOneAnother", "#declare A = array[1] {1} #while (1) #declare B = array[1] {A} #declare A = B; #end", "too deeply"},
+        {"FunctionsOfOneAnother", "#declare A = function { x } #while (1) #declare B = function { A(x, y, z) } #declare A = B; #end", "too deeply"},
+        {"LongString", "#declare A = \"0123456789\"; #while (1) #declare A = concat(A, A); #end", "string has more than"},
+        {"ManyObjects", "#while (1) union { sphere { 0, 1 } sphere { 1, 2 } } #end", "words and values"},
+        {"ManyTerms", "#declare A = " + repeated("1+", 1000000), "expected"},
+        {"LongLine", repeated("sphere { 0, 1 } ", 6'400'000) + "&", "words and values"},
+        {"LongName", repeated("a", 100'000'000), "more than 200 characters"},
+        {"LongVector", "quartic { <" + repeated("1,", 1000000) + ">", "more than 1000"},
+        {"ManyErrors", repeated("#declare A = ;\n", 100000), "expected"},
+        {"EndOfTextEverywhere", "#macro M(", "expected"},
+    };
+}
+
+class PovHostile : public testing::TestWithParam<Hostile> {};
+
+}  // namespace
+
+TEST_P(PovHostile, EndsInALocatedErrorSoon) {
+    const auto begin = std::chrono::steady_clock::now();
+    Diagnostics said;
+    ReadOptions options;
+    options.limits.tokens_read = 40'000'000;     // a fifth of the default
+    options.limits.loop_turns = 5'000'000;
+    read_program_text("hostile.pov", GetParam().text, options, said);
+    ASSERT_TRUE(said.has_errors());
+    const Diagnostic& last = said.list().back();
+    EXPECT_NE(said.text().find(GetParam().message), std::string::npos) << said.text().substr(0, 2000);
+    EXPECT_GT(last.at.line, 0u);
+    EXPECT_GT(last.at.column, 0u);
+    EXPECT_LT(said.text().size(), 100000u) << "messages show a part of a long line";
+    EXPECT_LT(std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count(), 10);
+}
+
+INSTANTIATE_TEST_SUITE_P(Scenes, PovHostile, testing::ValuesIn(cases()), [](const auto& info) { return std::string(info.param.name); });
+
+/// An include that includes itself, and one that leads out of the folder by a link.
+TEST(PovFiles, CyclesAndLinksOutAreErrors) {
+    namespace fs = std::filesystem;
+    const fs::path folder = fs::temp_directory_path() / "alidade_pov_files";
+    fs::remove_all(folder);
+    fs::create_directories(folder / "scene");
+    std::ofstream(folder / "scene" / "a.inc") << "#include \"a.inc\"\n";
+    std::ofstream(folder / "secret.inc") << "#debug \"secret\"\n";
+    fs::create_symlink(folder / "secret.inc", folder / "scene" / "link.inc");
+    const std::string scene = (folder / "scene" / "scene.pov").string();
+    for (const auto& [text, message] : {std::pair("#include \"a.inc\"", "include or call one another"), std::pair("#include \"link.inc\"", "is not found"),
+                                        std::pair("#include \"../secret.inc\"", "is not found"), std::pair("#fopen F \"../secret.inc\" read", "is not found")}) {
+        Diagnostics said;
+        read_program_text(scene, text, {}, said);
+        ASSERT_TRUE(said.has_errors()) << text;
+        EXPECT_NE(said.text().find(message), std::string::npos) << said.text();
+    }
+    fs::remove_all(folder);
+}
+
+/// What a scene writes, it can read again; elsewhere than in the allowed folder it writes nothing.
+TEST(PovFiles, WritingAndReadingBack) {
+    namespace fs = std::filesystem;
+    const fs::path folder = fs::temp_directory_path() / "alidade_pov_written";
+    fs::remove_all(folder);
+    fs::create_directories(folder);
+    ReadOptions options;
+    options.write_folder = folder.string();
+    std::string printed;
+    options.print = [&](TextStream, const std::string& text) { printed += text; };
+    Diagnostics said;
+    read_program_text("scene.pov",
+                      "#fopen F \"o.txt\" write #write(F, 1, \",\", <1,2,3>, \",\", 1/3, \",\\\"text\\\",\", 5, \"\\n\") #fclose F\n"
+                      "#fopen G \"o.txt\" read #read(G, A, V, B, T)\n"
+                      "#debug concat(str(A, 0, 0), vstr(3, V, \",\", 0, 0), str(B, 0, 6), T, str(defined(G), 0, 0)) #read(G, A) #debug str(defined(G), 0, 0)",
+                      options, said);
+    EXPECT_FALSE(said.has_errors()) << said.text();
+    EXPECT_EQ(printed, "11,2,30.333333text10");
+    std::ifstream in(folder / "o.txt");
+    std::string line;
+    std::getline(in, line);
+    EXPECT_EQ(line, "1,<1,2,3> ,0.333333,\"text\",5");
+    Diagnostics refused;
+    read_program_text("scene.pov", "#fopen F \"../o.txt\" write", options, refused);
+    EXPECT_NE(refused.text().find("outside"), std::string::npos) << refused.text();
+    fs::remove_all(folder);
+}
+
+/// Include names in another case are found with a warning, and not at all when the reader is strict.
+TEST(PovFiles, OtherCase) {
+    namespace fs = std::filesystem;
+    const fs::path folder = fs::temp_directory_path() / "alidade_pov_case";
+    fs::create_directories(folder);
+    std::ofstream(folder / "lower.inc") << "#declare A = 1;\n";
+    for (bool strict : {false, true}) {
+        ReadOptions options;
+        options.strict = strict;
+        Diagnostics said;
+        read_program_text((folder / "s.pov").string(), "#include \"LOWER.INC\"\nsphere { 0, A }\n", options, said);
+        EXPECT_EQ(said.has_errors(), strict) << said.text();
+        EXPECT_EQ(said.warnings(), strict ? 0u : 1u);
+    }
+    fs::remove_all(folder);
+}

@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: Apache-2.0
+/// POV-Ray's own includes, where the package povray-includes has put them: each is read without an error.
+#include "importers/pov/reader.h"
+#include "importers/pov/source.h"
+
+#include "core/diagnostics.h"
+
+#include <filesystem>
+#include <gtest/gtest.h>
+
+using namespace alidade;
+using namespace alidade::pov;
+
+namespace {
+
+std::vector<std::string> standard_includes() {
+    std::vector<std::string> names;
+    std::error_code missing;
+    for (const auto& entry : std::filesystem::directory_iterator(kStandardIncludes, missing))
+        if (entry.path().extension() == ".inc") names.push_back(entry.path().filename().string());
+    std::sort(names.begin(), names.end());
+    return names;
+}
+
+class PovInclude : public testing::TestWithParam<std::string> {};
+
+}  // namespace
+
+GTEST_ALLOW_UNINSTANTIATED_PARAMETERIZED_TEST(PovInclude);
+
+/// Colours and shapes come first, because several includes use them without including them; POV-Ray asks for that too.
+TEST_P(PovInclude, IsReadWithoutAnError) {
+    Diagnostics said;
+    const std::string text = "#version 3.7;\nglobal_settings { assumed_gamma 1 }\n#include \"colors.inc\"\n#include \"shapes.inc\"\n#include \"" + GetParam() + "\"\nsphere { 0, 1 }\n";
+    const Program program = read_program_text("scene.pov", text, {}, said);
+    EXPECT_FALSE(said.has_errors()) << said.text();
+    ASSERT_GE(program.items.size(), 2u);
+    EXPECT_EQ(program.items.back().word, "sphere"_w) << "reading came to the end";
+}
+
+INSTANTIATE_TEST_SUITE_P(Standard, PovInclude, testing::ValuesIn(standard_includes()), [](const auto& info) {
+    std::string name = info.param;
+    for (char& c : name)
+        if (!std::isalnum(static_cast<unsigned char>(c))) c = '_';
+    return name;
+});
+
+TEST(PovIncludes, AreAllThere) {
+    if (standard_includes().empty()) GTEST_SKIP() << "povray-includes is not installed";
+    EXPECT_EQ(standard_includes().size(), 39u);
+}
