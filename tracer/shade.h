@@ -58,9 +58,10 @@ template <unsigned F> Surface shade(const CompiledScene& scene, const ShadePoint
     s.mirror_ = (1 - roughness) * (1 - roughness);
     s.ior_ = m.ior;
     if constexpr ((F & kMirrors) != 0) {
-        // Glass has its coat on the outside.
-        if (m.clearcoat && (point.front || transmission <= 0)) s.coat_ = coat_over(scene, m, point, s.wo_);
-        s.emitted_ *= 1 - s.coat_.weight;
+        if (m.clearcoat && (point.front || transmission <= 0)) {   // glass has its coat on the outside
+            s.coat_ = coat_over(scene, m, point, s.wo_);
+            s.emitted_ *= 1 - s.coat_.weight;
+        }
     }
     return s;
 }

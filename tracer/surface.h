@@ -48,7 +48,7 @@ class Surface {
     /// The part of the surface that is there: 1 for opaque ones.
     double coverage() const { return coverage_; }
     /// Is there any direction to follow?
-    bool mirrors_or_refracts() const { return mirror_ > 0 || !is_black(transmission_); }
+    bool mirrors_or_refracts() const { return mirror_ > 0 || coat_.weight > 0 || !is_black(transmission_); }
     /// The directions to follow. `state` is that of the ray that arrived.
     Secondaries secondary(const CompiledScene& scene, const RayState& state) const;
 
