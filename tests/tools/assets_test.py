@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The scenes of assets/README.md: each command draws something and complains of nothing, and the scenes are what their scripts write."""
+"""The scenes of assets/README.md and the README's tour: each command does its work and complains of nothing, and the scenes are what their scripts write."""
 import filecmp
 import json
 import pathlib
@@ -16,13 +16,15 @@ ROOT = pathlib.Path(__file__).resolve().parents[2]
 SCENES = ROOT / "assets" / "scenes"
 PAGE = (ROOT / "assets" / "README.md").read_text()
 COMMANDS = [shlex.split(line) for line in re.findall(r"`\./alidade (.*?)`", PAGE)]
+TOUR = (ROOT / "README.md").read_text().split("## A tour of sixty seconds")[1].split("\n## ")[0]
+TOUR_COMMANDS = [shlex.split(line) for line in re.findall(r"^    \./alidade (.*?)   .*$", TOUR, re.M)]
 SMALL = {"--size": "64x48", "--spp": "1"}
 
 
-def made_small(words, output):
+def made_small(words):
     """The command with a small picture, and its files found from any folder."""
     words = [str(ROOT / word) if word.startswith("assets/") else word for word in words]
-    for option, value in {**SMALL, "-o": str(output)}.items():
+    for option, value in SMALL.items() if words[0] == "render" else ():
         if option in words:
             at = words.index(option)
             del words[at:at + 2]
@@ -38,13 +40,15 @@ class Assets(unittest.TestCase):
 
     def test_every_command_runs(self):
         self.assertGreater(len(COMMANDS), 5)
-        for words in COMMANDS:
+        self.assertGreater(len(TOUR_COMMANDS), 5)
+        for words in COMMANDS + TOUR_COMMANDS:
             with self.subTest(" ".join(words)):
-                done = run(*made_small(words, self.folder / "out.exr"), "--json")
+                done = run(*made_small(words), "--json", cwd=self.folder)
                 self.assertEqual(done.returncode, 0, done.stderr)
                 self.assertNotIn("warning", done.stderr)
-                cost = json.loads(done.stdout)["render"]
-                self.assertGreater(cost["shadow_rays"], 0.01 * cost["camera_rays"], "something is seen")
+                said = json.loads(done.stdout)
+                if words[0] == "render":
+                    self.assertGreater(said["render"]["shadow_rays"], 0.01 * said["render"]["camera_rays"], "something is seen")
 
     def test_every_scene_has_a_command(self):
         named = {pathlib.Path(word).name for words in COMMANDS for word in words}
