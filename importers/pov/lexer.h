@@ -12,6 +12,13 @@ enum class TokenKind : uint8_t { end, number, string, word, name, directive, mar
 /// Two-character operators as single ones.
 inline constexpr char kLessEqual = 'l', kGreaterEqual = 'g', kNotEqual = 'n';
 
+/// What the lexer knows of a directive.
+struct DirectiveLink {
+    uint16_t word;        ///< its reserved word
+    uint16_t unmatched;   ///< a clause or #end without its opening directive
+    uint32_t next;        ///< opening directives and clauses: the next clause or #end of the same structure; #end: its opening directive
+};
+
 /// 16 bytes, because a file of a million triangles has 26 million of them.
 struct Token {
     TokenKind kind = TokenKind::end;
@@ -21,11 +28,7 @@ struct Token {
     union {
         double number;
         uint32_t id;              ///< word, name: its number; string, bad: index into TokenList::texts
-        struct {
-            uint16_t word;        ///< directive: its reserved word
-            uint16_t unmatched;   ///< a clause or #end without its opening directive
-            uint32_t next;        ///< opening directives and clauses: the next clause or #end of the same structure; #end: its opening directive
-        } directive;
+        DirectiveLink directive;
     };
 
     Token() : number(0) {}
