@@ -12,7 +12,7 @@ struct Limits {
     uint64_t loop_turns = 25'000'000;
     size_t tokens_in_file = 27'000'000;
     size_t levels = 400;                   ///< macro calls and includes inside one another (POV-Ray: 100)
-    size_t nesting = 1500;                 ///< brackets, blocks, directives and calls inside one another: what the call stack has to hold
+    size_t nesting = 500;                  ///< brackets, blocks, directives and calls inside one another: what the call stack has to hold
     size_t array_elements = 10'000'000;    ///< of all arrays together
     size_t items = 6'200'000;              ///< of all blocks together; a mesh of a million triangles has six million
     size_t string_bytes = 16'000'000;      ///< of one string
