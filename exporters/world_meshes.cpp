@@ -16,16 +16,6 @@ namespace {
 /// How many of its own sizes away from 0 a mesh of float coordinates may lie.
 constexpr double kFarthest = 16;
 
-/// The nearest node on the path, from the shape upwards, that says something of material slot `slot`; an ancestor's first material covers all slots.
-std::optional<MaterialId> inherited_material(const Scene& scene, const std::vector<NodeId>& path, uint32_t slot) {
-    for (size_t i = path.size(); i-- > 0;) {
-        const auto& materials = scene.nodes[path[i].index].materials;
-        const size_t at = i + 1 == path.size() ? slot : 0;
-        if (at < materials.size() && materials[at]) return materials[at];
-    }
-    return std::nullopt;
-}
-
 void add_mesh_losses(const Mesh& mesh, Losses& losses) {
     losses.add("polygons", !mesh.faces.empty(), "triangles");
     losses.add("texture coordinate sets beyond the first", mesh.uvs.empty() ? 0 : mesh.uvs.size() - 1);

@@ -54,4 +54,8 @@ void visit_paths(const Scene& scene, const std::function<bool(const Visit&)>& vi
 /// The box of everything bounded that can be seen, in world space (empty if there is none). Cheap: boxes of boxes.
 Bounds world_bounds(const Scene& scene);
 
+/// The material of slot `slot` of the shape at the end of `path`: that of the nearest node, from the shape upwards, that says something of it. An
+/// ancestor's first material covers all slots.
+std::optional<MaterialId> inherited_material(const Scene& scene, const std::vector<NodeId>& path, uint32_t slot);
+
 }  // namespace alidade

@@ -45,4 +45,13 @@ void visit_paths(const Scene& scene, const std::function<bool(const Visit&)>& vi
         if (!visit_below(scene, root, visitor)) return;
 }
 
+std::optional<MaterialId> inherited_material(const Scene& scene, const std::vector<NodeId>& path, uint32_t slot) {
+    for (size_t i = path.size(); i-- > 0;) {
+        const auto& materials = scene.nodes[path[i].index].materials;
+        const size_t at = i + 1 == path.size() ? slot : 0;
+        if (at < materials.size() && materials[at]) return materials[at];
+    }
+    return std::nullopt;
+}
+
 }  // namespace alidade

@@ -16,16 +16,6 @@ namespace {
 /// More paths than this are a mistake of the file (or an attack): 30 levels of two references each are already a billion.
 constexpr size_t kMostPaths = 100'000'000;
 
-/// The nearest node on the path, from the shape upwards, that says something of material slot `slot`. An ancestor's first material covers all slots.
-std::optional<MaterialId> inherited_material(const Scene& scene, const std::vector<NodeId>& path, uint32_t slot) {
-    for (size_t i = path.size(); i-- > 0;) {
-        const auto& materials = scene.nodes[path[i].index].materials;
-        const size_t at = i + 1 == path.size() ? slot : 0;
-        if (at < materials.size() && materials[at]) return materials[at];
-    }
-    return std::nullopt;
-}
-
 std::optional<InteriorId> inherited_interior(const Scene& scene, const std::vector<NodeId>& path) {
     for (size_t i = path.size(); i-- > 0;)
         if (scene.nodes[path[i].index].interior) return scene.nodes[path[i].index].interior;
