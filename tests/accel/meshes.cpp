@@ -220,18 +220,19 @@ std::vector<Mesh> small_meshes() {
             moved(sphere, Vec3(1), Vec3(1e3, -7e2, 3e2), "sphere + 1e3")};
 }
 
-std::vector<Mesh> closed_meshes() {
-    const Mesh sphere = geodesic_sphere(16);
-    return {sphere,
-            cube(32),
-            torus(80, 32),
-            moved(sphere, Vec3(1), Vec3(1e3), "sphere + 1e3"),
-            moved(sphere, Vec3(1), Vec3(1e5), "sphere + 1e5"),
-            moved(sphere, Vec3(1), Vec3(1e6), "sphere + 1e6"),
-            moved(sphere, Vec3(1, 1, 1e-6), Vec3(0), "flat sphere"),
-            moved(sphere, Vec3(1e4, 1, 1), Vec3(0), "needle sphere"),
-            scaled(sphere, 1e-15),
-            scaled(sphere, 1e15)};
+const std::vector<Mesh>& closed_meshes() {
+    static const Mesh sphere = geodesic_sphere(16);
+    static const std::vector<Mesh> meshes{sphere,
+                                          cube(32),
+                                          torus(80, 32),
+                                          moved(sphere, Vec3(1), Vec3(1e3), "sphere + 1e3"),
+                                          moved(sphere, Vec3(1), Vec3(1e5), "sphere + 1e5"),
+                                          moved(sphere, Vec3(1), Vec3(1e6), "sphere + 1e6"),
+                                          moved(sphere, Vec3(1, 1, 1e-6), Vec3(0), "flat sphere"),
+                                          moved(sphere, Vec3(1e4, 1, 1), Vec3(0), "needle sphere"),
+                                          scaled(sphere, 1e-15),
+                                          scaled(sphere, 1e15)};
+    return meshes;
 }
 
 bool is_closed(const Mesh& mesh) {

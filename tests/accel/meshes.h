@@ -52,7 +52,7 @@ Mesh scaled(const Mesh& mesh, double scale);
 /// Of at most 320 triangles, of every kind above: brute force can follow.
 std::vector<Mesh> small_meshes();
 /// Ten closed ones: sizes 1e-15 to 1e15, flat, needle-like, far from the origin with their offset baked into float vertices.
-std::vector<Mesh> closed_meshes();
+const std::vector<Mesh>& closed_meshes();
 
 /// Is every directed edge matched by exactly one opposite one?
 bool is_closed(const Mesh& mesh);
