@@ -3,6 +3,7 @@
 
 #include "scene/queries.h"
 
+#include <algorithm>
 #include <fmt/format.h>
 
 namespace alidade {
@@ -15,8 +16,7 @@ struct Unrendered {
 };
 
 constexpr Unrendered kTable[] = {
-    {Requirement::csg, Severity::error, "intersection, difference and merge are not rendered yet"},
-    {Requirement::clipping, Severity::error, "clipped_by is not rendered yet"},
+    {Requirement::clipping, Severity::warning, "clipped_by is not rendered yet: all of the object is drawn"},
     {Requirement::patterns, Severity::error, "patterns are not rendered yet"},
     {Requirement::functions, Severity::error, "functions are not rendered yet"},
     {Requirement::media, Severity::warning, "media are not rendered yet: they are left out"},
@@ -29,9 +29,18 @@ void report_cameras(const Scene& scene, Diagnostics& said) {
             said.error(camera.from, fmt::format("camera '{}': only perspective and orthographic cameras are rendered yet", camera.name));
 }
 
+/// One message a kind, with how many nodes are of it.
+void report_csg(const Scene& scene, CsgKind kind, const char* sentence, Diagnostics& said) {
+    const auto is_kind = [kind](const Node& node) { return node.csg == kind; };
+    const auto first = std::find_if(scene.nodes.begin(), scene.nodes.end(), is_kind);
+    if (first != scene.nodes.end()) said.warning(first->from, fmt::format("{} ({} of them)", sentence, std::count_if(first, scene.nodes.end(), is_kind)));
+}
+
 void report_nodes(const Scene& scene, Diagnostics& said) {
+    report_csg(scene, CsgKind::intersection, "intersections are not rendered yet: they are left out", said);
+    report_csg(scene, CsgKind::difference, "differences are not rendered yet: they are left out", said);
+    report_csg(scene, CsgKind::merge, "merges are not rendered yet: they are drawn as unions", said);
     for (const Node& node : scene.nodes) {
-        if (node.inverse) said.warning(node.from, "the inverse of a solid is not rendered yet: its surface is drawn as it is");
         if (!node.light_group.empty() || !node.global_lights) said.warning(node.from, "light groups are not rendered yet: their lights are left out, all others shine");
     }
 }
