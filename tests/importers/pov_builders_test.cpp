@@ -71,6 +71,15 @@ TEST_F(PovBuilders, DeclaredObjectsAreStoredOnce) {
     EXPECT_EQ(s.roots.size(), 51u);
 }
 
+/// Each used to be read inside of the one before it.
+TEST_F(PovBuilders, ThousandsOfDeclarationsFollowOneAnother) {
+    std::string text;
+    for (int i = 0; i < 3000; ++i) text += fmt::format("#declare P{} = pigment {{ rgb {} }}\n", i, i);
+    const Scene s = scene(text + "sphere { 0, 1 pigment { P2999 } }");
+    ASSERT_FALSE(s.signals.empty());
+    EXPECT_EQ(std::get<ConstantSignal>(s.signals.back().what).value.x, 2999);
+}
+
 TEST_F(PovBuilders, ATextureLiesInTheSpaceWhereItStands) {
     const Scene s = scene("sphere { 0, 1 translate x texture { pigment { rgb 1 } } translate y }");
     const Node& outer = s.nodes.at(s.roots.at(0).index);
