@@ -68,7 +68,7 @@ Color take_sample(const Job& job, Tracing& tracing, int x, int y, int s, PixelSa
     ray.time = state.time;
     ++tracing.stats.camera_rays;
     FirstHit first;
-    const Color radiance = job.radiance(tracing, ray, state, first);
+    const Color radiance = ray.tmax < ray.tmin ? Color(0) : job.radiance(tracing, ray, state, first);   // beyond the edge of a round picture there is nothing
     pixel.add(radiance, first);
     return radiance;
 }

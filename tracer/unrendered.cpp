@@ -23,12 +23,6 @@ constexpr Unrendered kTable[] = {
     {Requirement::fog, Severity::warning, "fog is not rendered yet: it is left out"},
 };
 
-void report_cameras(const Scene& scene, Diagnostics& said) {
-    for (const Camera& camera : scene.cameras)
-        if (camera.projection != Projection::perspective && camera.projection != Projection::orthographic)
-            said.error(camera.from, fmt::format("camera '{}': only perspective and orthographic cameras are rendered yet", camera.name));
-}
-
 /// One message a kind, with how many nodes are of it.
 void report_csg(const Scene& scene, CsgKind kind, const char* sentence, Diagnostics& said) {
     const auto is_kind = [kind](const Node& node) { return node.csg == kind; };
@@ -52,7 +46,6 @@ void report_unrendered(const Scene& scene, Diagnostics& said) {
     for (const Unrendered& row : kTable)
         for (const RequiredBy& r : required)
             if (r.what == row.what) said.add({row.severity, r.first, row.sentence, {}, {}, {}});
-    report_cameras(scene, said);
     report_nodes(scene, said);
     if (scene.atmosphere.sky) said.warning({}, "sky spheres are not rendered yet: the background is drawn");
     if (scene.atmosphere.environment_image) said.warning({}, "environment images of a scene are not rendered yet", "--environment FILE sets one");

@@ -145,6 +145,19 @@ TEST_F(PovBuilders, IncludesAndDeclarationsComeFromTheOptions) {
     EXPECT_EQ(std::get<Sphere>(result->scene.shapes.at(0).geometry).radius, 2.5);
 }
 
+/// Copies of copies, layers of layers, defaults over defaults: each doubles what is before it.
+TEST_F(PovBuilders, WhatDoublesEndsInTime) {
+    std::string layers = "#declare T0 = texture { pigment { rgb 1 } }\n", objects = "#declare O0 = sphere { 0, 1 }\n", defaults;
+    for (int i = 1; i < 60; ++i) {
+        layers += fmt::format("#declare T{0} = texture {{ T{1} }} texture {{ T{1} }}\n", i, i - 1);
+        objects += fmt::format("#declare O{0} = union {{ object {{ O{1} pigment {{ rgb 1 }} }} object {{ O{1} pigment {{ rgb 0 }} }} }}\n", i, i - 1);
+        defaults += "#default { texture { pigment { rgb 1 } } }\n";
+    }
+    EXPECT_THAT(said(layers + "sphere { 0, 1 texture { T59 } }"), HasSubstr("more than 1000 layers"));
+    EXPECT_THAT(said(objects + "object { O59 }"), HasSubstr("more than 50000 objects are copied in copies"));
+    EXPECT_EQ(scene(defaults + "sphere { 0, 1 }").shapes.size(), 1u);
+}
+
 TEST_F(PovBuilders, HostileBlocksEndInMessages) {
     for (const char* text : {"sphere { }", "camera { angle }", "light_source { }", "mesh { }", "mesh2 { }", "union { }", "object { }", "texture { }", "finish { }", "global_settings { assumed_gamma }", "global_settings { assumed_gamma 0 }",
                              "sphere { 0, 1 finish { reflection { } roughness 0 } }", "box { \"a\", 2 }", "sphere { 0, 1e400 }", "camera { right 0 }", "mesh2 { vertex_vectors { 9, 0 } face_indices { 1, <0,-1,1e30> } }",

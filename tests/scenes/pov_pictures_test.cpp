@@ -26,6 +26,13 @@ const std::string kHead = "#version 3.7; global_settings { assumed_gamma 1 } bac
 const std::string kView = "camera { location <0,2,-6> look_at <0,.5,0> angle 50 }\n";
 const std::string kSun = "light_source { <10,20,-15> rgb <1,.9,.8> }\n";
 
+/// A camera of some kind in the middle of things.
+std::string around(const std::string& camera) {
+    std::string scene = kHead + "camera { " + camera + " location <.2,1,-1> look_at <0,.8,4> }\nlight_source { <1,6,-2> rgb 1 }\nplane { y, 0 pigment { rgb <.4,.6,.3> } }\n";
+    for (int i = 0; i < 8; ++i) scene += fmt::format("sphere {{ <0,{},4>, .9 rotate y*{} pigment {{ rgb <{},{},1> }} }}\n", 0.5 * (i % 4), 45 * i, 0.1 * i, 1 - 0.1 * i);
+    return scene;
+}
+
 std::vector<PovPicture> pictures() {
     const std::string usual = kHead + kView + kSun, sphere = "sphere { <0,.5,0>, 2 ";
     return {
@@ -45,6 +52,14 @@ std::vector<PovPicture> pictures() {
         {"Spotlights", kHead + kView + "light_source { <5,8,-6> rgb 1.2 spotlight radius 12 falloff 22 tightness 3 point_at 0 fade_distance 8 fade_power 2 } light_source { <-5,4,-6> rgb <.2,.3,.6> parallel point_at "
                              "0 } light_source { <0,9,0> rgb .2 shadowless } plane { y, -1 pigment { rgb .7 } finish { phong .5 } } sphere { 0, .8 pigment { rgb 1 } finish { phong 1 } }"},
         {"Orthographic", kHead + "camera { orthographic location <1,3,-6> look_at 0 angle 40 rotate y*10 sky <1,3,0> }" + kSun + "box { -1, 1 pigment { rgb <.9,.5,.3> } }"},
+        {"Fisheye", around("fisheye angle 220 right x up y")},
+        {"UltraWide", around("ultra_wide_angle angle 160 right 1.5*x up y")},
+        {"Omnimax", around("omnimax right x up y")},
+        {"OmnimaxWide", around("omnimax right 1.6*x up y")},
+        {"Panoramic", around("panoramic angle 150")},
+        {"Cylinder1", around("cylinder 1 angle 200")},
+        {"Spherical", around("spherical")},
+        {"SphericalPart", around("spherical angle 200")},
         {"References", usual + "#declare S = sphere { 0, .5 }\n#declare T = texture { pigment { rgb <0,1,0> } finish { phong .5 } }\nunion { object { S translate x } object { S translate -x texture { T } } sphere { z, .6 "
                              "scale <1,2,1> rotate z*30 } pigment { rgb <1,.5,0> } finish { phong 1 } translate y*.3 } object { S scale 2 translate y*2 } #default { texture { pigment { rgb 1 } } } object { S translate <0,-.5,-2> }"},
         {"Meshes", usual + "#declare R = texture { pigment { rgb <1,0,0> } }\nmesh { triangle { <-2,-1,0>, <0,-1,0>, <-1,1,0> texture { R } } smooth_triangle { <0,-1,0>, <-1,0,-2>, <2,-1,0>, <1,0,-1>, <1,1,0>, <0,1,-1> } pigment { rgb <.6,.2,.6> } } "

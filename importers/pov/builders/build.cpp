@@ -14,6 +14,8 @@ SourcePos Build::position(Place at) const {
 }
 
 NodeId Build::add_node(Node node) {
+    constexpr size_t kMostNodes = 1'500'000;
+    if (scene.nodes.size() >= kMostNodes) p.fail_limit({}, fmt::format("the scene has more than {} objects", kMostNodes));
     scene.nodes.push_back(std::move(node));
     return {uint32_t(scene.nodes.size() - 1)};
 }
@@ -36,6 +38,11 @@ const Block* Cursor::block_at(WordId word) const {
 double Cursor::number(const char* what) {
     if (!at_number()) build_.p.fail(place(), fmt::format("a number is expected as {}", what));
     return next().value.c[0];
+}
+
+int Cursor::integer(const char* what, int low, int high) {
+    const double x = number(what);
+    return x >= low ? x <= high ? int(x) : high : low;
 }
 
 Vec3 Cursor::vector(const char* what) {

@@ -23,10 +23,14 @@ struct Build {
     Scene scene;
     std::vector<Value> defaults;                        ///< blocks of #default, in order
     std::map<const Block*, BuiltObject> declared;       ///< objects that were referred to, so that each is stored once
-    std::map<std::pair<const Block*, uint32_t>, MaterialId> materials;   ///< textures that were referred to, by the number of #default before
+    std::vector<PovFinish> default_textures;            ///< what holds after each of them; the first: before all
     std::map<uint32_t, MaterialId> default_materials;   ///< by the number of #default before
 
+    int copying = 0;                                    ///< references that are being built anew because their texture changes
+    size_t copies_of_copies = 0;                        ///< those among them that stood in another: each level can double them
+
     SourcePos position(Place at) const;
+    /// Fails where a scene copies its parts into parts of parts without end.
     NodeId add_node(Node node);
 };
 
@@ -53,6 +57,8 @@ class Cursor {
     const Block* any_block() const;
 
     double number(const char* what);
+    /// A number cut to `low` .. `high`.
+    int integer(const char* what, int low, int high);
     Vec3 vector(const char* what);
     /// red, green, blue, filter, transmit; a float stands for equal red, green and blue.
     std::array<double, 5> colour(const char* what);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "importers/pov/builders/cameras.h"
 
-#include <fmt/format.h>
+#include <cmath>
 
 namespace alidade::pov {
 
@@ -11,16 +11,25 @@ struct CameraWords {
     Camera camera;
     Vec3 sky{0, 1, 0};
     std::optional<Vec3> look_at;
-    std::optional<double> angle;
+    std::optional<double> angle, vertical_angle;
+    int cylinder = 1;
     bool sized = false;          ///< right or up was given
     Transform transform;
 };
 
+/// Of cameras whose window is not flat: 90 degrees, and all around for the spherical one, where nothing is said.
+void set_angles(Build& build, Place at, const CameraWords& words, Camera& c) {
+    const bool spherical = c.projection == Projection::spherical, given = words.angle && *words.angle > 0;
+    c.angle = given ? *words.angle : spherical ? 360 : 90;
+    if (spherical && words.vertical_angle && *words.vertical_angle != c.angle / 2) build.p.tally(at, "a vertical angle of a spherical camera is not modelled yet: it is half the horizontal one");
+    if (words.cylinder != 1) build.p.tally(at, "cylinder cameras of types 2 to 4 are not modelled yet: type 1 is taken");
+}
+
 /// What POV-Ray does with `angle` where the window is flat: direction gets the length that makes the window fill it.
 void apply_angle(Build& build, Place at, const CameraWords& words, Camera& c) {
+    if (c.projection != Projection::perspective && c.projection != Projection::orthographic) return set_angles(build, at, words, c);
     if (!words.angle || *words.angle <= 0) return;
     if (c.projection == Projection::perspective && *words.angle >= 180) build.p.fail(at, "the angle of a perspective camera must be less than 180 degrees");
-    if (c.projection != Projection::perspective && c.projection != Projection::orthographic) return void(c.angle = *words.angle);
     c.direction = normalized(c.direction) * (length(c.right) / (2 * std::tan(*words.angle * kPi / 360)));
 }
 
@@ -64,8 +73,8 @@ void take_lens(CameraWords& words, WordId word, Cursor& at) {
     switch (word) {
         case "aperture"_w: words.camera.aperture = at.number("the aperture"); break;
         case "blur_samples"_w:
-            words.camera.blur_samples = int(std::clamp(at.number("the number of samples"), 0.0, 1e6));
-            if (at.at_number()) words.camera.blur_samples = int(std::clamp(at.number("the number of samples"), 0.0, 1e6));
+            words.camera.blur_samples = at.integer("the number of samples", 0, 1'000'000);
+            if (at.at_number()) words.camera.blur_samples = at.integer("the number of samples", 0, 1'000'000);
             break;
         default: words.camera.focal_point = at.vector("the focal point");
     }
@@ -78,7 +87,7 @@ bool take_word(CameraWords& words, Cursor& at) {
     if (const auto kind = projection(word)) {
         at.next();
         words.camera.projection = *kind;
-        if (kind == Projection::cylindrical) at.number("the type of the cylinder");
+        if (kind == Projection::cylindrical) words.cylinder = at.integer("the type of the cylinder", 1, 4);
         return true;
     }
     switch (word) {
@@ -90,7 +99,7 @@ bool take_word(CameraWords& words, Cursor& at) {
         case "look_at"_w: at.next(), words.look_at = at.vector("look_at"); return true;
         case "angle"_w:
             at.next(), words.angle = at.number("the angle");
-            if (at.at_number()) at.next();
+            if (at.at_number()) words.vertical_angle = at.number("the vertical angle");
             return true;
         case "aperture"_w: case "blur_samples"_w: case "focal_point"_w: at.next(), take_lens(words, word, at); return true;
         case "confidence"_w: case "variance"_w: at.skip(); return true;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "importers/pov/builders/textures.h"
 
+#include <cmath>
+
 namespace alidade::pov {
 
 namespace {

@@ -37,7 +37,7 @@ void read_globals(Build& build, const Block& block) {
     RenderSettings& s = build.scene.settings;
     for (Cursor at(build, block); !at.done();) {
         if (at.accept("assumed_gamma"_w)) take_gamma(build, at);
-        else if (at.accept("max_trace_level"_w)) s.max_depth = int(std::clamp(at.number("the most levels"), 1.0, 256.0)) - 1;
+        else if (at.accept("max_trace_level"_w)) s.max_depth = at.integer("the most levels", 1, 256) - 1;
         else if (at.accept("adc_bailout"_w)) s.adc_bailout = at.number("adc_bailout");
         else if (at.accept("ambient_light"_w)) s.ambient_light = at.rgb("the ambient light");
         else if (is_silent(at)) at.skip();

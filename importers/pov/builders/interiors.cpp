@@ -12,7 +12,7 @@ void read_interior(Build& build, const Block& block, Interior& in) {
         else if (at.accept("ior"_w)) in.ior = at.number("the index of refraction");
         else if (at.accept("caustics"_w)) in.caustics = at.number("the caustics");
         else if (at.accept("dispersion"_w)) in.dispersion = at.number("the dispersion");
-        else if (at.accept("dispersion_samples"_w)) in.dispersion_samples = int(std::clamp(at.number("the number of samples"), 2.0, 1000.0));
+        else if (at.accept("dispersion_samples"_w)) in.dispersion_samples = at.integer("the number of samples", 2, 1000);
         else if (at.accept("fade_distance"_w)) in.fade_distance = at.number("the distance of fading");
         else if (at.accept("fade_power"_w)) in.fade_power = at.number("the power of fading");
         else if (at.accept("fade_color"_w) || at.accept("fade_colour"_w)) in.fade_color = at.rgb("the colour of fading");

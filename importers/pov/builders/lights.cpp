@@ -3,7 +3,7 @@
 
 #include "importers/pov/builders/objects.h"
 
-#include <fmt/format.h>
+#include <cmath>
 
 namespace alidade::pov {
 

@@ -139,14 +139,24 @@ std::optional<Draft> reference(Build& build, const Block& object) {
     return d;
 }
 
+struct Copying {
+    explicit Copying(Build& b) : build(b) { ++build.copying; }
+    Copying(const Copying&) = delete;
+    ~Copying() { --build.copying; }
+    Build& build;
+};
+
 /// `object { NAME ... }`: the thing itself where its texture is changed, a child that it shares with other references where not.
 std::optional<Draft> object(Build& build, Cursor& at) {
     const Block* inner = at.any_block();
     if (!inner || !is_object(inner->word)) build.p.fail(at.place(), "an object is expected in object { }");
     at.next();
     const std::vector<Item>& items = at.block().items;
-    if (std::any_of(items.begin(), items.end(), changes_texture)) return draft(build, *inner);
-    return reference(build, *inner);
+    if (!std::any_of(items.begin(), items.end(), changes_texture)) return reference(build, *inner);
+    constexpr size_t kMostCopies = 50'000;
+    if (build.copying && ++build.copies_of_copies > kMostCopies) build.p.fail_limit(at.block().place, fmt::format("more than {} objects are copied in copies, because their textures change", kMostCopies));
+    const Copying copying(build);
+    return draft(build, *inner);
 }
 
 void take_children(Build& build, Draft& d, Cursor& at) {

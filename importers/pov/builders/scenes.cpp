@@ -48,7 +48,8 @@ void add_camera(Build& build, const std::optional<Camera>& camera) {
     Node node;
     node.what = CameraId{0};
     node.from = build.scene.cameras[0].from;
-    build.scene.roots.push_back(build.add_node(std::move(node)));
+    build.scene.nodes.push_back(std::move(node));                    // also where there is no room for another object
+    build.scene.roots.push_back({uint32_t(build.scene.nodes.size() - 1)});
 }
 
 }  // namespace

@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "importers/pov/builders/textures.h"
 
+#include <algorithm>
 #include <fmt/format.h>
 
 namespace alidade::pov {
 
 namespace {
+
+constexpr size_t kMostLayers = 1000;
 
 SignalId add_colour(Build& build, const Color& c, Place at) {
     Signal signal;
@@ -42,20 +45,32 @@ void apply_texture(Build& build, const Block& block, TextureLayers& layers) {
     }
 }
 
+/// What `#default { ... }` makes of the default texture.
+PovFinish changed_default(Build& build, const Block& block, PovFinish layer) {
+    for (Cursor at(build, block); !at.done();) {
+        if (const Block* texture = at.block_at("texture"_w)) at.next(), layer = build_texture(build, *texture).back();
+        else if (const Block* pigment = at.block_at("pigment"_w)) at.next(), build_pigment(build, *pigment, layer);
+        else if (const Block* finish = at.block_at("finish"_w)) at.next(), build_finish(build, *finish, layer);
+        else at.skip_unmodelled();
+    }
+    return layer;
+}
+
 }  // namespace
 
 PovFinish default_texture(Build& build, uint32_t count) {
-    TextureLayers layers(1);
-    set_colour(build, {0, 0, 0, 0, 0}, {}, layers[0]);
-    for (size_t i = 0; i < std::min<size_t>(count, build.defaults.size()); ++i) {
-        for (Cursor at(build, build.defaults[i].as<Block>()); !at.done();) {
-            if (const Block* texture = at.block_at("texture"_w)) at.next(), layers = build_texture(build, *texture);
-            else if (const Block* pigment = at.block_at("pigment"_w)) at.next(), build_pigment(build, *pigment, layers.back());
-            else if (const Block* finish = at.block_at("finish"_w)) at.next(), build_finish(build, *finish, layers.back());
-            else at.skip_unmodelled();
-        }
+    std::vector<PovFinish>& known = build.default_textures;
+    if (known.empty()) {
+        PovFinish first;
+        set_colour(build, {0, 0, 0, 0, 0}, {}, first);
+        known.push_back(first);
     }
-    return layers.back();
+    count = uint32_t(std::min<size_t>(count, build.defaults.size()));
+    while (known.size() <= count) {                                  // in order: each asks for those before it alone
+        const PovFinish next = changed_default(build, build.defaults[known.size() - 1].as<Block>(), known.back());
+        known.push_back(next);
+    }
+    return known[count];
 }
 
 TextureLayers build_texture(Build& build, const Block& block) {
@@ -64,6 +79,7 @@ TextureLayers build_texture(Build& build, const Block& block) {
     apply_texture(build, block, layers);
     for (const Ref<Block>& layer : block.layers) {
         const TextureLayers more = build_texture(build, *layer);
+        if (layers.size() + more.size() > kMostLayers) build.p.fail_limit(block.place, fmt::format("the texture has more than {} layers", kMostLayers));
         layers.insert(layers.end(), more.begin(), more.end());
     }
     return layers;
