@@ -6,6 +6,7 @@
 #include "importers/mesh/off.h"
 #include "importers/mesh/ply.h"
 #include "importers/mesh/stl.h"
+#include "importers/pov/pov.h"
 #include "scene/queries.h"
 
 #include <algorithm>
@@ -25,6 +26,7 @@ constexpr ImporterEntry kTable[] = {
     {"ply", ".ply", "PLY, text and binary", looks_like_ply, import_ply},
     {"stl", ".stl", "STL, text and binary", looks_like_stl, import_stl},
     {"off", ".off", "OFF, text", looks_like_off, import_off},
+    {"pov", ".pov", "POV-Ray scenes", looks_like_pov, import_pov},
 };
 
 /// How much of a file importers look at to recognise it.

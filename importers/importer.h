@@ -3,6 +3,7 @@
 #pragma once
 
 #include "core/diagnostics.h"
+#include "importers/pov/settings.h"
 #include "scene/scene.h"
 
 #include <span>
@@ -16,6 +17,8 @@ struct ImportOptions {
     std::vector<std::string> include_paths;          ///< -I
     std::vector<std::string> declarations;           ///< NAME=VALUE
     bool strict = false;                             ///< warnings about what is not understood become errors
+    std::optional<std::string> write_folder;         ///< --allow-write: where a scene's program may write
+    pov::FrameSettings frame;                        ///< what a scene's program may ask of the picture and the clock
     LightUnitsOption light_units = LightUnitsOption::automatic;
     uint64_t max_file_bytes = uint64_t(1) << 34;
 };

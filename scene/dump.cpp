@@ -8,6 +8,7 @@ namespace {
 
 void dump_kind(Line& line, const PointLight&) { line.word("point"); }
 void dump_kind(Line& line, const SpotLight& s) { line.word("spot").always("inner_angle", s.inner_angle).always("outer_angle", s.outer_angle); }
+void dump_kind(Line& line, const ConeLight& c) { line.word("cone").always("radius", c.radius).always("falloff", c.falloff).field("tightness", c.tightness); }
 void dump_kind(Line& line, const DirectionalLight&) { line.word("directional"); }
 void dump_kind(Line& line, const AreaLight& a) {
     const AreaLight usual;
@@ -22,7 +23,7 @@ void dump_light(std::string& out, size_t i, const Light& light) {
     std::visit([&](const auto& kind) { dump_kind(line, kind); }, light.kind);
     line.field("name", light.name).field("intensity", light.intensity, usual.intensity).field("range", light.range, usual.range);
     if (light.fade) line.word("fade").always("distance", light.fade->distance).always("power", light.fade->power);
-    line.field("inverse_square", light.inverse_square, true).field("shadowless", light.shadowless);
+    line.field("inverse_square", light.inverse_square, true).field("parallel", light.parallel).field("shadowless", light.shadowless);
     line.field("media_interaction", light.media_interaction, true).field("looks_like", light.looks_like);
     line.field("projected_through", light.projected_through).field("from", light.from);
 }
@@ -57,6 +58,7 @@ void dump_settings(std::string& out, const RenderSettings& r) {
     const RenderSettings usual;
     Line(out, "settings").field("max_depth", r.max_depth).field("adc_bailout", r.adc_bailout, usual.adc_bailout)
         .field("ambient_light", r.ambient_light, usual.ambient_light).field("assumed_gamma", r.assumed_gamma, usual.assumed_gamma)
+        .field("srgb_coded", r.srgb_coded).field("filter_dims_by_colour", r.filter_dims_by_colour).field("default_light", r.default_light, true)
         .field("light_units", r.light_units).field("why_light_units", r.why_light_units).field("default_spp", r.default_spp, usual.default_spp)
         .field("generator", r.generator);
 }

@@ -154,7 +154,7 @@ class Collector {
 
     void light(const Light& l) {
         static constexpr Requirement kKinds[] = {Requirement::point_lights, Requirement::spot_lights, Requirement::directional_lights,
-                                                 Requirement::area_lights};
+                                                 Requirement::area_lights, Requirement::spot_lights};
         static_assert(std::size(kKinds) == std::variant_size_v<decltype(Light::kind)>);
         need(kKinds[l.kind.index()], l.from);
     }

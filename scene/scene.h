@@ -75,7 +75,10 @@ struct RenderSettings {
     std::optional<int> max_depth;             ///< POV max_trace_level
     double adc_bailout = 1.0 / 255;
     Color ambient_light{1};
-    double assumed_gamma = 1;
+    double assumed_gamma = 1;                 ///< colours are powers: linear = colour ^ assumed_gamma
+    bool srgb_coded = false;                  ///< instead, colours are sRGB-coded: they are calculated with as they are, and decoded at the end
+    bool filter_dims_by_colour = false;       ///< POV before 3.7: a filter f of a colour c takes f max(c) of the opacity, not f
+    bool default_light = true;                ///< a scene without light gets a sky and a sun
     LightUnits light_units = LightUnits::radiometric;
     std::string why_light_units;
     int default_spp = 16;                     ///< POV scenes: 1, the pixel's centre

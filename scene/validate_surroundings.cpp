@@ -13,6 +13,9 @@ std::string fault(const SpotLight& spot) {
         return fmt::format("has a cone from {} to {} radians: 0 <= inner <= outer <= pi must hold", spot.inner_angle, spot.outer_angle);
     return {};
 }
+std::string fault(const ConeLight& cone) {
+    return is_finite(Vec3(cone.radius, cone.falloff, cone.tightness)) ? std::string() : "has a cone with a number that is not finite";
+}
 std::string fault(const AreaLight& area) {
     if (area.form == AreaLight::Form::rectangle) {
         if (!(area.width >= 0 && std::isfinite(area.width) && area.height >= 0 && std::isfinite(area.height)))

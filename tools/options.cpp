@@ -117,6 +117,9 @@ void add_scene_options(CLI::App& app, Request& request) {
     add_choice(app, "--light-units", {"auto", "photometric", "raw"}, [&request](size_t i) { request.import.light_units = LightUnitsOption(i); },
                "what the file's light intensities are counted in (default auto)");
     app.add_flag("--strict", request.import.strict, "what the importer does not understand is an error, not a warning");
+    app.add_option("-I", request.import.include_paths, "a folder where POV scenes' includes are looked for; may be given more than once")->type_name("DIR")->expected(1)->take_all();
+    app.add_option("--declare", request.import.declarations, "a number that a POV scene finds declared; may be given more than once")->type_name("NAME=VALUE")->expected(1)->take_all();
+    app.add_option("--allow-write", request.import.write_folder, "where a POV scene's #write may write (default: nowhere)")->type_name("DIR");
     add_mesh_options(app, request.reshape);
     group_options(app, "The scene");
 }

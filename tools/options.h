@@ -26,7 +26,7 @@ struct Request {
     RenderOptions render;
 };
 
-/// SCENE, and how it is read: --time, --light-units, --strict, --subdivide, --decimate, --crease.
+/// SCENE, and how it is read: --time, --light-units, --strict, -I, --declare, --allow-write, --subdivide, --decimate, --crease.
 void add_scene_options(CLI::App& app, Request& request);
 /// What is built for its rays: --accel, --precision, --isa, --environment, --full-kernel, --threads.
 void add_compile_options(CLI::App& app, Request& request);

@@ -101,6 +101,8 @@ int run_render(const Verb& verb, const Words& given) {
     if (words.output.empty()) words.output = std::filesystem::path(words.request.scene).filename().replace_extension(".png").string();
     if (const std::string why = why_not_writable(words.output); !why.empty()) return fail(why);
 
+    words.request.import.frame.image_width = words.request.render.width, words.request.import.frame.image_height = words.request.render.height;
+    words.request.import.frame.clock = words.request.time.value_or(0);
     exit_on_signal();
     const Prepared prepared = prepare(words.request);
     fmt::print(stderr, "{}", prepared.said.text());

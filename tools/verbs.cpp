@@ -13,6 +13,7 @@ constexpr const char* kExits = "0 done, 1 error in input or run, 2 interrupted, 
 
 constexpr Verb kVerbs[] = {
     {"render", "render SCENE [-o FILE] [options]", "makes a picture of a scene", kExits, run_render},
+    {"povray", "povray WORDS", "renders a POV-Ray scene as POV-Ray's own words ask", "as POV-Ray: 0 done, 1 error, also of an unknown word, 2 interrupted", run_povray},
     {"info", "info SCENE [options] | info --features", "tells what a scene holds and requires, or what the program can do", kExits, run_info},
     {"convert", "convert SCENE OUT [options]", "writes a scene in another format, and lists what that cannot hold", kExits, run_convert},
 };

@@ -34,6 +34,7 @@ int run_words(const Words& words);
 // The rows' functions, one a file.
 int run_render(const Verb& verb, const Words& words);
 int run_info(const Verb& verb, const Words& words);
+int run_povray(const Verb& verb, const Words& words);
 int run_convert(const Verb& verb, const Words& words);
 
 }  // namespace alidade

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tracer/cameras.h"
 
+#include "tracer/curved_cameras.h"
+
 #include "tracer/sampler.h"
 
 namespace alidade {
@@ -40,6 +42,7 @@ CameraRays::CameraRays(const Camera& camera, int width, int height) : camera_(ca
 }
 
 Ray CameraRays::at(double x, double y, const Vec2& lens) const {
+    if (camera_.projection != Projection::perspective && camera_.projection != Projection::orthographic) return curved_ray(camera_, x / width_ - 0.5, 0.5 - y / height_);
     const Vec3 offset = (x / width_ - 0.5) * camera_.right + (0.5 - y / height_) * camera_.up;
     Ray ray;
     ray.mask = kMaskCamera;

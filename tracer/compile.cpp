@@ -8,6 +8,7 @@
 #include "tracer/normal_maps.h"
 #include "tracer/unrendered.h"
 
+#include <algorithm>
 #include <fmt/format.h>
 
 namespace alidade {
@@ -37,6 +38,7 @@ class Placer {
 
     bool visit(const Visit& visit) {
         const Node& node = out_.scene.nodes[visit.node.index];
+        if (left_out(visit.path)) return true;
         if (const auto* shape = std::get_if<ShapeId>(&node.what)) place_shape(visit, node, *shape);
         else if (const auto* light = std::get_if<LightId>(&node.what)) place_light(visit, *light);
         else if (const auto* camera = std::get_if<CameraId>(&node.what)) out_.cameras.push_back({placed(out_.scene.cameras[camera->index], visit.to_world)});
@@ -46,6 +48,14 @@ class Placer {
     }
 
   private:
+    /// Parts of intersections and differences: those are not rendered yet (report_unrendered says so).
+    bool left_out(const std::vector<NodeId>& path) const {
+        return std::any_of(path.begin(), path.end(), [&](NodeId id) {
+            const CsgKind csg = out_.scene.nodes[id.index].csg;
+            return csg == CsgKind::intersection || csg == CsgKind::difference;
+        });
+    }
+
     void place_shape(const Visit& visit, const Node& node, ShapeId shape) {
         Transform to_world = visit.to_world;
         if (const auto* mesh = std::get_if<Mesh>(&out_.scene.shapes[shape.index].geometry)) to_world = to_world * Transform::translate(mesh->origin);
@@ -56,7 +66,12 @@ class Placer {
         instance.to_local = *to_local;
         instance.geometry = geometry(shape);
         instance.first_slot = uint32_t(out_.slots.size());
-        instance.mask = mask_of(node.flags);
+        instance.mask = kMaskAll;
+        for (const NodeId above : visit.path) {
+            const NodeFlags& flags = out_.scene.nodes[above.index].flags;
+            instance.mask &= mask_of(flags);
+            instance.double_illuminate = instance.double_illuminate || flags.double_illuminate;
+        }
         instance.node = visit.node;
         const uint32_t slots = slot_count(out_.scene.shapes[shape.index].geometry);
         const auto interior = inherited_interior(out_.scene, visit.path);
@@ -127,7 +142,7 @@ void make_sky(CompiledScene& out, const CompileOptions& options, Diagnostics& sa
 /// What a file without lights is lit by: a sky, and a sun over the camera's left shoulder. Said on stderr, so that nobody takes it for the file's.
 void default_light(CompiledScene& out, const CompileOptions& options, Diagnostics& said) {
     const bool asked = options.environment || !options.environment_file.empty();
-    if (!out.lights.empty() || out.sky->lights() || out.glows || asked) return;
+    if (!out.scene.settings.default_light || !out.lights.empty() || out.sky->lights() || out.glows || asked) return;
     said.note({}, "the scene has no light: a white sky of radiance 0.5 and a sun of 2 W/m^2 are added", "--environment FILE or #rgb sets a sky of your own");
     out.sky = std::make_unique<Sky>(Color(0.5), true);
     const Camera& camera = out.cameras.front().camera;

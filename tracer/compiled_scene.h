@@ -36,6 +36,7 @@ struct Instance {
     uint32_t geometry = 0;
     uint32_t first_slot = 0;       ///< into CompiledScene::slots, as many as the shape has
     Mask mask = kMaskAll;
+    bool double_illuminate = false;   ///< POV: lit from both sides
     NodeId node;
 };
 

@@ -24,6 +24,18 @@ double cone(const SpotLight& spot, double cos_axis) {
     return x * x;
 }
 
+/// POV-Ray's spotlight: the brightness at the cosine `c` of the angle from its axis.
+double cone(const ConeLight& spot, double c) {
+    if (c <= 0) return 0;
+    double k = spot.tightness == 0 ? 1 : std::pow(c, spot.tightness);
+    const double inner = std::cos(spot.radius), outer = std::cos(spot.falloff);
+    if (inner > 0 && c < inner) {
+        const double u = outer < inner ? std::clamp((c - outer) / (inner - outer), 0.0, 1.0) : 0;
+        k *= u * u * (3 - 2 * u);
+    }
+    return k;
+}
+
 /// A point of a flat light, uniform in area; light leaves its front only. The irradiance is L cos A / d^2.
 Illumination from_flat(const PlacedLight& light, const AreaLight& area, const Vec3& point, const Vec2& square) {
     const bool disc = area.form == AreaLight::Form::disc;
@@ -62,9 +74,14 @@ Illumination illuminate(const PlacedLight& light, const Vec3& point, const Vec2&
     const Vec3 to_light = light.position - point;
     const double distance = length(to_light);
     if (!(distance > 0)) return {};
+    if (light.light.parallel) {
+        const double along = -dot(to_light, light.axis);
+        return {-light.axis, along, light.light.intensity * falloff(light.light, std::abs(along))};
+    }
     const Vec3 direction = to_light / distance;
     double k = falloff(light.light, distance);
     if (const auto* spot = std::get_if<SpotLight>(&light.light.kind)) k *= cone(*spot, -dot(direction, light.axis));
+    if (const auto* spot = std::get_if<ConeLight>(&light.light.kind)) k *= cone(*spot, -dot(direction, light.axis));
     return {direction, distance, light.light.intensity * k};
 }
 

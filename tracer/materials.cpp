@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tracer/materials.h"
 
+#include <algorithm>
 #include <fmt/format.h>
 
 namespace alidade {
@@ -41,10 +42,39 @@ unsigned features_of(const Scene& scene, const GltfPbr& m) {
     return features;
 }
 
+unsigned features_of(const Scene& scene, const PovFinish& f) {
+    unsigned features = is_constant(scene, f.pigment) ? 0u : unsigned(kTextures);
+    if (f.filter != 0 || f.transmit != 0) features |= kTransmission;
+    if (!is_black(f.reflection_min) || !is_black(f.reflection_max)) features |= kMirrors;
+    return features;
+}
+
+/// POV-Ray's layers all belong to one kind: importers mix none.
+bool is_pov(const Material& m) {
+    return !m.layers.empty() && std::all_of(m.layers.begin(), m.layers.end(), [](const auto& layer) { return std::holds_alternative<PovFinish>(layer); });
+}
+
+bool lets_light_through(const Material& m) {
+    return std::all_of(m.layers.begin(), m.layers.end(), [](const auto& layer) {
+        const auto* f = std::get_if<PovFinish>(&layer);
+        return f && (f->filter != 0 || f->transmit != 0);
+    });
+}
+
+/// What POV-Ray's finishes have that is left out.
+void report_finish(const Material& m, Diagnostics& said) {
+    for (const auto& layer : m.layers) {
+        const auto* f = std::get_if<PovFinish>(&layer);
+        if (!f) continue;
+        if (f->crand != 0) said.warning(m.from, fmt::format("material '{}': crand is not rendered yet: it is left out", m.name));
+        if (f->reflection_exponent != 1) said.warning(m.from, fmt::format("material '{}': the exponent of a reflection is not rendered yet: it is left out", m.name));
+    }
+}
+
 /// False, and an error, if the tracer cannot render the material.
 bool check_supported(const Scene& scene, const Material& m, const std::vector<SignalId>& signals, Diagnostics& said) {
-    if (m.layers.size() != 1 || !std::holds_alternative<GltfPbr>(m.layers[0])) {
-        said.error(m.from, fmt::format("material '{}': POV-Ray finishes and layers are not rendered yet", m.name));
+    if (!is_pov(m) && (m.layers.size() != 1 || !std::holds_alternative<GltfPbr>(m.layers[0]))) {
+        said.error(m.from, fmt::format("material '{}': layers of different kinds cannot be rendered", m.name));
         return false;
     }
     for (const SignalId id : signals) {
@@ -91,11 +121,11 @@ SlotMaterial MaterialTable::slot(std::optional<MaterialId> material, std::option
     out.material = material ? material->index : default_material();
     const Material& m = out_.scene.materials[out.material];
     const auto* pbr = m.layers.empty() ? nullptr : std::get_if<GltfPbr>(&m.layers[0]);
-    if (!pbr || is_zero(out_.scene, pbr->transmission)) return out;
+    if (pbr ? is_zero(out_.scene, pbr->transmission) : !lets_light_through(m)) return out;
     const auto [at, added] = interior_of_.try_emplace({out.material, interior ? interior->index : kNoId}, uint32_t(out_.interiors.size()));
     if (added) {
         out_.interiors.push_back(interior ? out_.scene.interiors[interior->index] : Interior());
-        out_.interiors.back().ior = pbr->ior;
+        if (pbr) out_.interiors.back().ior = pbr->ior;
     }
     out.interior = at->second;
     return out;
@@ -109,13 +139,16 @@ void compile_materials(CompiledScene& out, const CompileOptions& options, Featur
         if (!used[i]) continue;
         const Material& m = out.scene.materials[i];
         std::vector<SignalId> own;
-        if (m.layers.size() == 1)
-            if (const auto* pbr = std::get_if<GltfPbr>(&m.layers[0]))
+        for (const auto& layer : m.layers) {
+            if (const auto* pbr = std::get_if<GltfPbr>(&layer))
                 for (const SignalId id : read_signals(*pbr)) collect_signals(out.scene, id, own);
+            if (const auto* finish = std::get_if<PovFinish>(&layer)) collect_signals(out.scene, finish->pigment, own);
+        }
         if (!check_supported(out.scene, m, own, said)) continue;
-        const auto& pbr = std::get<GltfPbr>(m.layers[0]);
-        reasons.need(features_of(out.scene, pbr), fmt::format("material '{}'", m.name));
-        out.glows = out.glows || (pbr.emissive && !is_zero(out.scene, pbr.emissive)) || pbr.unlit;
+        const std::string who = fmt::format("material '{}'", m.name);
+        for (const auto& layer : m.layers) reasons.need(std::visit([&](const auto& surface) { return features_of(out.scene, surface); }, layer), who);
+        report_finish(m, said);
+        if (const auto* pbr = std::get_if<GltfPbr>(&m.layers[0])) out.glows = out.glows || (pbr->emissive && !is_zero(out.scene, pbr->emissive)) || pbr->unlit;
         signals.insert(signals.end(), own.begin(), own.end());
     }
     for (const Geometry& g : out.geometries)

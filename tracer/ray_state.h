@@ -13,6 +13,8 @@ enum class RayKind { camera, reflection, refraction, shadow };
 struct RayState {
     InteriorStack inside;
     Color weight{1};        ///< what the ray's radiance will be multiplied by on its way to the pixel
+    double importance = 1;  ///< POV-Ray's weight of the ray, which adc_bailout is compared with
+    double travelled = 0;   ///< on its last straight piece, to the surface that is looked at
     int depth = 0;          ///< how many surfaces sent it on
     RayKind kind = RayKind::camera;
     SampleKey key;

@@ -68,7 +68,7 @@ Color take_sample(const Job& job, Tracing& tracing, int x, int y, int s, PixelSa
     ray.time = state.time;
     ++tracing.stats.camera_rays;
     FirstHit first;
-    const Color radiance = job.radiance(tracing, ray, state, first);
+    const Color radiance = ray.tmax < ray.tmin ? Color(0) : job.radiance(tracing, ray, state, first);   // beyond the edge of a round picture there is nothing
     pixel.add(radiance, first);
     return radiance;
 }
@@ -96,6 +96,16 @@ std::optional<PixelSamples> sample_pixel(const Job& job, Tracing& tracing, int x
     return pixel;
 }
 
+/// POV-Ray's scenes are calculated with in a coding of their own, which is undone at the end; films are linear.
+PixelSamples linear(PixelSamples pixel, const RenderSettings& settings) {
+    if (!settings.srgb_coded && settings.assumed_gamma == 1) return pixel;
+    for (int i = 0; i < 3; ++i) {
+        const double coded = std::max(pixel.radiance[i] / pixel.samples, 0.0);
+        pixel.radiance[i] = pixel.samples * (settings.srgb_coded ? srgb_to_linear(coded) : std::pow(coded, settings.assumed_gamma));
+    }
+    return pixel;
+}
+
 /// A tile's pixels depend on nothing but their own coordinates, so neither the order of tiles nor their size shows. False if the render was stopped:
 /// the pixel under way, and those after it, are left as they are.
 bool render_tile(const Job& job, size_t tile, Picture& picture, RenderStats& stats) {
@@ -108,7 +118,7 @@ bool render_tile(const Job& job, size_t tile, Picture& picture, RenderStats& sta
         for (int x = x0; x < std::min(x0 + size, job.region.x1); ++x) {
             const std::optional<PixelSamples> pixel = sample_pixel(job, tracing, x, y);
             if (!pixel) return false;
-            job.layers.write(*pixel, exposure, picture.at(x, y));
+            job.layers.write(linear(*pixel, job.scene.scene.settings), exposure, picture.at(x, y));
         }
     return true;
 }

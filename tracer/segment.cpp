@@ -12,4 +12,12 @@ Color transmittance(const CompiledScene& scene, const InteriorStack& inside, dou
     return {std::pow(c.x, x), std::pow(c.y, x), std::pow(c.z, x)};
 }
 
+Color pov_fade(const Interior& interior, double length) {
+    if (!(interior.fade_distance > 1e-10) || interior.fade_power == 0) return Color(1);
+    const Color& c = interior.fade_color;
+    const double x = length / interior.fade_distance;
+    if (interior.fade_power < 1000) return c + (Color(1) - c) / (1 + std::pow(x, interior.fade_power));
+    return {std::exp((c.x - 1) * x), std::exp((c.y - 1) * x), std::exp((c.z - 1) * x)};
+}
+
 }  // namespace alidade

@@ -6,8 +6,11 @@
 
 namespace alidade {
 
-/// The metal-rough material of the slot that `p` lies in.
-const GltfPbr& pbr(const CompiledScene& scene, const ShadePoint& p);
+/// The metal-rough material of the slot that `p` lies in, or null for one of POV-Ray's.
+const GltfPbr* pbr(const CompiledScene& scene, const ShadePoint& p);
+
+/// The surface of one of POV-Ray's materials.
+Surface shade_pov(const CompiledScene& scene, const ShadePoint& point, const Vec3& dir);
 
 /// The first channel of a signal, or `absent`.
 double scalar(const CompiledScene& scene, const std::optional<SignalId>& signal, const ShadePoint& p, double absent);
@@ -29,7 +32,9 @@ template <unsigned F> Vec4 base_color(const CompiledScene& scene, const GltfPbr&
 }
 
 template <unsigned F> Surface shade(const CompiledScene& scene, const ShadePoint& point, const Vec3& dir) {
-    const GltfPbr& m = pbr(scene, point);
+    const GltfPbr* metal_rough = pbr(scene, point);
+    if (!metal_rough) return shade_pov(scene, point, dir);
+    const GltfPbr& m = *metal_rough;
     Surface s;
     s.point_ = &point;
     s.wo_ = -dir;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tracer/normal_maps.h"
+#include "tracer/pov_surface.h"
 #include "tracer/shade.h"
 
 namespace alidade {
@@ -15,9 +16,20 @@ double microfacet(double alpha, double nh, double nl, double nv) {
 
 }  // namespace
 
-const GltfPbr& pbr(const CompiledScene& scene, const ShadePoint& p) {
+const GltfPbr* pbr(const CompiledScene& scene, const ShadePoint& p) {
     const SlotMaterial& slot = scene.slots[scene.instances[p.instance].first_slot + p.slot];
-    return std::get<GltfPbr>(scene.scene.materials[slot.material].layers[0]);
+    return std::get_if<GltfPbr>(&scene.scene.materials[slot.material].layers[0]);
+}
+
+Surface shade_pov(const CompiledScene& scene, const ShadePoint& point, const Vec3& dir) {
+    Surface s;
+    s.point_ = &point;
+    s.wo_ = -dir;
+    s.normal_ = dot(point.shading_normal, dir) > 0 ? -point.shading_normal : point.shading_normal;
+    s.pov_ = std::make_shared<const PovSurface>(scene, point, dir, s.normal_);
+    s.albedo_ = s.pov_->top_color();
+    s.emitted_ = s.pov_->emitted(scene.scene.settings.ambient_light);
+    return s;
 }
 
 double scalar(const CompiledScene& scene, const std::optional<SignalId>& signal, const ShadePoint& p, double absent) {
@@ -86,7 +98,8 @@ Color Surface::scatter_base(const Vec3& wi) const {
     return diffuse + f * (nl * microfacet(alpha_, std::max(dot(normal_, h), 0.0), nl, nv));
 }
 
-Color Surface::scatter(const Vec3& wi) const {
+Color Surface::scatter(const Vec3& wi, bool highlights) const {
+    if (pov_) return pov_->scatter(wi, highlights);
     if (unlit_ || dot(facing_normal(), wi) <= 0) return Color(0);   // a bent normal must not let light through from behind
     const Color base = scatter_base(wi) * (1 - coat_.weight);
     const double nl = dot(coat_.normal, wi);
@@ -97,6 +110,7 @@ Color Surface::scatter(const Vec3& wi) const {
 
 Secondaries Surface::secondary(const CompiledScene& scene, const RayState& state) const {
     Secondaries out;
+    if (pov_) return pov_->secondary(scene, *point_, state, dot(point_->geometric_normal, wo_) < 0 ? -point_->geometric_normal : point_->geometric_normal, out), out;
     if (coverage_ <= 0 || unlit_) return out;
     if (is_black(transmission_)) add_mirror(state, out);
     else add_transmission(scene, state, out);
@@ -143,7 +157,9 @@ void Surface::add_transmission(const CompiledScene& scene, const RayState& state
 }
 
 Color transmitted(const CompiledScene& scene, const ShadePoint& point) {
-    const GltfPbr& m = pbr(scene, point);
+    const GltfPbr* metal_rough = pbr(scene, point);
+    if (!metal_rough) return pov_transmitted(scene, scene.scene.materials[scene.slots[scene.instances[point.instance].first_slot + point.slot].material], point);
+    const GltfPbr& m = *metal_rough;
     const Vec4 base = base_color<kAllFeatures>(scene, m, point);
     const double there = coverage(m, base.w);
     if (m.unlit) return Color(1 - there);

@@ -5,6 +5,8 @@
 #include "tracer/ray_state.h"
 #include "tracer/shade_point.h"
 
+#include <memory>
+
 namespace alidade {
 
 /// A discrete direction in which a surface sends light on, and what it multiplies it by.
@@ -13,6 +15,8 @@ struct Secondary {
     Color weight{0};
     RayKind kind = RayKind::reflection;
     InteriorStack inside;   ///< of the new ray
+    double importance = -1; ///< the new ray's, as a factor of the old one's; below 0: the new ray's weight is its importance
+    bool straight = false;  ///< it goes on as it came, and is no deeper
 };
 
 /// At most a mirror ray, a refracted ray and a mirror ray of the coat. (What passes straight through alpha is no ray of its own: the integrator goes on.)
@@ -31,8 +35,10 @@ struct Coat {
     Vec3 normal{0, 0, 1};
 };
 
+class PovSurface;
+
 /// glTF 2.0 metal-rough at a point (specification, appendix B): a diffuse and a microfacet lobe; where roughness is low, a mirror ray; with transmission,
-/// refraction by Snell's law; over all of it, a clear coat.
+/// refraction by Snell's law; over all of it, a clear coat. Or POV-Ray's layers (pov_surface.h).
 class Surface {
   public:
     /// Below this alpha (roughness squared) a surface is a perfect mirror: a light without extent has no image in it, and the mirror ray shows the rest.
@@ -40,7 +46,8 @@ class Surface {
 
     Color emitted() const { return emitted_; }
     /// f(wi, wo) |cos| for light from the unit direction `wi`; both sides of the surface reflect.
-    Color scatter(const Vec3& wi) const;
+    /// `highlights`: POV-Ray's shadowless lights have none.
+    Color scatter(const Vec3& wi, bool highlights = true) const;
     /// Reflectance of the diffuse lobe: all of it that a sky lights (the mirror ray sees the sky itself).
     Color diffuse() const { return unlit_ ? Color(0) : diffuse_ * (1 - coat_.weight); }
     const Color& albedo() const { return albedo_; }
@@ -48,12 +55,13 @@ class Surface {
     /// The part of the surface that is there: 1 for opaque ones.
     double coverage() const { return coverage_; }
     /// Is there any direction to follow?
-    bool mirrors_or_refracts() const { return mirror_ > 0 || coat_.weight > 0 || !is_black(transmission_); }
+    bool mirrors_or_refracts() const { return pov_ || mirror_ > 0 || coat_.weight > 0 || !is_black(transmission_); }
     /// The directions to follow. `state` is that of the ray that arrived.
     Secondaries secondary(const CompiledScene& scene, const RayState& state) const;
 
   private:
     template <unsigned F> friend Surface shade(const CompiledScene&, const ShadePoint&, const Vec3&);
+    friend Surface shade_pov(const CompiledScene&, const ShadePoint&, const Vec3&);
     Color scatter_base(const Vec3& wi) const;
     void add_mirror(const RayState& state, Secondaries& out) const;
     void add_coat(const RayState& state, Secondaries& out) const;
@@ -71,6 +79,7 @@ class Surface {
     double alpha_ = 1, mirror_ = 0, coverage_ = 1, ior_ = 1.5, f90_ = 1;
     Coat coat_;
     bool unlit_ = false;
+    std::shared_ptr<const PovSurface> pov_;   ///< takes the place of all the rest but the normal
 };
 
 /// The surface at `point`, seen along the unit direction `dir`; defined in tracer/shade.h. `point` must outlive it.

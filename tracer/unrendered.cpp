@@ -3,6 +3,7 @@
 
 #include "scene/queries.h"
 
+#include <algorithm>
 #include <fmt/format.h>
 
 namespace alidade {
@@ -15,23 +16,25 @@ struct Unrendered {
 };
 
 constexpr Unrendered kTable[] = {
-    {Requirement::csg, Severity::error, "intersection, difference and merge are not rendered yet"},
-    {Requirement::clipping, Severity::error, "clipped_by is not rendered yet"},
+    {Requirement::clipping, Severity::warning, "clipped_by is not rendered yet: all of the object is drawn"},
     {Requirement::patterns, Severity::error, "patterns are not rendered yet"},
     {Requirement::functions, Severity::error, "functions are not rendered yet"},
     {Requirement::media, Severity::warning, "media are not rendered yet: they are left out"},
     {Requirement::fog, Severity::warning, "fog is not rendered yet: it is left out"},
 };
 
-void report_cameras(const Scene& scene, Diagnostics& said) {
-    for (const Camera& camera : scene.cameras)
-        if (camera.projection != Projection::perspective && camera.projection != Projection::orthographic)
-            said.error(camera.from, fmt::format("camera '{}': only perspective and orthographic cameras are rendered yet", camera.name));
+/// One message a kind, with how many nodes are of it.
+void report_csg(const Scene& scene, CsgKind kind, const char* sentence, Diagnostics& said) {
+    const auto is_kind = [kind](const Node& node) { return node.csg == kind; };
+    const auto first = std::find_if(scene.nodes.begin(), scene.nodes.end(), is_kind);
+    if (first != scene.nodes.end()) said.warning(first->from, fmt::format("{} ({} of them)", sentence, std::count_if(first, scene.nodes.end(), is_kind)));
 }
 
 void report_nodes(const Scene& scene, Diagnostics& said) {
+    report_csg(scene, CsgKind::intersection, "intersections are not rendered yet: they are left out", said);
+    report_csg(scene, CsgKind::difference, "differences are not rendered yet: they are left out", said);
+    report_csg(scene, CsgKind::merge, "merges are not rendered yet: they are drawn as unions", said);
     for (const Node& node : scene.nodes) {
-        if (node.inverse) said.warning(node.from, "the inverse of a solid is not rendered yet: its surface is drawn as it is");
         if (!node.light_group.empty() || !node.global_lights) said.warning(node.from, "light groups are not rendered yet: their lights are left out, all others shine");
     }
 }
@@ -43,7 +46,6 @@ void report_unrendered(const Scene& scene, Diagnostics& said) {
     for (const Unrendered& row : kTable)
         for (const RequiredBy& r : required)
             if (r.what == row.what) said.add({row.severity, r.first, row.sentence, {}, {}, {}});
-    report_cameras(scene, said);
     report_nodes(scene, said);
     if (scene.atmosphere.sky) said.warning({}, "sky spheres are not rendered yet: the background is drawn");
     if (scene.atmosphere.environment_image) said.warning({}, "environment images of a scene are not rendered yet", "--environment FILE sets one");

@@ -27,11 +27,16 @@ std::optional<Json> LightWriter::write(const Light& light) {
     losses_.add("shapes of lights", size_t(light.looks_like.has_value()) + light.projected_through.has_value());
     Json json = Json::object();
     set(json, "name", light.name, std::string());
-    json["type"] = std::holds_alternative<PointLight>(light.kind) ? "point" : std::holds_alternative<SpotLight>(light.kind) ? "spot" : "directional";
+    if (light.parallel) losses_.add("parallel lights that stand somewhere");
+    json["type"] = std::holds_alternative<PointLight>(light.kind) ? "point" : std::holds_alternative<DirectionalLight>(light.kind) ? "directional" : "spot";
     json["intensity"] = strength * kLumenPerWatt;
     if (strength > 0) set(json, "color", light.intensity / strength, Vec3(1));
     if (std::isfinite(light.range) && light.range > 0 && !std::holds_alternative<DirectionalLight>(light.kind)) json["range"] = light.range;
     if (const auto* spot = std::get_if<SpotLight>(&light.kind)) json["spot"] = spot_json(*spot, losses_);
+    if (const auto* cone = std::get_if<ConeLight>(&light.kind)) {
+        losses_.add("cones of lights that fall off in a way of their own", true, "glTF's");
+        json["spot"] = spot_json({std::clamp(cone->radius, 0.0, kPi / 2), std::clamp(std::max(cone->falloff, cone->radius), 0.0, kPi / 2)}, losses_);
+    }
     return json;
 }
 

@@ -15,7 +15,7 @@ constexpr size_t kMostErrors = 10;
 
 class Reader {
   public:
-    Reader(const ReadOptions& options, Diagnostics& said) : p_(options, said) {}
+    explicit Reader(Parser& parser) : p_(parser) {}
 
     Program run(const std::string& path, std::string text) {
         attempt([&] {
@@ -23,7 +23,7 @@ class Reader {
             for (const std::string& declaration : p_.options.declarations) declare(declaration);
         });
         while (!done_ && p_.said.errors() < kMostErrors) attempt([&] { statement(); });
-        p_.say_tallies();
+        for (const auto& [place, block] : p_.defaults) program_.defaults.push_back(block);
         program_.version = p_.version, program_.version_given = p_.version_given;
         for (size_t i = 0; i < p_.stream.sources(); ++i) program_.files.push_back({p_.stream.source(uint16_t(i)).path()});
         return std::move(program_);
@@ -66,7 +66,6 @@ class Reader {
         Item item;
         item.kind = Item::Kind::block, item.place = token.place(), item.word = token.id;
         item.value = parse_block(p_, token.id, token.place());
-        for (; seen_defaults_ < p_.defaults.size(); ++seen_defaults_) program_.defaults.emplace_back(program_.items.size(), p_.defaults[seen_defaults_].second);
         program_.items.push_back(std::move(item));
     }
 
@@ -96,23 +95,34 @@ class Reader {
         frame.at = std::min(at, frame.end - 1);
     }
 
-    Parser p_;
+    Parser& p_;
     Program program_;
-    size_t seen_defaults_ = 0;
     bool done_ = false;
 };
 
 }  // namespace
 
-Program read_program_text(const std::string& path, std::string text, const ReadOptions& options, Diagnostics& said) { return Reader(options, said).run(path, std::move(text)); }
+Program read_program(Parser& parser, const std::string& path, std::string text) { return Reader(parser).run(path, std::move(text)); }
 
-Program read_program(const std::string& path, const ReadOptions& options, Diagnostics& said) {
+Program read_program_text(const std::string& path, std::string text, const ReadOptions& options, Diagnostics& said) {
+    Parser parser(options, said);
+    Program program = read_program(parser, path, std::move(text));
+    parser.say_tallies();
+    return program;
+}
+
+std::optional<std::string> read_scene_file(const std::string& path, const ReadOptions& options, Diagnostics& said) {
     std::optional<std::string> text = read_whole(path, options.limits.file_bytes);
-    if (text) return read_program_text(path, std::move(*text), options, said);
+    if (text) return text;
     SourcePos at;
     at.file = said.add_file(path);
     said.error(at, "the file cannot be read, or is too large");
-    return {};
+    return std::nullopt;
+}
+
+Program read_program(const std::string& path, const ReadOptions& options, Diagnostics& said) {
+    std::optional<std::string> text = read_scene_file(path, options, said);
+    return text ? read_program_text(path, std::move(*text), options, said) : Program{};
 }
 
 }  // namespace alidade::pov

@@ -10,7 +10,7 @@ namespace alidade::pov {
 /// What builders read.
 struct Program {
     std::vector<Item> items;                          ///< top-level blocks in order
-    std::vector<std::pair<size_t, Value>> defaults;   ///< #default: the number of items that stood before it, and its block
+    std::vector<Value> defaults;                      ///< blocks of #default, in order; Block::defaults tells how many of them stood before a block
     double version = 3.7;
     bool version_given = false;
     std::vector<SourceFile> files;                    ///< by Place::source
@@ -18,6 +18,10 @@ struct Program {
 
 /// Reads a whole scene. Errors are in `said`; what could be read is in the program. Throws nothing.
 Program read_program(const std::string& path, const ReadOptions& options, Diagnostics& said);
+/// The text of a scene's file, or an error in `said`.
+std::optional<std::string> read_scene_file(const std::string& path, const ReadOptions& options, Diagnostics& said);
+/// The same from memory by a parser that the caller keeps, for builders: its tallies are not said yet.
+Program read_program(class Parser& parser, const std::string& path, std::string text);
 /// The same from memory; `path` names it in messages, and its folder is where includes are looked for.
 Program read_program_text(const std::string& path, std::string text, const ReadOptions& options, Diagnostics& said);
 

@@ -48,7 +48,7 @@ template <unsigned F> class DirectLight {
     Color from_light(const PlacedLight& light, const Vec2& square) const {
         const Illumination arriving = illuminate(light, point_.position, square);
         if (is_black(arriving.irradiance)) return Color(0);
-        const Color scattered = surface_.scatter(arriving.direction) * arriving.irradiance;
+        const Color scattered = surface_.scatter(arriving.direction, !light.light.shadowless) * arriving.irradiance;
         if (is_black(scattered) || light.light.shadowless) return scattered;
         return scattered * visible(arriving.direction, arriving.distance);
     }

@@ -16,11 +16,12 @@ Color filtered_light(Tracing& tracing, const Ray& ray, const InteriorStack& star
         through *= transmitted(tracing.scene, p);
         if (is_black(through)) return Color(0);
         through *= transmittance(tracing.scene, inside, hit.t - t);
+        const double before = t;
         t = hit.t;
         const uint32_t interior = tracing.scene.slots[tracing.scene.instances[p.instance].first_slot + p.slot].interior;
         if (interior == kNoId) continue;
         if (p.front) inside.enter({p.instance, interior});
-        else inside.leave(p.instance);
+        else if (inside.leave(p.instance)) through *= pov_fade(tracing.scene.interiors[interior], hit.t - before);
     }
     return std::isfinite(ray.tmax) ? through * transmittance(tracing.scene, inside, ray.tmax - t) : through;
 }

@@ -48,6 +48,7 @@ template <unsigned F> struct Whitted {
             const ShadePoint point = shade_point(tracing.scene, ray, hit);
             const Surface surface = shade<F>(tracing.scene, point, normalized(ray.dir));
             const double distance = hit.t * length(ray.dir);
+            state.travelled = distance;
             state.weight *= transmittance(tracing.scene, state.inside, distance);
             if (state.kind == RayKind::camera) see(point, surface, distance);
             sum += state.weight * local_light<F>(tracing, point, surface, state, Shadows::cast);
@@ -75,10 +76,11 @@ template <unsigned F> struct Whitted {
             const Secondary& s = secondaries.at[i];
             RayState next = state;
             next.weight = state.weight * s.weight;
-            if (max_component(next.weight) < tracing.bailout || state.depth >= tracing.max_depth) continue;
+            next.importance = s.importance < 0 ? max_component(next.weight) : state.importance * s.importance;
+            if (next.importance < tracing.bailout || is_black(next.weight) || (!s.straight && state.depth >= tracing.max_depth)) continue;
             next.inside = s.inside;
             next.kind = s.kind;
-            next.depth = state.depth + 1;
+            next.depth = state.depth + (s.straight ? 0 : 1);
             next.key = state.key.child(uint64_t(i));
             Ray ray = spawn_ray(point, s.dir);
             ray.mask = mask_of(s.kind);

@@ -39,12 +39,17 @@ const Block* as_transform(const Item& item) {
     return holds ? &item.block() : nullptr;
 }
 
-/// The map of the word at `i`, which moves behind its argument.
-Transform one(Parser& p, const Block& block, size_t& i) {
+}  // namespace
+
+bool begins_transform(const Item& item) {
+    if (as_transform(item)) return true;
+    return item.kind == Item::Kind::word && (item.word == "translate"_w || item.word == "rotate"_w || item.word == "scale"_w || item.word == "matrix"_w || item.word == "transform"_w);
+}
+
+Transform take_transform(Parser& p, const Block& block, size_t& i) {
     const Item& item = block.items[i++];
     if (const Block* inner = as_transform(item)) return build_transform(p, *inner);
-    const bool known = item.kind == Item::Kind::word && (item.word == "translate"_w || item.word == "rotate"_w || item.word == "scale"_w || item.word == "matrix"_w || item.word == "transform"_w);
-    if (!known) p.fail(item.place, "this is no transformation");
+    if (!begins_transform(item)) p.fail(item.place, "this is no transformation");
     if (i >= block.items.size()) p.fail(item.place, fmt::format("a value is expected behind {}", kWords[item.word]));
     const Item& value = block.items[i++];
     switch (item.word) {
@@ -58,8 +63,6 @@ Transform one(Parser& p, const Block& block, size_t& i) {
     p.fail(value.place, "a transform is expected behind transform");
 }
 
-}  // namespace
-
 Transform build_transform(Parser& p, const Block& block) {
     const Nested nested(p, block.place);
     Transform all;
@@ -67,7 +70,7 @@ Transform build_transform(Parser& p, const Block& block) {
     for (size_t i = 0; i < block.items.size();) {
         const Item& item = block.items[i];
         if (item.kind == Item::Kind::word && item.word == "inverse"_w) inverted = true, ++i;
-        else all = one(p, block, i) * all;
+        else all = take_transform(p, block, i) * all;
     }
     if (!inverted) return all;
     const std::optional<Transform> back = inverse(all);

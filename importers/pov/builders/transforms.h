@@ -11,4 +11,9 @@ namespace alidade::pov {
 /// no transformation, and for the inverse of a map that has none. A scale of 0 becomes 1, with a warning, as in POV-Ray.
 Transform build_transform(Parser& p, const Block& block);
 
+/// Does a transformation begin with this item?
+bool begins_transform(const Item& item);
+/// The map of the transformation that begins at item `i` of `block`; `i` moves behind it.
+Transform take_transform(Parser& p, const Block& block, size_t& i);
+
 }  // namespace alidade::pov

@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "importers/pov/builders/build.h"
+
+#include "importers/pov/builders/transforms.h"
+#include "importers/pov/operators.h"
+
+#include <fmt/format.h>
+
+namespace alidade::pov {
+
+SourcePos Build::position(Place at) const {
+    if (at.source >= p.stream.sources()) return {};
+    return p.stream.source(uint16_t(at.source)).position(at.offset);
+}
+
+NodeId Build::add_node(Node node) {
+    constexpr size_t kMostNodes = 1'500'000;
+    if (scene.nodes.size() >= kMostNodes) p.fail_limit({}, fmt::format("the scene has more than {} objects", kMostNodes));
+    scene.nodes.push_back(std::move(node));
+    return {uint32_t(scene.nodes.size() - 1)};
+}
+
+bool Cursor::accept(WordId word) {
+    if (!at_word(word)) return false;
+    ++i_;
+    return true;
+}
+
+const Block* Cursor::any_block() const {
+    return !done() && peek().value.kind == Kind::block && peek().kind != Item::Kind::entry ? &peek().block() : nullptr;
+}
+
+const Block* Cursor::block_at(WordId word) const {
+    const Block* block = any_block();
+    return block && block->word == word ? block : nullptr;
+}
+
+double Cursor::number(const char* what) {
+    if (!at_number()) build_.p.fail(place(), fmt::format("a number is expected as {}", what));
+    return next().value.c[0];
+}
+
+int Cursor::integer(const char* what, int low, int high) {
+    const double x = number(what);
+    return x >= low ? x <= high ? int(x) : high : low;
+}
+
+Vec3 Cursor::vector(const char* what) {
+    if (!at_numeric()) build_.p.fail(place(), fmt::format("a vector is expected as {}", what));
+    const std::array<double, 5> c = promoted(next().value, 3);
+    return {c[0], c[1], c[2]};
+}
+
+std::array<double, 5> Cursor::colour(const char* what) {
+    if (!at_numeric()) build_.p.fail(place(), fmt::format("a colour is expected as {}", what));
+    const Value& value = next().value;
+    if (value.kind != Kind::number) return promoted(value, 5);
+    return {value.c[0], value.c[0], value.c[0], 0, 0};
+}
+
+Color Cursor::rgb(const char* what) {
+    const std::array<double, 5> c = colour(what);
+    return {c[0], c[1], c[2]};
+}
+
+bool Cursor::flag() {
+    if (!at_number()) return true;
+    return truth(next().value.c[0]);
+}
+
+bool Cursor::at_transform() const { return !done() && begins_transform(peek()); }
+
+Transform Cursor::transform() { return take_transform(build_.p, block_, i_); }
+
+void Cursor::skip() {
+    const bool takes_values = peek().kind == Item::Kind::word;
+    ++i_;
+    while (takes_values && !done() && (peek().kind == Item::Kind::numbers || (peek().kind == Item::Kind::value && !any_block()))) ++i_;
+}
+
+void Cursor::skip_unmodelled() {
+    const Item& item = peek();
+    const Block* block = any_block();
+    const bool named = item.kind == Item::Kind::word || block;
+    const std::string_view word = named ? kWords[block ? block->word : item.word] : std::string_view("a value");
+    build_.p.tally(item.place, fmt::format("{} in {} is not modelled yet: it is left out", word, kWords[block_.word]));
+    skip();
+}
+
+}  // namespace alidade::pov

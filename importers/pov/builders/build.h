@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: Apache-2.0
+/// What all builders share: the scene that is being built, and a walk over the items of a block.
+#pragma once
+
+#include "importers/pov/parser.h"
+#include "scene/scene.h"
+
+#include <map>
+
+namespace alidade::pov {
+
+/// A node that stands for a declared object, and whether it carries a texture of its own.
+struct BuiltObject {
+    NodeId node;
+    bool textured = false;
+};
+
+/// The scene under construction. Builders read blocks and add to it; what they do not model they tally with the parser.
+struct Build {
+    explicit Build(Parser& parser) : p(parser) {}
+
+    Parser& p;
+    Scene scene;
+    std::vector<Value> defaults;                        ///< blocks of #default, in order
+    std::map<const Block*, BuiltObject> declared;       ///< objects that were referred to, so that each is stored once
+    std::vector<PovFinish> default_textures;            ///< what holds after each of them; the first: before all
+    std::map<uint32_t, MaterialId> default_materials;   ///< by the number of #default before
+
+    int copying = 0;                                    ///< references that are being built anew because their texture changes
+    size_t copies_of_copies = 0;                        ///< those among them that stood in another: each level can double them
+
+    SourcePos position(Place at) const;
+    /// Fails where a scene copies its parts into parts of parts without end.
+    NodeId add_node(Node node);
+};
+
+/// Reads the items of a block one after the other. All `take` functions fail, with the place, where something else stands.
+class Cursor {
+  public:
+    Cursor(Build& build, const Block& block) : build_(build), block_(block) {}
+
+    bool done() const { return i_ >= block_.items.size(); }
+    const Item& peek() const { return block_.items[i_]; }
+    const Item& next() { return block_.items[i_++]; }
+    Place place() const { return done() ? block_.place : peek().place; }
+    const Block& block() const { return block_; }
+
+    bool at_word(WordId word) const { return !done() && peek().kind == Item::Kind::word && peek().word == word; }
+    bool at_block(WordId word) const { return block_at(word) != nullptr; }
+    bool at_number() const { return !done() && peek().kind == Item::Kind::value && peek().value.kind == Kind::number; }
+    bool at_numeric() const { return !done() && peek().kind == Item::Kind::value && peek().value.numeric(); }
+    /// Takes the word if it comes next.
+    bool accept(WordId word);
+    /// `word { ... }`, or an identifier that stands for one, if it comes next: not taken.
+    const Block* block_at(WordId word) const;
+    /// What a block item or an identifier of an object holds, or null.
+    const Block* any_block() const;
+
+    double number(const char* what);
+    /// A number cut to `low` .. `high`.
+    int integer(const char* what, int low, int high);
+    Vec3 vector(const char* what);
+    /// red, green, blue, filter, transmit; a float stands for equal red, green and blue.
+    std::array<double, 5> colour(const char* what);
+    Color rgb(const char* what);
+    /// The value of a switch: `on`, `off` ... or, if none stands there, true.
+    bool flag();
+    bool at_transform() const;
+    Transform transform();
+    /// Skips what comes next, a word with its values, and tallies it as not modelled.
+    void skip_unmodelled();
+    /// Skips it without a word: it has no influence on a picture.
+    void skip();
+
+  private:
+    Build& build_;
+    const Block& block_;
+    size_t i_ = 0;
+};
+
+}  // namespace alidade::pov

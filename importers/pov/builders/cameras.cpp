@@ -1,0 +1,142 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "importers/pov/builders/cameras.h"
+
+#include <cmath>
+
+namespace alidade::pov {
+
+namespace {
+
+struct CameraWords {
+    Camera camera;
+    Vec3 sky{0, 1, 0};
+    std::optional<Vec3> look_at;
+    std::optional<double> angle, vertical_angle;
+    int cylinder = 1;
+    bool sized = false;          ///< right or up was given
+    Transform transform;
+};
+
+/// Of cameras whose window is not flat: 90 degrees, and all around for the spherical one, where nothing is said.
+void set_angles(Build& build, Place at, const CameraWords& words, Camera& c) {
+    const bool spherical = c.projection == Projection::spherical, given = words.angle && *words.angle > 0;
+    c.angle = given ? *words.angle : spherical ? 360 : 90;
+    if (spherical && words.vertical_angle && *words.vertical_angle != c.angle / 2) build.p.tally(at, "a vertical angle of a spherical camera is not modelled yet: it is half the horizontal one");
+    if (words.cylinder != 1) build.p.tally(at, "cylinder cameras of types 2 to 4 are not modelled yet: type 1 is taken");
+}
+
+/// What POV-Ray does with `angle` where the window is flat: direction gets the length that makes the window fill it.
+void apply_angle(Build& build, Place at, const CameraWords& words, Camera& c) {
+    if (c.projection != Projection::perspective && c.projection != Projection::orthographic) return set_angles(build, at, words, c);
+    if (!words.angle || *words.angle <= 0) return;
+    if (c.projection == Projection::perspective && *words.angle >= 180) build.p.fail(at, "the angle of a perspective camera must be less than 180 degrees");
+    c.direction = normalized(c.direction) * (length(c.right) / (2 * std::tan(*words.angle * kPi / 360)));
+}
+
+/// The window turns towards the point, upright as the sky says; its handedness stays.
+void apply_look_at(Build& build, Place at, const CameraWords& words, Camera& c) {
+    if (!words.look_at) return;
+    const Vec3 towards = *words.look_at - c.location;
+    if (length(towards) == 0) build.p.fail(at, "look_at is the camera's location");
+    const double along = length(c.direction), high = length(c.up), wide = length(c.right), hand = dot(cross(c.up, c.direction), c.right);
+    c.direction = normalized(towards);
+    const Vec3 side = cross(words.sky, c.direction);
+    const bool no_side = std::abs(side.x) < 1e-10 && std::abs(side.y) < 1e-10 && std::abs(side.z) < 1e-10;
+    c.right = normalized(no_side ? c.right : side);
+    c.up = cross(c.direction, c.right) * high;
+    c.right *= hand > 0 ? wide : -wide;
+    c.direction *= along;
+}
+
+void apply_orthographic(const CameraWords& words, Camera& c) {
+    if (c.projection != Projection::orthographic || (words.sized && !words.angle)) return;
+    const double distance = words.look_at ? length(*words.look_at - c.location) : length(c.direction);
+    const double scale = distance / length(c.direction);
+    c.right *= scale, c.up *= scale;
+}
+
+std::optional<Projection> projection(WordId word) {
+    switch (word) {
+        case "perspective"_w: return Projection::perspective;
+        case "orthographic"_w: return Projection::orthographic;
+        case "fisheye"_w: return Projection::fisheye;
+        case "ultra_wide_angle"_w: return Projection::ultra_wide_angle;
+        case "omnimax"_w: return Projection::omnimax;
+        case "panoramic"_w: return Projection::panoramic;
+        case "cylinder"_w: return Projection::cylindrical;
+        case "spherical"_w: return Projection::spherical;
+        default: return std::nullopt;
+    }
+}
+
+void take_lens(CameraWords& words, WordId word, Cursor& at) {
+    switch (word) {
+        case "aperture"_w: words.camera.aperture = at.number("the aperture"); break;
+        case "blur_samples"_w:
+            words.camera.blur_samples = at.integer("the number of samples", 0, 1'000'000);
+            if (at.at_number()) words.camera.blur_samples = at.integer("the number of samples", 0, 1'000'000);
+            break;
+        default: words.camera.focal_point = at.vector("the focal point");
+    }
+}
+
+/// One word of a camera with its values; false if it is none.
+bool take_word(CameraWords& words, Cursor& at) {
+    if (at.peek().kind != Item::Kind::word) return false;
+    const WordId word = at.peek().word;
+    if (const auto kind = projection(word)) {
+        at.next();
+        words.camera.projection = *kind;
+        if (kind == Projection::cylindrical) words.cylinder = at.integer("the type of the cylinder", 1, 4);
+        return true;
+    }
+    switch (word) {
+        case "location"_w: at.next(), words.camera.location = at.vector("the location"); return true;
+        case "direction"_w: at.next(), words.camera.direction = at.vector("the direction"); return true;
+        case "right"_w: at.next(), words.camera.right = at.vector("right"), words.sized = true; return true;
+        case "up"_w: at.next(), words.camera.up = at.vector("up"), words.sized = true; return true;
+        case "sky"_w: at.next(), words.sky = at.vector("the sky"); return true;
+        case "look_at"_w: at.next(), words.look_at = at.vector("look_at"); return true;
+        case "angle"_w:
+            at.next(), words.angle = at.number("the angle");
+            if (at.at_number()) words.vertical_angle = at.number("the vertical angle");
+            return true;
+        case "aperture"_w: case "blur_samples"_w: case "focal_point"_w: at.next(), take_lens(words, word, at); return true;
+        case "confidence"_w: case "variance"_w: at.skip(); return true;
+        default: return false;
+    }
+}
+
+void read_words(Build& build, const Block& block, CameraWords& words) {
+    for (Cursor at(build, block); !at.done();) {
+        if (const Block* other = at.block_at("camera"_w)) at.next(), read_words(build, *other, words);
+        else if (at.at_transform()) words.transform = at.transform() * words.transform;
+        else if (!take_word(words, at)) at.skip_unmodelled();
+    }
+}
+
+void check(Build& build, Place at, const Camera& c) {
+    if (length(c.direction) == 0) build.p.fail(at, "the camera's direction has no length");
+    if (length(c.right) == 0 || length(c.up) == 0) build.p.fail(at, "the camera's right or up has no length");
+}
+
+}  // namespace
+
+Camera build_camera(Build& build, const Block& block) {
+    CameraWords words;
+    words.camera.direction = {0, 0, 1}, words.camera.right = {1.33, 0, 0}, words.camera.up = {0, 1, 0};
+    read_words(build, block, words);
+    Camera& c = words.camera;
+    c.from = build.position(block.place);
+    check(build, block.place, c);
+    apply_angle(build, block.place, words, c);
+    apply_look_at(build, block.place, words, c);
+    apply_orthographic(words, c);
+    c.location = words.transform.point(c.location);
+    c.direction = words.transform.vector(c.direction), c.right = words.transform.vector(c.right), c.up = words.transform.vector(c.up);
+    c.fit = Fit::stretch;
+    check(build, block.place, c);
+    return c;
+}
+
+}  // namespace alidade::pov

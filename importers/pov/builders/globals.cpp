@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "importers/pov/builders/globals.h"
+
+namespace alidade::pov {
+
+namespace {
+
+/// `assumed_gamma NUMBER` or `assumed_gamma srgb`: what the scene's numbers mean.
+void take_gamma(Build& build, Cursor& at) {
+    RenderSettings& s = build.scene.settings;
+    const Place place = at.place();
+    s.srgb_coded = at.accept("srgb"_w);
+    s.assumed_gamma = s.srgb_coded ? 1 : at.number("the assumed gamma");
+    if (!(s.assumed_gamma > 0)) build.p.fail(place, "the assumed gamma must be greater than 0");
+}
+
+/// Words of global_settings that change no picture that is modelled.
+bool is_silent(const Cursor& at) {
+    return at.at_word("charset"_w) || at.at_word("max_intersections"_w) || at.at_word("mm_per_unit"_w) || at.at_word("hf_gray_16"_w);
+}
+
+}  // namespace
+
+void begin_settings(Build& build, const Program& program) {
+    RenderSettings& s = build.scene.settings;
+    s.default_spp = 1;
+    s.default_light = false;
+    s.max_depth = 4;
+    s.adc_bailout = 1.0 / 255;
+    const bool old = !program.version_given || program.version < 3.7 - 1e-9;
+    s.srgb_coded = old;               // without assumed_gamma an old scene's numbers are what the file holds: no correction at all
+    s.filter_dims_by_colour = old;
+    s.generator = "POV-Ray";
+}
+
+void read_globals(Build& build, const Block& block) {
+    RenderSettings& s = build.scene.settings;
+    for (Cursor at(build, block); !at.done();) {
+        if (at.accept("assumed_gamma"_w)) take_gamma(build, at);
+        else if (at.accept("max_trace_level"_w)) s.max_depth = at.integer("the most levels", 1, 256) - 1;
+        else if (at.accept("adc_bailout"_w)) s.adc_bailout = at.number("adc_bailout");
+        else if (at.accept("ambient_light"_w)) s.ambient_light = at.rgb("the ambient light");
+        else if (is_silent(at)) at.skip();
+        else at.skip_unmodelled();
+    }
+}
+
+void read_background(Build& build, const Block& block) {
+    for (Cursor at(build, block); !at.done();) {
+        if (at.at_numeric()) build.scene.atmosphere.background = at.rgb("the background");
+        else at.skip_unmodelled();
+    }
+}
+
+}  // namespace alidade::pov

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "importers/pov/builders/interiors.h"
+
+namespace alidade::pov {
+
+namespace {
+
+void read_interior(Build& build, const Block& block, Interior& in) {
+    const Nested nested(build.p, block.place);
+    for (Cursor at(build, block); !at.done();) {
+        if (const Block* base = at.block_at("interior"_w)) at.next(), read_interior(build, *base, in);
+        else if (at.accept("ior"_w)) in.ior = at.number("the index of refraction");
+        else if (at.accept("caustics"_w)) in.caustics = at.number("the caustics");
+        else if (at.accept("dispersion"_w)) in.dispersion = at.number("the dispersion");
+        else if (at.accept("dispersion_samples"_w)) in.dispersion_samples = at.integer("the number of samples", 2, 1000);
+        else if (at.accept("fade_distance"_w)) in.fade_distance = at.number("the distance of fading");
+        else if (at.accept("fade_power"_w)) in.fade_power = at.number("the power of fading");
+        else if (at.accept("fade_color"_w) || at.accept("fade_colour"_w)) in.fade_color = at.rgb("the colour of fading");
+        else at.skip_unmodelled();
+    }
+}
+
+}  // namespace
+
+InteriorId add_interior(Build& build, const Block& block) {
+    Interior in;
+    in.from = build.position(block.place);
+    read_interior(build, block, in);
+    if (!(in.ior > 0)) build.p.fail(block.place, "the index of refraction must be greater than 0");
+    build.scene.interiors.push_back(in);
+    return {uint32_t(build.scene.interiors.size() - 1)};
+}
+
+}  // namespace alidade::pov

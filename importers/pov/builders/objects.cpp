@@ -1,0 +1,248 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "importers/pov/builders/objects.h"
+
+#include "importers/pov/builders/interiors.h"
+#include "importers/pov/builders/lights.h"
+#include "importers/pov/builders/shapes.h"
+#include "importers/pov/builders/textures.h"
+
+#include <algorithm>
+#include <fmt/format.h>
+
+namespace alidade::pov {
+
+namespace {
+
+/// An object while its modifiers are read. A texture lies in the space that the object has where the texture stands: transformations before it move the
+/// object alone, those behind it both.
+struct Draft {
+    Node node;                            ///< the shape, or the children
+    Transform before;                     ///< of the object alone
+    Transform transform;                  ///< behind the texture; of all, if there is none
+    TextureLayers layers;
+    Place texture_place;
+    bool parts_textured = false;          ///< a referenced object brings its own
+};
+
+CsgKind csg_of(WordId word) {
+    switch (word) {
+        case "union"_w: return CsgKind::union_;
+        case "merge"_w: return CsgKind::merge;
+        case "intersection"_w: return CsgKind::intersection;
+        case "difference"_w: return CsgKind::difference;
+        default: return CsgKind::none;
+    }
+}
+
+bool changes_texture(const Item& item) {
+    if (item.value.kind != Kind::block) return false;
+    const WordId word = item.block().word;
+    return word == "texture"_w || word == "pigment"_w || word == "finish"_w || word == "normal"_w || word == "material"_w;
+}
+
+void begin_texture(Draft& d, Place at) {
+    if (!d.layers.empty()) return;
+    d.before = d.transform * d.before, d.transform = Transform();
+    d.texture_place = at;
+}
+
+/// The top layer, to be changed by `pigment` or `finish` beside the object: the default texture if there is none.
+PovFinish& own_layer(Build& build, Draft& d, const Block& block) {
+    begin_texture(d, block.place);
+    if (d.layers.empty()) d.layers.push_back(default_texture(build, block.defaults));
+    return d.layers.back();
+}
+
+void add_layers(Build& build, Draft& d, const Block& texture) {
+    begin_texture(d, texture.place);
+    const TextureLayers more = build_texture(build, texture);
+    d.layers.insert(d.layers.end(), more.begin(), more.end());
+}
+
+void apply_material(Build& build, Draft& d, const Block& block) {
+    const Nested nested(build.p, block.place);
+    for (Cursor at(build, block); !at.done();) {
+        if (const Block* base = at.block_at("material"_w)) at.next(), apply_material(build, d, *base);
+        else if (const Block* texture = at.block_at("texture"_w)) at.next(), add_layers(build, d, *texture);
+        else if (const Block* interior = at.block_at("interior"_w)) at.next(), d.node.interior = add_interior(build, *interior);
+        else if (at.at_transform()) at.transform();
+        else at.skip_unmodelled();
+    }
+}
+
+bool take_surface(Build& build, Draft& d, Cursor& at) {
+    if (const Block* texture = at.block_at("texture"_w)) add_layers(build, d, *texture);
+    else if (const Block* pigment = at.block_at("pigment"_w)) build_pigment(build, *pigment, own_layer(build, d, *pigment));
+    else if (const Block* finish = at.block_at("finish"_w)) build_finish(build, *finish, own_layer(build, d, *finish));
+    else if (const Block* material = at.block_at("material"_w)) apply_material(build, d, *material);
+    else if (const Block* interior = at.block_at("interior"_w)) d.node.interior = add_interior(build, *interior);
+    else return false;
+    at.next();
+    return true;
+}
+
+bool take_flag(Draft& d, Cursor& at) {
+    NodeFlags& f = d.node.flags;
+    if (at.accept("no_shadow"_w)) f.shadow = !at.flag();
+    else if (at.accept("no_image"_w)) f.image = !at.flag();
+    else if (at.accept("no_reflection"_w)) f.reflection = !at.flag();
+    else if (at.accept("hollow"_w)) f.hollow = at.flag();
+    else if (at.accept("double_illuminate"_w)) f.double_illuminate = at.flag();
+    else if (at.accept("inverse"_w)) d.node.inverse = !d.node.inverse;
+    else return false;
+    return true;
+}
+
+/// Words that change how POV-Ray finds a surface, and not where it is.
+bool is_hint(const Cursor& at) {
+    const Item& item = at.peek();
+    if (at.at_block("bounded_by"_w) || at.at_block("photons"_w)) return true;
+    if (item.kind != Item::Kind::word) return false;
+    return item.word == "sturm"_w || item.word == "hierarchy"_w || item.word == "split_union"_w || item.word == "no_radiosity"_w;
+}
+
+void take_clips(Build& build, Draft& d, const Block& block) {
+    for (Cursor at(build, block); !at.done(); ) {
+        const Block* clip = at.any_block();
+        if (!clip || !is_object(clip->word)) {
+            at.skip_unmodelled();
+            continue;
+        }
+        at.next();
+        if (const auto built = build_object(build, *clip)) d.node.clips.push_back(built->node);
+    }
+}
+
+void take_modifiers(Build& build, Draft& d, Cursor& at) {
+    while (!at.done()) {
+        if (at.at_transform()) d.transform = at.transform() * d.transform;
+        else if (take_surface(build, d, at) || take_flag(d, at)) continue;
+        else if (const Block* clip = at.block_at("clipped_by"_w)) at.next(), take_clips(build, d, *clip);
+        else if (is_hint(at)) at.skip();
+        else at.skip_unmodelled();
+    }
+}
+
+std::optional<Draft> draft(Build& build, const Block& block);
+
+/// The declared object as a child, stored once however often it is referred to.
+std::optional<Draft> reference(Build& build, const Block& object) {
+    auto known = build.declared.find(&object);
+    if (known == build.declared.end()) {
+        const auto built = build_object(build, object);
+        if (!built) return std::nullopt;
+        known = build.declared.emplace(&object, *built).first;
+    }
+    Draft d;
+    d.node.children.push_back(known->second.node);
+    d.parts_textured = known->second.textured;
+    return d;
+}
+
+struct Copying {
+    explicit Copying(Build& b) : build(b) { ++build.copying; }
+    Copying(const Copying&) = delete;
+    ~Copying() { --build.copying; }
+    Build& build;
+};
+
+/// `object { NAME ... }`: the thing itself where its texture is changed, a child that it shares with other references where not.
+std::optional<Draft> object(Build& build, Cursor& at) {
+    const Block* inner = at.any_block();
+    if (!inner || !is_object(inner->word)) build.p.fail(at.place(), "an object is expected in object { }");
+    at.next();
+    const std::vector<Item>& items = at.block().items;
+    if (!std::any_of(items.begin(), items.end(), changes_texture)) return reference(build, *inner);
+    constexpr size_t kMostCopies = 50'000;
+    if (build.copying && ++build.copies_of_copies > kMostCopies) build.p.fail_limit(at.block().place, fmt::format("more than {} objects are copied in copies, because their textures change", kMostCopies));
+    const Copying copying(build);
+    return draft(build, *inner);
+}
+
+void take_children(Build& build, Draft& d, Cursor& at) {
+    while (const Block* child = at.any_block()) {
+        if (!is_object(child->word)) return;
+        at.next();
+        if (const auto built = build_object(build, *child)) d.node.children.push_back(built->node);
+    }
+}
+
+std::optional<Draft> shape(Build& build, const Block& block, Cursor& at) {
+    Draft d;
+    auto built = build_shape(build, block.word, at);
+    if (!built) {
+        build.p.tally(block.place, fmt::format("{} is not modelled yet: it is left out", kWords[block.word]));
+        return std::nullopt;
+    }
+    ShapeEntry entry;
+    entry.geometry = std::move(built->geometry);
+    entry.from = build.position(block.place);
+    build.scene.shapes.push_back(std::move(entry));
+    d.node.what = ShapeId{uint32_t(build.scene.shapes.size() - 1)};
+    d.node.materials = std::move(built->slots);
+    return d;
+}
+
+std::optional<Draft> draft(Build& build, const Block& block) {
+    const Nested nested(build.p, block.place);
+    Cursor at(build, block);
+    std::optional<Draft> d;
+    const Block* first = at.any_block();
+    if (block.word == "object"_w || (first && first->word == block.word && csg_of(block.word) == CsgKind::none)) {
+        d = object(build, at);
+    } else if (const CsgKind csg = csg_of(block.word); csg != CsgKind::none) {
+        d.emplace();
+        d->node.csg = csg;
+        take_children(build, *d, at);
+    } else {
+        d = shape(build, block, at);
+    }
+    if (!d) return std::nullopt;
+    d->node.from = build.position(block.place);
+    take_modifiers(build, *d, at);
+    return d;
+}
+
+/// One node, or two where transformations stand on both sides of the texture.
+BuiltObject finish(Build& build, Draft d) {
+    const bool textured = !d.layers.empty();
+    if (!textured) {
+        d.node.to_parent = d.transform;
+        return {build.add_node(std::move(d.node)), d.parts_textured};
+    }
+    const MaterialId material = add_material(build, std::move(d.layers), d.texture_place);
+    const bool moved = !d.before.is_identity();
+    Node* carrier = &d.node;
+    Node outer;
+    if (moved) {
+        outer.from = d.node.from;
+        d.node.to_parent = d.before;
+        carrier = &outer;
+    }
+    if (carrier->materials.empty()) carrier->materials.resize(1);
+    carrier->materials[0] = material;
+    if (moved) {
+        const NodeId inner = build.add_node(std::move(d.node));
+        outer.children.push_back(inner);
+    }
+    carrier->to_parent = d.transform;
+    return {build.add_node(std::move(*carrier)), true};
+}
+
+}  // namespace
+
+bool is_object(WordId word) {
+    static constexpr WordId kObjects[] = {
+        "sphere"_w, "plane"_w, "box"_w, "cylinder"_w, "cone"_w, "disc"_w, "torus"_w, "triangle"_w, "smooth_triangle"_w, "mesh"_w, "mesh2"_w, "union"_w, "merge"_w,
+        "intersection"_w, "difference"_w, "object"_w, "light_source"_w, "light_group"_w, "text"_w, "polygon"_w, "quadric"_w, "cubic"_w, "quartic"_w, "poly"_w, "polynomial"_w,
+        "blob"_w, "bicubic_patch"_w, "height_field"_w, "isosurface"_w, "julia_fractal"_w, "lathe"_w, "ovus"_w, "parametric"_w, "prism"_w, "sor"_w, "sphere_sweep"_w, "superellipsoid"_w};
+    return std::find(std::begin(kObjects), std::end(kObjects), word) != std::end(kObjects);
+}
+
+std::optional<BuiltObject> build_object(Build& build, const Block& block) {
+    if (block.word == "light_source"_w) return BuiltObject{build_light(build, block), true};
+    auto d = draft(build, block);
+    return d ? std::optional(finish(build, std::move(*d))) : std::nullopt;
+}
+
+}  // namespace alidade::pov

@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: Apache-2.0
+/// Objects with their modifiers -> nodes.
+#pragma once
+
+#include "importers/pov/builders/build.h"
+
+namespace alidade::pov {
+
+/// Does the block hold an object (or a light)? Also those that are not modelled yet.
+bool is_object(WordId word);
+/// The node of an object's block; nothing, and a tally, if it is not modelled. A texture that the object does not give is inherited.
+std::optional<BuiltObject> build_object(Build& build, const Block& block);
+
+}  // namespace alidade::pov

@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "importers/pov/builders/scenes.h"
+
+#include "importers/pov/builders/cameras.h"
+#include "importers/pov/builders/globals.h"
+#include "importers/pov/builders/objects.h"
+#include "importers/pov/builders/textures.h"
+
+#include <fmt/format.h>
+
+namespace alidade::pov {
+
+namespace {
+
+/// A root that gives the default texture to whatever has none.
+void add_root(Build& build, const Block& block) {
+    const auto built = build_object(build, block);
+    if (!built) return;
+    NodeId root = built->node;
+    Node& node = build.scene.nodes[root.index];
+    const bool has_own = !node.materials.empty() && node.materials[0];
+    if (!has_own && !std::holds_alternative<LightId>(node.what)) {
+        const MaterialId usual = default_material(build, block.defaults);
+        Node& same = build.scene.nodes[root.index];                  // the material has not moved it, but who knows
+        if (same.materials.empty()) same.materials.resize(1);
+        same.materials[0] = usual;
+    }
+    build.scene.roots.push_back(root);
+}
+
+void build_item(Build& build, const Item& item, std::optional<Camera>& camera) {
+    const Block& block = item.block();
+    switch (block.word) {
+        case "camera"_w: camera = build_camera(build, block); return;
+        case "global_settings"_w: return read_globals(build, block);
+        case "background"_w: return read_background(build, block);
+        default: break;
+    }
+    if (is_object(block.word)) return add_root(build, block);
+    build.p.tally(item.place, fmt::format("{} is not modelled yet: it is left out", kWords[block.word]));
+}
+
+/// The last camera is the scene's.
+void add_camera(Build& build, const std::optional<Camera>& camera) {
+    Camera usual;
+    usual.direction = {0, 0, 1}, usual.right = {1.33, 0, 0}, usual.up = {0, 1, 0};
+    build.scene.cameras.push_back(camera.value_or(usual));
+    Node node;
+    node.what = CameraId{0};
+    node.from = build.scene.cameras[0].from;
+    build.scene.nodes.push_back(std::move(node));                    // also where there is no room for another object
+    build.scene.roots.push_back({uint32_t(build.scene.nodes.size() - 1)});
+}
+
+}  // namespace
+
+Scene build_scene(Parser& parser, const Program& program) {
+    Build build(parser);
+    build.defaults = program.defaults;
+    begin_settings(build, program);
+    std::optional<Camera> camera;
+    for (const Item& item : program.items) {
+        parser.reset_nesting();
+        try {
+            build_item(build, item, camera);
+        } catch (Failure& failure) {
+            parser.said.add(std::move(failure.diagnostic));
+            if (failure.fatal) break;
+        }
+    }
+    add_camera(build, camera);
+    build.scene.files = program.files;
+    return std::move(build.scene);
+}
+
+}  // namespace alidade::pov

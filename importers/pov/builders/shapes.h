@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: Apache-2.0
+/// The parameters that stand at the beginning of an object's block -> its geometry.
+#pragma once
+
+#include "importers/pov/builders/build.h"
+
+namespace alidade::pov {
+
+/// A geometry, and the textures of its material slots behind the first (a mesh's own).
+struct BuiltShape {
+    ShapeGeometry geometry;
+    std::vector<std::optional<MaterialId>> slots;
+};
+
+/// Reads the parameters of the solid `word` from `at`, which is left at the first modifier; nothing if the word names no shape that is modelled.
+std::optional<BuiltShape> build_shape(Build& build, WordId word, Cursor& at);
+
+/// `mesh { triangle { } smooth_triangle { } ... }` and `mesh2 { vertex_vectors { } face_indices { } ... }`.
+BuiltShape build_mesh(Build& build, Cursor& at);
+BuiltShape build_mesh2(Build& build, Cursor& at);
+BuiltShape build_triangle(Build& build, Cursor& at);
+BuiltShape build_smooth_triangle(Build& build, Cursor& at);
+
+}  // namespace alidade::pov

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "importers/pov/pov.h"
+
+#include "importers/pov/builders/scenes.h"
+#include "importers/pov/parser.h"
+
+namespace alidade {
+
+bool looks_like_pov(std::span<const std::byte>) { return false; }
+
+ImportResult import_pov(const std::string& path, const ImportOptions& options) {
+    pov::ReadOptions read;
+    read.include_paths = options.include_paths;
+    read.declarations = options.declarations;
+    read.strict = options.strict;
+    read.frame = options.frame;
+    read.write_folder = options.write_folder;
+    read.limits.file_bytes = std::min(read.limits.file_bytes, options.max_file_bytes);
+    Imported out;
+    std::optional<std::string> text = pov::read_scene_file(path, read, out.diagnostics);
+    if (text) {
+        pov::Parser parser(read, out.diagnostics);
+        const pov::Program program = pov::read_program(parser, path, std::move(*text));
+        if (!out.diagnostics.has_errors()) out.scene = pov::build_scene(parser, program);
+        parser.say_tallies();
+    }
+    if (out.diagnostics.has_errors()) return tl::unexpected(std::move(out.diagnostics));
+    return out;
+}
+
+}  // namespace alidade

@@ -1,0 +1,169 @@
+// SPDX-License-Identifier: Apache-2.0
+/// Blocks of the scene language -> the scene graph. (Whether they look as in POV-Ray is asked by tests/scenes/pov_pictures_test.cpp.)
+#include "importers/importer.h"
+#include "scene/queries.h"
+
+#include <cmath>
+#include <filesystem>
+#include <fmt/format.h>
+#include <fstream>
+#include <gmock/gmock.h>
+#include <random>
+
+namespace alidade {
+namespace {
+
+using testing::HasSubstr;
+using testing::Not;
+
+class PovBuilders : public testing::Test {
+  protected:
+    void SetUp() override {
+        folder_ = std::filesystem::temp_directory_path() / fmt::format("alidade_pov_builders_{}", std::random_device{}());
+        std::filesystem::create_directories(folder_);
+    }
+    void TearDown() override { std::filesystem::remove_all(folder_); }
+    std::string write(const std::string& name, const std::string& text) const {
+        std::ofstream(folder_ / name) << text;
+        return (folder_ / name).string();
+    }
+    ImportResult import(const std::string& text, const ImportOptions& options = {}) const { return import_scene(write("s.pov", text), options); }
+    /// The scene, or an empty one and a failure.
+    Scene scene(const std::string& text) const {
+        auto result = import(text);
+        EXPECT_TRUE(result) << (result ? "" : result.error().text());
+        return result ? std::move(result->scene) : Scene();
+    }
+    std::string said(const std::string& text) const {
+        const auto result = import(text);
+        return result ? result->diagnostics.text() : result.error().text();
+    }
+    static void expect_near(const Vec3& a, const Vec3& b) { EXPECT_LT(length(a - b), 1e-12) << a.x << " " << a.y << " " << a.z; }
+
+    std::filesystem::path folder_;
+};
+
+TEST_F(PovBuilders, ACameraIsPovRaysOwnWithoutAnyWord) {
+    const Camera c = scene("sphere { 0, 1 }").cameras.at(0);
+    expect_near(c.location, Vec3(0));
+    expect_near(c.direction, {0, 0, 1});
+    expect_near(c.right, {1.33, 0, 0});
+    expect_near(c.up, {0, 1, 0});
+    EXPECT_EQ(c.fit, Fit::stretch);
+}
+
+TEST_F(PovBuilders, AnglesFillTheWindowAndLookAtKeepsItsHandedness) {
+    const Camera c = scene("camera { look_at <0,0,5> angle 90 right -2*x location <0,0,1> }").cameras.at(0);
+    expect_near(c.direction, {0, 0, 1});          // |right| / (2 tan 45)
+    expect_near(c.right, {-2, 0, 0});
+    const Camera turned = scene("camera { location <1,2,3> look_at <4,2,3> }").cameras.at(0);
+    expect_near(turned.direction, {1, 0, 0});
+    expect_near(turned.right, {0, 0, -1.33});
+    expect_near(turned.up, {0, 1, 0});
+    const Camera flat = scene("camera { orthographic location -4*z look_at z }").cameras.at(0);
+    expect_near(flat.right, {1.33 * 5, 0, 0});    // without right and up the window has the distance of what is looked at
+}
+
+TEST_F(PovBuilders, DeclaredObjectsAreStoredOnce) {
+    const Scene s = scene("#declare S = sphere { 0, 1 }\n#declare U = union { object { S translate x } object { S scale 2 } }\n#for(I, 1, 50) object { U translate I*y } #end");
+    EXPECT_EQ(s.shapes.size(), 1u);
+    EXPECT_EQ(s.nodes.size(), 1u + 2 + 1 + 50 + 1);   // S, its two references, U, its references, the camera
+    EXPECT_EQ(s.roots.size(), 51u);
+}
+
+/// Each used to be read inside of the one before it.
+TEST_F(PovBuilders, ThousandsOfDeclarationsFollowOneAnother) {
+    std::string text;
+    for (int i = 0; i < 3000; ++i) text += fmt::format("#declare P{} = pigment {{ rgb {} }}\n", i, i);
+    const Scene s = scene(text + "sphere { 0, 1 pigment { P2999 } }");
+    ASSERT_FALSE(s.signals.empty());
+    EXPECT_EQ(std::get<ConstantSignal>(s.signals.back().what).value.x, 2999);
+}
+
+TEST_F(PovBuilders, ATextureLiesInTheSpaceWhereItStands) {
+    const Scene s = scene("sphere { 0, 1 translate x texture { pigment { rgb 1 } } translate y }");
+    const Node& outer = s.nodes.at(s.roots.at(0).index);
+    ASSERT_EQ(outer.children.size(), 1u);
+    EXPECT_TRUE(outer.materials.at(0));
+    expect_near(outer.to_parent.translation, {0, 1, 0});
+    const Node& inner = s.nodes.at(outer.children[0].index);
+    EXPECT_TRUE(inner.materials.empty());
+    expect_near(inner.to_parent.translation, {1, 0, 0});
+}
+
+TEST_F(PovBuilders, WhatATextureLeavesOutComesFromTheDefaultsBeforeIt) {
+    const std::string text = "#declare A = texture { pigment { rgb 1 } }\n#default { finish { ambient .7 } }\n#declare B = texture { pigment { rgb 1 } }\nsphere { 0, 1 texture { A } } sphere { 0, 2 texture { B } } sphere { 0, 3 }";
+    const Scene s = scene(text);
+    std::vector<double> ambients;
+    for (const NodeId root : s.roots)
+        if (const auto& m = s.nodes[root.index].materials; !m.empty()) ambients.push_back(std::get<PovFinish>(s.materials.at(m[0]->index).layers.at(0)).ambient.x);
+    EXPECT_EQ(ambients, (std::vector<double>{0.1, 0.7, 0.7}));
+}
+
+TEST_F(PovBuilders, SettingsDependOnTheVersion) {
+    EXPECT_TRUE(scene("sphere { 0, 1 }").settings.srgb_coded) << "an old scene is not corrected at all";
+    EXPECT_TRUE(scene("#version 3.6; sphere { 0, 1 }").settings.filter_dims_by_colour);
+    const RenderSettings now = scene("#version 3.7; global_settings { max_trace_level 9 adc_bailout .1 ambient_light rgb 2 }").settings;
+    EXPECT_FALSE(now.srgb_coded || now.filter_dims_by_colour || now.default_light);
+    EXPECT_EQ(now.assumed_gamma, 1);
+    EXPECT_EQ(now.max_depth, 8);
+    EXPECT_EQ(now.adc_bailout, 0.1);
+    EXPECT_EQ(now.ambient_light.y, 2);
+    EXPECT_EQ(scene("#version 3.6; global_settings { assumed_gamma 2.2 }").settings.assumed_gamma, 2.2);
+}
+
+TEST_F(PovBuilders, WhatIsNotModelledIsSaidOnceWithItsCount) {
+    const std::string text = "#version 3.7;\n#for(I, 1, 3) isosurface { function { x } } #end\nrainbow { angle 3 }\nsphere { 0, 1 photons { target } pigment { agate } uv_mapping }";
+    const std::string messages = said(text);
+    EXPECT_THAT(messages, HasSubstr("s.pov:2:15: warning: isosurface is not modelled yet: it is left out (3 times)"));
+    EXPECT_THAT(messages, HasSubstr("rainbow is not modelled yet"));
+    EXPECT_THAT(messages, HasSubstr("the pattern agate of a pigment is not modelled yet: middle grey stands for it"));
+    EXPECT_THAT(messages, HasSubstr("uv_mapping in sphere is not modelled yet"));
+    EXPECT_EQ(scene(text).shapes.size(), 1u) << "the rest is there";
+}
+
+TEST_F(PovBuilders, ErrorsHaveTheirPlaceAndMoreThanOneIsTold) {
+    const std::string messages = said("sphere { 0 }\nplane { y, 0 }\ncylinder { x, x, 1 }\nmesh2 { vertex_vectors { 1, 0 } face_indices { 1, <0,0,1> } }\ncamera { look_at 0 }\nsphere { <1,2> \"a\" }\nplane { 0, 1 }");
+    EXPECT_THAT(messages, HasSubstr("s.pov:1:1: error: a number is expected as the radius of a sphere"));
+    EXPECT_THAT(messages, HasSubstr("s.pov:3:12: error: the cylinder has no length"));
+    EXPECT_THAT(messages, HasSubstr("s.pov:4:51: error: there is no vector 1: the mesh has 1"));
+    EXPECT_THAT(messages, HasSubstr("s.pov:5:1: error: look_at is the camera's location"));
+    EXPECT_THAT(messages, HasSubstr("s.pov:6:16: error: a number is expected"));
+    EXPECT_THAT(messages, HasSubstr("s.pov:7:9: error: the normal of a plane has no length"));
+    EXPECT_THAT(messages, Not(HasSubstr("s.pov:2")));
+}
+
+TEST_F(PovBuilders, IncludesAndDeclarationsComeFromTheOptions) {
+    std::filesystem::create_directories(folder_ / "more");
+    write("more/part.inc", "sphere { 0, R }");
+    ImportOptions options;
+    EXPECT_FALSE(import("#include \"part.inc\"", options));
+    options.include_paths = {(folder_ / "more").string()};
+    options.declarations = {"R=2.5"};
+    const auto result = import("#include \"part.inc\"", options);
+    ASSERT_TRUE(result) << result.error().text();
+    EXPECT_EQ(std::get<Sphere>(result->scene.shapes.at(0).geometry).radius, 2.5);
+}
+
+/// Copies of copies, layers of layers, defaults over defaults: each doubles what is before it.
+TEST_F(PovBuilders, WhatDoublesEndsInTime) {
+    std::string layers = "#declare T0 = texture { pigment { rgb 1 } }\n", objects = "#declare O0 = sphere { 0, 1 }\n", defaults;
+    for (int i = 1; i < 60; ++i) {
+        layers += fmt::format("#declare T{0} = texture {{ T{1} }} texture {{ T{1} }}\n", i, i - 1);
+        objects += fmt::format("#declare O{0} = union {{ object {{ O{1} pigment {{ rgb 1 }} }} object {{ O{1} pigment {{ rgb 0 }} }} }}\n", i, i - 1);
+        defaults += "#default { texture { pigment { rgb 1 } } }\n";
+    }
+    EXPECT_THAT(said(layers + "sphere { 0, 1 texture { T59 } }"), HasSubstr("more than 1000 layers"));
+    EXPECT_THAT(said(objects + "object { O59 }"), HasSubstr("more than 50000 objects are copied in copies"));
+    EXPECT_EQ(scene(defaults + "sphere { 0, 1 }").shapes.size(), 1u);
+}
+
+TEST_F(PovBuilders, HostileBlocksEndInMessages) {
+    for (const char* text : {"sphere { }", "camera { angle }", "light_source { }", "mesh { }", "mesh2 { }", "union { }", "object { }", "texture { }", "finish { }", "global_settings { assumed_gamma }", "global_settings { assumed_gamma 0 }",
+                             "sphere { 0, 1 finish { reflection { } roughness 0 } }", "box { \"a\", 2 }", "sphere { 0, 1e400 }", "camera { right 0 }", "mesh2 { vertex_vectors { 9, 0 } face_indices { 1, <0,-1,1e30> } }",
+                             "sphere { 0, 1 matrix <1,2,3> }", "light_source { 0 looks_like { } }", "sphere { 0, 1 interior { ior 0 } }", "#default { } sphere { 0, 1 }", "sphere { 0, 1 clipped_by { } }", "disc { 0, 0, 1 }"})
+        EXPECT_NO_THROW(said(text)) << text;
+}
+
+}  // namespace
+}  // namespace alidade

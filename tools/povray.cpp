@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: Apache-2.0
+/// `alidade povray`: a drop-in for POV-Ray in scripts.
+#include "tools/interrupt.h"
+#include "tools/output.h"
+#include "tools/povray_words.h"
+#include "tools/verbs.h"
+
+#include "importers/importer.h"
+#include "tracer/render.h"
+
+#include <cmath>
+#include <cstdio>
+#include <filesystem>
+#include <fmt/format.h>
+
+namespace alidade {
+
+namespace {
+
+int fail(const std::string& sentence) {
+    fmt::print(stderr, "alidade: error: {}\n", sentence);
+    return kError;
+}
+
+/// A scene's name may come without its ending.
+std::string scene_path(const PovrayRequest& r) {
+    if (std::filesystem::path(r.input).has_extension() || std::filesystem::exists(r.input)) return r.input;
+    return r.input + ".pov";
+}
+
+ImportOptions import_options(const PovrayRequest& r, int frame) {
+    ImportOptions options;
+    options.include_paths = r.library_paths;
+    options.declarations = r.declarations;
+    pov::FrameSettings& f = options.frame;
+    f.image_width = r.width, f.image_height = r.height;
+    f.clock = clock_of(r, frame);
+    f.clock_on = r.animated();
+    if (!r.animated()) return options;
+    f.initial_clock = r.initial_clock, f.final_clock = r.final_clock;
+    f.initial_frame = r.initial_frame, f.final_frame = r.final_frame, f.frame_number = frame;
+    f.clock_delta = clock_of(r, r.initial_frame + 1) - clock_of(r, r.initial_frame);
+    return options;
+}
+
+/// Columns and rows are counted from 1, or are shares of the picture if not greater than 1.
+int first_pixel(double start, int size) { return start <= 0 ? 0 : start <= 1 ? int(start * size) : int(start) - 1; }
+int end_pixel(double end, int size) { return end <= 0 ? size : end <= 1 ? int(std::ceil(end * size)) : int(end); }
+
+RenderOptions render_options(const PovrayRequest& r, int frame) {
+    RenderOptions options;
+    options.width = r.width, options.height = r.height;
+    options.threads = r.threads;
+    options.frame = frame;
+    options.spp = r.antialias ? r.antialias_depth * r.antialias_depth : 1;
+    const Region region{first_pixel(r.start_column, r.width), first_pixel(r.start_row, r.height), end_pixel(r.end_column, r.width), end_pixel(r.end_row, r.height)};
+    if (region.x0 || region.y0 || region.x1 != r.width || region.y1 != r.height) options.region = region;
+    return options;
+}
+
+int render_frame(const PovrayRequest& r, int frame) {
+    ImportResult imported = import_scene(scene_path(r), import_options(r, frame));
+    fmt::print(stderr, "{}", imported ? imported->diagnostics.text() : imported.error().text());
+    if (!imported) return kError;
+    Diagnostics said;
+    CompileOptions compile_options;
+    compile_options.threads = r.threads;
+    const auto scene = compile(std::move(imported->scene), compile_options, said);
+    fmt::print(stderr, "{}", said.text());
+    if (!scene) return kError;
+    const StopOnSignal signals;
+    Monitor monitor;
+    monitor.stop = &signals.stop();
+    const auto film = render(*scene, render_options(r, frame), monitor);
+    if (!film) return fail(film.error());
+    if (r.to_file) {
+        const std::string name = output_name(r, frame);
+        if (const auto files = write_film(name, film->picture); !files) return fail(fmt::format("{}: {}", name, files.error()));
+        if (r.verbose) fmt::print(stderr, "{}: {}x{}, rendered in {:.2f} s\n", name, r.width, r.height, film->stats.seconds);
+    }
+    return film->complete ? kDone : kInterrupted;
+}
+
+std::string help(const Verb& verb) {
+    return fmt::format("alidade {}\n\n{}\n\nThe words are POV-Ray's: +Iscene.pov +Oout.png +W320 +H240 +A -A +L<folder> +FN +WT<threads> +K<clock> +KFI1 +KFF10 +SF +EF +SC +EC +SR +ER,\n"
+                       "Key=Value, Declare=NAME=VALUE, scene.ini[section]. docs/pov-support.md lists what they do.\n\nExit codes: {}.\n",
+                       verb.usage, verb.doc, verb.exits);
+}
+
+}  // namespace
+
+int run_povray(const Verb& verb, const Words& words) {
+    if (!words.empty() && (words[0] == "--help" || words[0] == "-h")) {
+        fmt::print("{}", help(verb));
+        return kDone;
+    }
+    const auto request = parse_povray_words(words);
+    if (!request) return fail(request.error());
+    for (const std::string& note : request->notes) fmt::print(stderr, "alidade: warning: {}\n", note);
+    if (request->antialias) fmt::print(stderr, "alidade: warning: POV-Ray's own antialiasing is not modelled yet: {} samples a pixel are taken\n", request->antialias_depth * request->antialias_depth);
+    if (request->to_file && request->bits > 8) fmt::print(stderr, "alidade: warning: {} bits a colour are asked for: PNG files have 8\n", request->bits);
+    exit_on_signal();
+    const int first = request->subset_start.value_or(request->initial_frame), last = request->subset_end.value_or(request->final_frame);
+    if (first < request->initial_frame || last > request->final_frame || first > last) return fail("the subset of frames is empty or leaves the animation");
+    for (int frame = first; frame <= last; ++frame)
+        if (const int code = render_frame(*request, frame); code != kDone) return code;
+    return kDone;
+}
+
+}  // namespace alidade

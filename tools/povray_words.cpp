@@ -1,0 +1,352 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "tools/povray_words.h"
+
+#include "tools/values.h"
+#include "tools/verbs.h"
+
+#include <algorithm>
+#include <cctype>
+#include <cstring>
+#include <filesystem>
+#include <fmt/format.h>
+#include <fstream>
+
+namespace alidade {
+
+namespace {
+
+/// A word's value, and whether it is switched on (+) or off (-).
+struct Word {
+    std::string value;
+    bool on = true;
+};
+
+using Apply = bool (*)(PovrayRequest&, const Word&);   // false: the value is none
+
+struct Row {
+    const char* key;       ///< of Key=Value
+    const char* letters;   ///< of the switch, or ""
+    Apply apply;
+};
+
+std::string lower(std::string text) {
+    std::transform(text.begin(), text.end(), text.begin(), [](unsigned char c) { return char(std::tolower(c)); });
+    return text;
+}
+
+std::optional<bool> truth(const std::string& text) {
+    const std::string t = lower(text);
+    if (t == "on" || t == "true" || t == "yes" || t == "1") return true;
+    if (t == "off" || t == "false" || t == "no" || t == "0") return false;
+    return std::nullopt;
+}
+
+template <int PovrayRequest::* Member, int Low, int High> bool integer(PovrayRequest& r, const Word& w) {
+    const auto n = parse_integer(w.value, Low, High);
+    return n ? (r.*Member = int(*n), true) : false;
+}
+
+template <double PovrayRequest::* Member> bool number(PovrayRequest& r, const Word& w) {
+    const auto x = parse_number(w.value, -1e30);
+    return x ? (r.*Member = *x, true) : false;
+}
+
+template <std::optional<int> PovrayRequest::* Member> bool frame(PovrayRequest& r, const Word& w) {
+    const auto n = parse_integer(w.value, 0, 1 << 30);
+    return n ? (r.*Member = int(*n), true) : false;
+}
+
+/// `+X`, `-X` or `Key=on`.
+template <bool PovrayRequest::* Member> bool flag(PovrayRequest& r, const Word& w) {
+    const auto on = w.value.empty() ? std::optional(w.on) : truth(w.value);
+    return on ? (r.*Member = *on, true) : false;
+}
+
+/// `+X0.3` or `+X`: the number behind it does not matter here.
+template <bool PovrayRequest::* Member> bool flag_with_number(PovrayRequest& r, const Word& w) {
+    if (!w.value.empty() && truth(w.value)) return r.*Member = *truth(w.value), true;
+    if (!w.value.empty() && !parse_number(w.value, 0)) return false;
+    r.*Member = w.on;
+    return true;
+}
+
+bool input(PovrayRequest& r, const Word& w) { return r.input = w.value, !w.value.empty(); }
+bool output(PovrayRequest& r, const Word& w) { return r.output = w.value, true; }
+bool library(PovrayRequest& r, const Word& w) { return r.library_paths.push_back(w.value), !w.value.empty(); }
+bool declare(PovrayRequest& r, const Word& w) { return r.declarations.push_back(w.value), w.value.find('=') != std::string::npos; }
+
+/// `+F`, `+FN8`, `-F`: whether there is a file, its type and its bits.
+bool file(PovrayRequest& r, const Word& w) {
+    r.to_file = w.on;
+    if (w.value.empty()) return true;
+    const char type = char(std::toupper(static_cast<unsigned char>(w.value[0])));
+    if (!std::strchr("NPETJSBCH", type)) return false;
+    r.file_type = type == 'S' || type == 'C' ? 'N' : type;
+    std::string bits = w.value.substr(1);
+    if (!bits.empty() && (bits[0] == 'g' || bits[0] == 'G')) bits.erase(0, 1);
+    if (bits.empty()) return true;
+    const auto n = parse_integer(bits, 1, 100);
+    return n ? (r.bits = int(*n), true) : false;
+}
+
+bool file_type(PovrayRequest& r, const Word& w) { return file(r, {w.value, r.to_file}); }
+
+/// Known words that change no picture here.
+bool nothing(PovrayRequest&, const Word&) { return true; }
+template <const char* const& Sentence> bool told(PovrayRequest& r, const Word& w) {
+    if (w.on && std::find(r.notes.begin(), r.notes.end(), Sentence) == r.notes.end()) r.notes.emplace_back(Sentence);
+    return true;
+}
+constexpr const char* kNoResume = "+C (Continue_Trace): pictures are always made from the beginning";
+constexpr const char* kNoAlpha = "+UA (Output_Alpha): pictures have no alpha channel yet";
+constexpr const char* kNoQuality = "+Q (Quality): pictures are always made in full quality";
+constexpr const char* kNoField = "+UF (Field_Render): all rows are rendered";
+constexpr const char* kNoCommands = "commands around frames are not run";
+
+/// Below 9 POV-Ray leaves things out.
+bool quality(PovrayRequest& r, const Word& w) {
+    const auto n = parse_integer(w.value, 0, 11);
+    return n && (*n >= 9 || told<kNoQuality>(r, w));
+}
+
+/// The manual's order: every row is a word of POV-Ray.
+constexpr Row kTable[] = {
+    {"Width", "W", integer<&PovrayRequest::width, 1, 65536>},
+    {"Height", "H", integer<&PovrayRequest::height, 1, 65536>},
+    {"Input_File_Name", "I", input},
+    {"Output_File_Name", "O", output},
+    {"Output_To_File", "F", file},
+    {"Output_File_Type", "", file_type},
+    {"Bits_Per_Color", "", integer<&PovrayRequest::bits, 1, 100>},
+    {"Library_Path", "L", library},
+    {"Declare", "", declare},
+    {"Antialias", "A", flag_with_number<&PovrayRequest::antialias>},
+    {"Antialias_Threshold", "", nothing},
+    {"Antialias_Gamma", "", nothing},
+    {"Antialias_Depth", "R", integer<&PovrayRequest::antialias_depth, 1, 64>},
+    {"Sampling_Method", "AM", nothing},
+    {"Jitter", "J", nothing},
+    {"Jitter_Amount", "", nothing},
+    {"Quality", "Q", quality},
+    {"Verbose", "V", flag<&PovrayRequest::verbose>},
+    {"Display", "D", nothing},
+    {"Video_Mode", "", nothing},
+    {"Palette", "", nothing},
+    {"Display_Gamma", "", nothing},
+    {"File_Gamma", "", nothing},
+    {"Pause_When_Done", "P", nothing},
+    {"Test_Abort", "X", nothing},
+    {"Test_Abort_Count", "", nothing},
+    {"Clockless_Animation", "", nothing},
+    {"Continue_Trace", "C", told<kNoResume>},
+    {"Create_Continue_Trace_Log", "", nothing},
+    {"Clock", "K", number<&PovrayRequest::clock>},
+    {"Initial_Clock", "KI", number<&PovrayRequest::initial_clock>},
+    {"Final_Clock", "KF", number<&PovrayRequest::final_clock>},
+    {"Initial_Frame", "KFI", integer<&PovrayRequest::initial_frame, 0, 1 << 30>},
+    {"Final_Frame", "KFF", integer<&PovrayRequest::final_frame, 0, 1 << 30>},
+    {"Frame_Step", "STP", nothing},
+    {"Cyclic_Animation", "KC", flag<&PovrayRequest::cyclic>},
+    {"Subset_Start_Frame", "SF", frame<&PovrayRequest::subset_start>},
+    {"Subset_End_Frame", "EF", frame<&PovrayRequest::subset_end>},
+    {"Field_Render", "UF", told<kNoField>},
+    {"Odd_Field", "UO", nothing},
+    {"Start_Column", "SC", number<&PovrayRequest::start_column>},
+    {"End_Column", "EC", number<&PovrayRequest::end_column>},
+    {"Start_Row", "SR", number<&PovrayRequest::start_row>},
+    {"End_Row", "ER", number<&PovrayRequest::end_row>},
+    {"Output_Alpha", "UA", told<kNoAlpha>},
+    {"Work_Threads", "WT", integer<&PovrayRequest::threads, 0, 4096>},
+    {"Render_Block_Size", "BS", nothing},
+    {"Render_Block_Step", "", nothing},
+    {"Render_Pattern", "RP", nothing},
+    {"Bounding", "MB", nothing},
+    {"Bounding_Threshold", "", nothing},
+    {"Bounding_Method", "BM", nothing},
+    {"BSP_MaxDepth", "", nothing},
+    {"BSP_BaseAccess", "", nothing},
+    {"BSP_ChildAccess", "", nothing},
+    {"BSP_IsectCost", "", nothing},
+    {"BSP_MissChance", "", nothing},
+    {"Light_Buffer", "UL", nothing},
+    {"Vista_Buffer", "UV", nothing},
+    {"Draw_Vistas", "UD", nothing},
+    {"Remove_Bounds", "UR", nothing},
+    {"Split_Unions", "SU", nothing},
+    {"Buffer_Output", "", nothing},
+    {"Buffer_Size", "B", nothing},
+    {"Compression", "", nothing},
+    {"Dither", "TH", nothing},
+    {"Dither_Method", "", nothing},
+    {"Grayscale_Output", "", nothing},
+    {"Include_Header", "HI", nothing},
+    {"Version", "MV", nothing},
+    {"Create_Ini", "", nothing},
+    {"Create_Histogram", "", nothing},
+    {"Warning_Level", "WL", nothing},
+    {"All_Console", "GA", nothing},
+    {"Debug_Console", "GD", nothing},
+    {"Fatal_Console", "GF", nothing},
+    {"Render_Console", "GR", nothing},
+    {"Statistic_Console", "GS", nothing},
+    {"Warning_Console", "GW", nothing},
+    {"All_File", "", nothing},
+    {"Debug_File", "", nothing},
+    {"Fatal_File", "", nothing},
+    {"Render_File", "", nothing},
+    {"Statistic_File", "", nothing},
+    {"Warning_File", "", nothing},
+    {"Radiosity_File_Name", "RF", nothing},
+    {"Radiosity_From_File", "RFI", nothing},
+    {"Radiosity_To_File", "RFO", nothing},
+    {"Radiosity_Vain_Pretrace", "RVP", nothing},
+    {"High_Reproducibility", "HR", nothing},
+    {"Preview_Start_Size", "SP", nothing},
+    {"Preview_End_Size", "EP", nothing},
+    {"Real_Time_Raytracing", "RTR", nothing},
+    {"Pre_Scene_Command", "", told<kNoCommands>},
+    {"Post_Scene_Command", "", told<kNoCommands>},
+    {"Pre_Frame_Command", "", told<kNoCommands>},
+    {"Post_Frame_Command", "", told<kNoCommands>},
+    {"User_Abort_Command", "", told<kNoCommands>},
+    {"Fatal_Error_Command", "", told<kNoCommands>},
+    {"Pre_Scene_Return", "", nothing},
+    {"Post_Scene_Return", "", nothing},
+    {"Pre_Frame_Return", "", nothing},
+    {"Post_Frame_Return", "", nothing},
+    {"User_Abort_Return", "", nothing},
+    {"Fatal_Error_Return", "", nothing},
+};
+
+std::string unknown(const std::string& word) {
+    std::vector<std::string> known;
+    for (const Row& row : kTable) known.push_back(lower(row.key));
+    std::string near = nearest(lower(word.substr(0, word.find('='))), known);
+    for (const Row& row : kTable)
+        if (!near.empty() && near == lower(row.key)) near = row.key;
+    return fmt::format("'{}' is no word of POV-Ray{}", word, near.empty() ? "" : fmt::format("; did you mean '{}='?", near));
+}
+
+/// One command line, with the INI files that it names.
+class Reading {
+  public:
+    std::string take(const std::string& word) {
+        if (word.empty()) return {};
+        if (word[0] == '+' || word[0] == '-') return take_switch(word);
+        const size_t equals = word.find('=');
+        if (equals != std::string::npos) return take_key(word, equals);
+        const std::string name = lower(word.substr(0, word.find('[')));
+        if (std::filesystem::path(name).extension() == ".pov") return request.input = word, std::string();
+        return take_ini(word);
+    }
+
+    PovrayRequest request;
+
+  private:
+    std::string apply(const Row& row, const Word& value, const std::string& word) {
+        if (row.apply(request, value)) return {};
+        return fmt::format("'{}' has no value that {} can take", word, row.key);
+    }
+
+    /// The row whose letters are the longest beginning of the word.
+    std::string take_switch(const std::string& word) {
+        const std::string text = lower(word.substr(1));
+        const Row* best = nullptr;
+        size_t length = 0;
+        for (const Row& row : kTable) {
+            const std::string letters = lower(row.letters);
+            if (letters.size() > length && text.rfind(letters, 0) == 0) best = &row, length = letters.size();
+        }
+        if (!best) return unknown(word);
+        return apply(*best, {word.substr(1 + length), word[0] == '+'}, word);
+    }
+
+    std::string take_key(const std::string& word, size_t equals) {
+        const std::string key = lower(word.substr(0, equals));
+        std::string value = word.substr(equals + 1);
+        if (value.size() > 1 && (value[0] == '"' || value[0] == '\'') && value.back() == value[0]) value = value.substr(1, value.size() - 2);
+        if (key == "include_ini") return take_ini(value);
+        for (const Row& row : kTable) {
+            if (key != lower(row.key)) continue;
+            const bool switched = row.apply == static_cast<Apply>(file);   // the key's value says on or off
+            const auto on = truth(value);
+            return apply(row, switched ? Word{"", on.value_or(true)} : Word{value, on.value_or(true)}, word);
+        }
+        return unknown(word);
+    }
+
+    std::string take_ini(const std::string& word) {
+        constexpr int kDeepest = 10;
+        const size_t bracket = word.find('[');
+        std::string path = word.substr(0, bracket);
+        const std::string wanted = bracket == std::string::npos ? "" : lower(word.substr(bracket + 1, word.find(']', bracket) - bracket - 1));
+        if (!std::filesystem::is_regular_file(path) && std::filesystem::is_regular_file(path + ".ini")) path += ".ini";
+        std::ifstream in(path);
+        if (!std::filesystem::is_regular_file(path) || !in) return unknown(word) + ", and no INI file of that name can be read";
+        if (++depth_ > kDeepest) return fmt::format("INI files include one another more than {} deep", kDeepest);
+        std::string section;
+        for (std::string line; std::getline(in, line);) {
+            if (const std::string wrong = take_line(line, section, wanted); !wrong.empty()) return fmt::format("{}: {}", path, wrong);
+        }
+        --depth_;
+        return {};
+    }
+
+    /// `[section]`, `Key=Value`, or switches; `;` begins a comment. What stands before all sections always holds.
+    std::string take_line(std::string line, std::string& section, const std::string& wanted) {
+        line = line.substr(0, line.find(';'));
+        const size_t first = line.find_first_not_of(" \t\r"), last = line.find_last_not_of(" \t\r");
+        if (first == std::string::npos) return {};
+        line = line.substr(first, last - first + 1);
+        if (line[0] == '[') return section = lower(line.substr(1, line.find(']') - 1)), std::string();
+        if (!section.empty() && section != wanted) return {};
+        if (line[0] != '+' && line[0] != '-') {
+            const size_t equals = line.find('=');
+            if (equals == std::string::npos) return take(line);
+            const auto trim = [](std::string s) {
+                const size_t a = s.find_first_not_of(" \t"), b = s.find_last_not_of(" \t");
+                return a == std::string::npos ? std::string() : s.substr(a, b - a + 1);
+            };
+            return take(trim(line.substr(0, equals)) + "=" + trim(line.substr(equals + 1)));
+        }
+        for (size_t at = 0; at < line.size();) {
+            const size_t end = std::min(line.find_first_of(" \t", at), line.size());
+            if (end > at)
+                if (const std::string wrong = take(line.substr(at, end - at)); !wrong.empty()) return wrong;
+            at = end + 1;
+        }
+        return {};
+    }
+
+    int depth_ = 0;
+};
+
+}  // namespace
+
+tl::expected<PovrayRequest, std::string> parse_povray_words(const std::vector<std::string>& words) {
+    Reading reading;
+    for (const std::string& word : words)
+        if (std::string wrong = reading.take(word); !wrong.empty()) return tl::unexpected(std::move(wrong));
+    if (reading.request.input.empty()) return tl::unexpected(std::string("no scene is named: +Iscene.pov"));
+    if (reading.request.final_frame < reading.request.initial_frame) return tl::unexpected(std::string("the final frame comes before the initial one"));
+    return std::move(reading.request);
+}
+
+double clock_of(const PovrayRequest& r, int frame) {
+    if (!r.animated()) return r.clock;
+    const double steps = double(r.final_frame) - r.initial_frame + (r.cyclic ? 1 : 0);
+    return steps > 0 ? r.initial_clock + (r.final_clock - r.initial_clock) * (double(frame) - r.initial_frame) / steps : r.initial_clock;
+}
+
+std::string output_name(const PovrayRequest& r, int frame) {
+    namespace fs = std::filesystem;
+    fs::path path = r.output.empty() ? fs::path(r.input).filename().replace_extension() : fs::path(r.output);
+    const char* ending = r.file_type == 'P' ? ".ppm" : r.file_type == 'E' ? ".exr" : r.file_type == 'T' ? ".tga" : r.file_type == 'J' ? ".jpg" : r.file_type == 'B' ? ".bmp" : r.file_type == 'H' ? ".hdr" : ".png";
+    if (!r.output.empty() && fs::is_directory(path)) path /= fs::path(r.input).filename().replace_extension();
+    if (lower(path.extension().string()) == ending) path.replace_extension();
+    std::string name = path.string();
+    if (r.animated()) name += fmt::format("{:0{}}", frame, std::to_string(r.final_frame).size());
+    return name + ending;
+}
+
+}  // namespace alidade

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: Apache-2.0
+/// POV-Ray's own words: +W320 -A Width=320 scene.ini[High] ...
+#pragma once
+
+#include <optional>
+#include <string>
+#include <tl/expected.hpp>
+#include <vector>
+
+namespace alidade {
+
+/// What POV-Ray's words ask for. Source   POV-Ray 3.7 reference, 3.2 "Command-Line and INI-File Options".
+struct PovrayRequest {
+    std::string input, output;
+    char file_type = 'N';
+    int bits = 8;
+    int width = 160, height = 120;
+    bool to_file = true, antialias = false, verbose = false;
+    int antialias_depth = 3;
+    int threads = 0;
+    std::vector<std::string> library_paths, declarations;
+    double clock = 0, initial_clock = 0, final_clock = 1;
+    bool cyclic = false;
+    int initial_frame = 1, final_frame = 1;
+    std::optional<int> subset_start, subset_end;
+    double start_column = 0, end_column = 0, start_row = 0, end_row = 0;   ///< pixels from 1, or shares of the picture up to 1; 0: all
+    std::vector<std::string> notes;       ///< words that are known and change nothing here, each once
+
+    bool animated() const { return final_frame > initial_frame || initial_frame != 1; }
+};
+
+/// Reads `words` in order; INI files where they stand. An unknown word or value, or a file that cannot be read, is one sentence.
+tl::expected<PovrayRequest, std::string> parse_povray_words(const std::vector<std::string>& words);
+
+/// The clock of a frame, which goes evenly from the initial to the final one; a cyclic animation does not repeat its first frame.
+double clock_of(const PovrayRequest& request, int frame);
+/// The output's name: for a frame of an animation with its number, as wide as that of the last one.
+std::string output_name(const PovrayRequest& request, int frame);
+
+}  // namespace alidade

@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "tracer/curved_cameras.h"
+
+#include <cmath>
+#include <optional>
+
+namespace alidade {
+namespace {
+
+/// The camera's unit vectors, and how long right and up were.
+struct Axes {
+    Vec3 right, up, ahead;
+    double wide, high;
+
+    explicit Axes(const Camera& c) : right(normalized(c.right)), up(normalized(c.up)), ahead(normalized(c.direction)), wide(length(c.right)), high(length(c.up)) {}
+    /// The direction `theta` away from ahead, towards the point (a, b) of the picture, which is `rho` from its centre.
+    Vec3 around(double a, double b, double rho, double theta) const {
+        const double k = rho > 0 ? std::sin(theta) / rho : 0;
+        return (a * k) * right + (b * k) * up + std::cos(theta) * ahead;
+    }
+};
+
+double angle_of(const Camera& c) { return c.angle * kPi / 180; }
+
+std::optional<Vec3> fisheye(const Camera& c, const Axes& axes, double s, double t) {
+    const double a = 2 * s * axes.wide, b = 2 * t * axes.high, rho = std::hypot(a, b);
+    if (rho > 1) return std::nullopt;
+    return axes.around(a, b, rho, rho * angle_of(c) / 2);
+}
+
+std::optional<Vec3> omnimax(const Axes& axes, double s, double t) {
+    constexpr double kFilm = 1.283458;       // the film's own aspect ratio
+    const double aspect = axes.wide / axes.high;
+    double a = 2 * s, b = 2 * t;
+    if (aspect > kFilm) a *= aspect / kFilm, b = (b - 1) / kFilm + 1;
+    else if (aspect > 1) b = (b - 1) / aspect + 1;
+    else b /= aspect;
+    const double rho = std::hypot(a, b);
+    if (rho > 1) return std::nullopt;
+    const double r2 = rho * rho, theta = rho * (1.411269 - 0.09439 * r2 + 0.25674 * r2 * r2);
+    if (rho > 0 && b / rho * std::sin(theta) < -std::cos(theta)) return std::nullopt;
+    return axes.around(a, b, rho, theta);
+}
+
+/// `v` turned by `angle` about the unit vector `k`. Source   Rodrigues' formula.
+Vec3 turned(const Vec3& v, const Vec3& k, double angle) {
+    return v * std::cos(angle) + cross(k, v) * std::sin(angle) + k * (dot(k, v) * (1 - std::cos(angle)));
+}
+
+std::optional<Vec3> direction(const Camera& c, double s, double t) {
+    const Axes axes(c);
+    const double a = s * angle_of(c), b = t * angle_of(c) * axes.high / axes.wide;
+    switch (c.projection) {
+        case Projection::fisheye: return fisheye(c, axes, s, t);
+        case Projection::omnimax: return omnimax(axes, s, t);
+        case Projection::ultra_wide_angle: return std::sin(a) * axes.right + std::sin(b) * axes.up + std::cos(a) * std::cos(b) * axes.ahead;
+        case Projection::panoramic: return std::cos((0.5 - s) * kPi) * c.right + std::tan(kPi * t) * c.up + std::sin((0.5 - s) * kPi) * c.direction;
+        case Projection::cylindrical: return std::sin(a) * axes.right + t * axes.high * axes.up + std::cos(a) * axes.ahead;
+        default: return turned(turned(axes.ahead, axes.right, -t * angle_of(c) / 2), axes.up, s * angle_of(c));
+    }
+}
+
+}  // namespace
+
+Ray curved_ray(const Camera& camera, double s, double t) {
+    Ray ray;
+    ray.mask = kMaskCamera;
+    ray.origin = camera.location;
+    const std::optional<Vec3> d = direction(camera, s, t);
+    ray.dir = d ? normalized(*d) : normalized(camera.direction);
+    if (!d) ray.tmin = 0, ray.tmax = -1;
+    return ray;
+}
+
+}  // namespace alidade

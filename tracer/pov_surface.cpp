@@ -1,0 +1,193 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "tracer/pov_surface.h"
+
+#include "tracer/segment.h"
+
+namespace alidade {
+namespace {
+
+/// Products nearer to 0 than this count as none: where POV-Ray looks at a light, or at a change of direction.
+constexpr double kEpsilon = 1e-10;
+
+double grey(const Color& c) { return 0.297 * c.x + 0.589 * c.y + 0.114 * c.z; }
+
+const Material& material_at(const CompiledScene& scene, const ShadePoint& p) {
+    return scene.scene.materials[scene.slots[scene.instances[p.instance].first_slot + p.slot].material];
+}
+
+double opacity(const RenderSettings& settings, const PovFinish& f, const Color& c) {
+    return 1 - f.filter * (settings.filter_dims_by_colour ? max_component(c) : 1) - f.transmit;
+}
+
+Color filter_of(const PovFinish& f, const Color& c) { return c * f.filter + Color(f.transmit); }
+
+/// How a metal's highlight or reflection takes the colour of the surface: less and less towards grazing angles. `cosine` is of the angle from the normal.
+Color metallic(const Color& c, double amount, double cosine) {
+    if (amount == 0) return Color(1);
+    const double x = std::abs(std::acos(std::clamp(cosine, -1.0, 1.0))) / (kPi / 2);
+    const double f = std::clamp(0.014567225 / ((x - 1.12) * (x - 1.12)) - 0.011612903, 0.0, 1.0);
+    return Color(1) + (c - Color(1)) * (amount * (1 - f));
+}
+
+/// The reflectivity of a layer at an angle; `relative_ior` is that of what lies behind the surface over that in front.
+Color reflectivity(const PovLayer& layer, double cosine, double relative_ior) {
+    const PovFinish& f = *layer.finish;
+    double toward_max = 0;
+    if (f.reflection_fresnel) {
+        const double g2 = relative_ior * relative_ior + cosine * cosine - 1;
+        if (g2 > 0) {
+            const double g = std::sqrt(g2), a = (g - cosine) / (g + cosine), b = (cosine * (g + cosine) - 1) / (cosine * (g - cosine) + 1);
+            toward_max = std::clamp(0.5 * a * a * (1 + b * b), 0.0, 1.0);
+        } else {
+            toward_max = 1;
+        }
+    } else if (f.reflection_min != f.reflection_max) {
+        toward_max = std::pow(1 - std::clamp(cosine, 0.0, 1.0), f.reflection_falloff);
+    }
+    return (f.reflection_max * toward_max + f.reflection_min * (1 - toward_max)) * metallic(layer.color, f.reflection_metallic, cosine);
+}
+
+/// Of what lies behind the surface, over that in front: as if the object stood in air.
+double relative_ior(const CompiledScene& scene, const ShadePoint& point) {
+    const uint32_t interior = scene.slots[scene.instances[point.instance].first_slot + point.slot].interior;
+    const double own = interior == kNoId ? 1 : scene.interiors[interior].ior;
+    return point.front ? own : 1 / own;
+}
+
+struct Passage {
+    InteriorStack beyond;
+    double ratio = 1;          ///< index of refraction here over that beyond
+    Color faded{1};            ///< what is left of light on the way inside of the object that is left
+};
+
+/// A solid is left by a ray that has entered it, whatever side is hit.
+Passage passage(const CompiledScene& scene, const ShadePoint& point, const RayState& state) {
+    const uint32_t interior = scene.slots[scene.instances[point.instance].first_slot + point.slot].interior;
+    Passage out;
+    out.beyond = state.inside;
+    if (interior == kNoId) return out;
+    const auto ior_in = [&](const InteriorStack& stack) { return stack.empty() ? 1.0 : scene.interiors[stack.top().interior].ior; };
+    const double own = scene.interiors[interior].ior, here = ior_in(state.inside);
+    const bool last = !state.inside.empty() && state.inside.top().instance == point.instance;
+    // A camera inside of a solid has not entered it.
+    const bool began_inside = state.inside.empty() && !point.front && !point.mesh && state.kind == RayKind::camera;
+    if (out.beyond.leave(point.instance)) {
+        out.ratio = last ? own / ior_in(out.beyond) : 1;
+        out.faded = pov_fade(scene.interiors[interior], state.travelled);
+    } else if (began_inside) {
+        out.ratio = own;
+        out.faded = pov_fade(scene.interiors[interior], state.travelled);
+    } else {
+        out.beyond.enter({point.instance, interior});
+        out.ratio = here / own;
+    }
+    return out;
+}
+
+}  // namespace
+
+PovSurface::PovSurface(const CompiledScene& scene, const ShadePoint& point, const Vec3& dir, const Vec3& normal) : dir_(dir), normal_(normal) {
+    const Material& material = material_at(scene, point);
+    const RenderSettings& settings = scene.scene.settings;
+    const double cosine = -dot(dir, normal);
+    double_illuminate_ = scene.instances[point.instance].double_illuminate;
+    layers_.reserve(material.layers.size());
+    for (size_t i = material.layers.size(); i-- > 0;) {
+        PovLayer layer;
+        layer.finish = &std::get<PovFinish>(material.layers[i]);
+        layer.color = Color(scene.textures->evaluate(layer.finish->pigment, point));
+        layer.opacity = opacity(settings, *layer.finish, layer.color);
+        layer.above = through_;
+        layers_.push_back(layer);
+        through_ *= filter_of(*layer.finish, layer.color);
+        if (layer.finish->conserve_energy) {
+            const Color left = Color(1) - reflectivity(layer, cosine, relative_ior(scene, point));
+            through_ *= glm::min(left, Color(1));
+        }
+        if (std::min(1.0, std::abs(grey(through_))) <= settings.adc_bailout) break;
+    }
+}
+
+Color PovSurface::emitted(const Color& ambient_light) const {
+    Color sum(0);
+    for (const PovLayer& l : layers_) sum += l.above * l.color * (l.finish->ambient * ambient_light + l.finish->emission) * l.opacity;
+    return sum;
+}
+
+Color PovSurface::lit(const PovLayer& layer, const Vec3& wi, double nl, bool highlights) const {
+    const PovFinish& f = *layer.finish;
+    const bool back = nl < kEpsilon && !double_illuminate_;
+    const double diffuse = back ? f.diffuse_back : f.diffuse;
+    Color sum(0);
+    if (diffuse != 0) sum = layer.color * (std::pow(std::abs(nl), f.brilliance) * diffuse * layer.opacity);
+    if (back || !highlights) return sum;
+    double highlight = 0;
+    if (f.phong != 0) {
+        const double k = dot(dir_ - normal_ * (2 * dot(dir_, normal_)), wi);
+        if (k > 0 && (f.phong_size < 60 || k > 0.0008)) highlight += f.phong * std::pow(k, f.phong_size);
+    }
+    if (f.specular != 0) {
+        const Vec3 h = wi - dir_;
+        const double size = length(h), k = size > 0 ? dot(h, normal_) / size : 0;
+        if (k > 0) highlight += f.specular * std::pow(k, 1 / f.roughness);
+    }
+    return highlight == 0 ? sum : sum + metallic(layer.color, f.metallic, nl) * highlight;
+}
+
+Color PovSurface::scatter(const Vec3& wi, bool highlights) const {
+    const double nl = dot(normal_, wi);
+    Color sum(0);
+    for (const PovLayer& l : layers_)
+        if (nl >= kEpsilon || double_illuminate_ || l.finish->diffuse_back != 0) sum += l.above * lit(l, wi, nl, highlights);
+    return sum;
+}
+
+/// One ray for all layers: they have the same normal. A layer's share is not dimmed by those above it, but whether it is followed depends on them.
+void PovSurface::add_reflection(const CompiledScene& scene, const RayState& state, double relative_ior, const Vec3& facing, Secondaries& out) const {
+    Color weight(0);
+    double importance = 0;
+    const double cosine = -dot(dir_, normal_);
+    for (const PovLayer& l : layers_) {
+        const Color r = reflectivity(l, cosine, relative_ior);
+        const Color most = l.finish->reflection_fresnel ? r : glm::max(l.finish->reflection_max, l.finish->reflection_min);
+        const double own = std::min(1.0, std::abs(grey(l.above))) * max_component(most);
+        if (is_black(r) || state.importance * own < scene.scene.settings.adc_bailout) continue;
+        weight += r;
+        importance = std::max(importance, own);
+    }
+    if (is_black(weight)) return;
+    Vec3 r = dir_ - normal_ * (2 * dot(dir_, normal_));
+    if (const double below = dot(r, facing); below < 0) r = dot(r, normal_) < 0 ? dir_ - facing * (2 * dot(dir_, facing)) : r - facing * (2 * below);
+    out.at[out.count++] = {normalized(r), weight, RayKind::reflection, state.inside, importance, false};
+}
+
+void PovSurface::secondary(const CompiledScene& scene, const ShadePoint& point, const RayState& state, const Vec3& facing, Secondaries& out) const {
+    const Passage p = passage(scene, point, state);
+    bool total = false;
+    if (std::min(1.0, std::abs(grey(through_))) > scene.scene.settings.adc_bailout) {
+        const double c = -dot(dir_, normal_), t = 1 + p.ratio * p.ratio * (c * c - 1);
+        const Color weight = p.faded * through_;
+        const double importance = std::max({std::abs(through_.x), std::abs(through_.y), std::abs(through_.z)});
+        if (std::abs(p.ratio - 1) < kEpsilon) {
+            out.at[out.count++] = {dir_, weight, RayKind::refraction, p.beyond, importance, true};
+        } else if (t < 0) {
+            total = true;
+            out.at[out.count++] = {normalized(dir_ + normal_ * (2 * c)), p.faded, RayKind::reflection, state.inside, importance, false};
+        } else {
+            out.at[out.count++] = {normalized(dir_ * p.ratio + normal_ * (p.ratio * c - std::sqrt(t))), weight, RayKind::refraction, p.beyond, importance, false};
+        }
+    }
+    if (!total) add_reflection(scene, state, 1 / p.ratio, facing, out);
+}
+
+Color pov_transmitted(const CompiledScene& scene, const Material& material, const ShadePoint& point) {
+    Color through(1);
+    for (const auto& layer : material.layers) {
+        const PovFinish& f = std::get<PovFinish>(layer);
+        if (f.filter == 0 && f.transmit == 0) return Color(0);
+        through *= filter_of(f, Color(scene.textures->evaluate(f.pigment, point)));
+    }
+    return through;
+}
+
+}  // namespace alidade
