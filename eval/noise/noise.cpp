@@ -3,6 +3,7 @@
 
 #include "eval/noise/hash.h"
 #include "eval/noise/lattice_values.h"
+#include "eval/noise/single.h"
 
 namespace alidade {
 
@@ -91,7 +92,7 @@ Vec3 vector_noise(const Vec3& p) {
 }
 
 double turbulence(const Vec3& p, const Turbulence& t, NoiseGenerator generator) {
-    const double omega = float(t.omega), lambda = float(t.lambda);   // POV-Ray keeps both in single precision
+    const double omega = single(t.omega), lambda = single(t.lambda);   // POV-Ray keeps both in single precision
     double sum = octave(p, generator), weight = omega, frequency = lambda;
     if (generator != NoiseGenerator::original) sum = clamped(sum);   // the first octave alone
     for (int i = 1; i < t.octaves; ++i, weight *= omega, frequency *= lambda) sum += weight * octave(p * frequency, generator);
@@ -99,7 +100,7 @@ double turbulence(const Vec3& p, const Turbulence& t, NoiseGenerator generator) 
 }
 
 Vec3 vector_turbulence(const Vec3& p, const Turbulence& t) {
-    const double omega = float(t.omega), lambda = float(t.lambda);
+    const double omega = single(t.omega), lambda = single(t.lambda);
     Vec3 sum = vector_noise(p);
     double weight = omega, frequency = lambda;
     for (int i = 1; i < t.octaves; ++i, weight *= omega, frequency *= lambda) sum += weight * vector_noise(p * frequency);

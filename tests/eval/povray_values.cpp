@@ -31,7 +31,7 @@ std::vector<double> povray_values(const std::string& prelude, const std::vector<
     const std::string fatal((std::istreambuf_iterator<char>(said)), {});
     std::vector<double> values;
     std::ifstream debug(folder / "debug.txt");
-    for (double v = 0; debug >> v;) values.push_back(v);
+    for (std::string word; debug >> word;) values.push_back(std::strtod(word.c_str(), nullptr));   // which reads "-nan" too
     EXPECT_EQ(code, 0) << fatal;
     EXPECT_EQ(values.size(), expressions.size()) << fatal;
     if (values.size() != expressions.size()) values.clear();
