@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tracer/materials.h"
 
+#include "scene/graph.h"
+
+#include <algorithm>
 #include <fmt/format.h>
 
 namespace alidade {
@@ -49,8 +52,8 @@ bool check_supported(const Scene& scene, const Material& m, const std::vector<Si
     }
     for (const SignalId id : signals) {
         const Signal& s = scene.signals[id.index];
-        if (!std::holds_alternative<PatternSignal>(s.what) && !std::holds_alternative<FunctionSignal>(s.what)) continue;
-        said.error(s.from, fmt::format("material '{}': patterns and functions are not rendered yet", m.name));
+        if (!std::holds_alternative<FunctionSignal>(s.what)) continue;
+        said.error(s.from, fmt::format("material '{}': functions are not rendered yet", m.name));
         return false;
     }
     return true;
@@ -99,6 +102,27 @@ SlotMaterial MaterialTable::slot(std::optional<MaterialId> material, std::option
     }
     out.interior = at->second;
     return out;
+}
+
+bool MaterialTable::has_patterns(uint32_t material) {
+    const auto [at, added] = has_patterns_.try_emplace(material, false);
+    if (added)
+        for_each_signal(out_.scene.materials[material], [&](SignalId root) {
+            std::vector<SignalId> read;
+            collect_signals(out_.scene, root, read);
+            at->second = at->second || std::any_of(read.begin(), read.end(), [&](SignalId id) { return std::holds_alternative<PatternSignal>(out_.scene.signals[id.index].what); });
+        });
+    return at->second;
+}
+
+uint32_t MaterialTable::space(const CarriedMaterial& carried, const std::vector<NodeId>& path) {
+    if (!has_patterns(carried.material.index)) return kNoId;
+    Transform to_world;
+    for (size_t i = 0; i <= carried.carrier; ++i) to_world = to_world * out_.scene.nodes[path[i].index].to_parent;
+    const auto from_world = inverse(to_world);
+    if (!from_world) return kNoId;
+    out_.pattern_spaces.push_back({*from_world, out_.scene.materials[carried.material.index].uv_mapped});
+    return uint32_t(out_.pattern_spaces.size() - 1);
 }
 
 void compile_materials(CompiledScene& out, const CompileOptions& options, FeatureReasons& reasons, Diagnostics& said) {

@@ -17,7 +17,6 @@ struct Unrendered {
 constexpr Unrendered kTable[] = {
     {Requirement::csg, Severity::error, "intersection, difference and merge are not rendered yet"},
     {Requirement::clipping, Severity::error, "clipped_by is not rendered yet"},
-    {Requirement::patterns, Severity::error, "patterns are not rendered yet"},
     {Requirement::functions, Severity::error, "functions are not rendered yet"},
     {Requirement::media, Severity::warning, "media are not rendered yet: they are left out"},
     {Requirement::fog, Severity::warning, "fog is not rendered yet: it is left out"},
