@@ -105,14 +105,13 @@ SlotMaterial MaterialTable::slot(std::optional<MaterialId> material, std::option
 }
 
 bool MaterialTable::has_patterns(uint32_t material) {
-    const auto [at, added] = has_patterns_.try_emplace(material, false);
-    if (added)
-        for_each_signal(out_.scene.materials[material], [&](SignalId root) {
-            std::vector<SignalId> read;
-            collect_signals(out_.scene, root, read);
-            at->second = at->second || std::any_of(read.begin(), read.end(), [&](SignalId id) { return std::holds_alternative<PatternSignal>(out_.scene.signals[id.index].what); });
-        });
-    return at->second;
+    const auto known = has_patterns_.find(material);
+    if (known != has_patterns_.end()) return known->second;
+    std::vector<SignalId> read;
+    for_each_signal(out_.scene.materials[material], [&](SignalId root) { collect_signals(out_.scene, root, read); });
+    const bool any = std::any_of(read.begin(), read.end(), [&](SignalId id) { return std::holds_alternative<PatternSignal>(out_.scene.signals[id.index].what); });
+    has_patterns_.emplace(material, any);
+    return any;
 }
 
 uint32_t MaterialTable::space(const CarriedMaterial& carried, const std::vector<NodeId>& path) {
