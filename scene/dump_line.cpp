@@ -48,6 +48,13 @@ void put(std::string& out, WarpKind kind) {
     out += kNames[size_t(kind)];
 }
 
+void put(std::string& out, NoiseGenerator generator) { put(out, int(generator)); }
+
+void put(std::string& out, Wave wave) {
+    static constexpr const char* kNames[] = {"ramp", "sine", "triangle", "scallop", "cubic", "poly"};
+    out += kNames[size_t(wave)];
+}
+
 void put(std::string& out, AlphaMode mode) {
     static constexpr const char* kNames[] = {"opaque", "mask", "blend"};
     out += kNames[size_t(mode)];

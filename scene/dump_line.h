@@ -23,6 +23,8 @@ void put(std::string& out, Fit fit);
 void put(std::string& out, Wrap wrap);
 void put(std::string& out, Filter filter);
 void put(std::string& out, WarpKind kind);
+void put(std::string& out, NoiseGenerator generator);
+void put(std::string& out, Wave wave);
 void put(std::string& out, AlphaMode mode);
 void put(std::string& out, AreaLight::Form form);
 void put(std::string& out, ChannelPath path);

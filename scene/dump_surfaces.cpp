@@ -24,7 +24,7 @@ class SignalDump {
   public:
     SignalDump(std::string& out, std::string head, const Signal& signal) : out_(out), head_(std::move(head)), from_(signal.from) {}
 
-    void operator()(const ConstantSignal& s) const { Line(out_, head_).word("constant").always("value", s.value).field("from", from_); }
+    void operator()(const ConstantSignal& s) const { Line(out_, head_).word("constant").always("value", s.value).field("filter", s.filter).field("transmit", s.transmit).field("from", from_); }
     void operator()(const ImageSignal& s) const {
         const ImageSignal usual;
         Line(out_, head_).word("image").always("image", s.image).field("uv_set", s.uv_set).field("wrap_u", s.wrap_u).field("wrap_v", s.wrap_v)
@@ -34,7 +34,11 @@ class SignalDump {
     void operator()(const ChannelSignal& s) const { Line(out_, head_).word("channel").always("of", s.of).always("channel", s.channel).field("from", from_); }
     void operator()(const FunctionSignal& s) const { Line(out_, head_).word("function").always("program", s.program).field("from", from_); }
     void operator()(const PatternSignal& s) const {
-        Line(out_, head_).word("pattern").always("pattern", s.pattern).field("parameters", s.parameters).field("from", from_);
+        const PatternSignal usual;
+        Line(out_, head_).word("pattern").always("pattern", s.pattern).field("parameters", s.parameters).field("turbulence", s.turbulence.amount, usual.turbulence.amount)
+            .field("octaves", s.turbulence.octaves, usual.turbulence.octaves).field("omega", s.turbulence.omega, usual.turbulence.omega)
+            .field("lambda", s.turbulence.lambda, usual.turbulence.lambda).field("noise", s.noise, usual.noise).field("wave", s.wave)
+            .field("wave_exponent", s.wave_exponent, usual.wave_exponent).field("frequency", s.frequency).field("phase", s.phase).field("from", from_);
         for (const MapEntry& entry : s.map) Line(out_, "  map").always("value", entry.value).always("signal", entry.signal);
         for (const Warp& warp : s.warps)
             Line(out_, "  warp").always("kind", warp.kind).field("transform", warp.transform).field("parameters", warp.parameters);

@@ -25,6 +25,7 @@ struct Image {
 
 struct ConstantSignal {
     Vec4 value{0, 0, 0, 1};
+    double filter = 0, transmit = 0;   ///< of a POV-Ray colour: its fourth and fifth number, beside alpha
 };
 
 enum class Wrap { repeat, clamp, mirror, once };
@@ -59,19 +60,43 @@ struct MapEntry {
 
 enum class WarpKind { transform, turbulence, black_hole, repeat, planar, cylindrical, spherical, toroidal, cubic };
 
-/// A distortion of the point before a pattern is looked up. `parameters` by kind, in the order of POV-Ray's manual, 3.5.11 "Warps".
+/// A distortion of the point before a pattern is looked up (POV-Ray's manual, 3.4.7.7 "Warps"). `parameters` by kind; what is left out at the end is POV-Ray's default:
+///   turbulence   amount x y z, octaves, omega, lambda
+///   black_hole   centre x y z, radius, strength, falloff, inverse (0 or 1), repeat x y z, turbulence x y z
+///   repeat       width along one axis x y z (two are 0), offset x y z, flip x y z
+///   planar       orientation x y z, distance
+///   cylindrical, spherical   orientation x y z, dist_exp
+///   toroidal     orientation x y z, dist_exp, major radius
 struct Warp {
     WarpKind kind = WarpKind::transform;
     Transform transform;
     std::vector<double> parameters;
 };
 
-/// A pattern of the point (a name in the pattern registry) mapped to signals.
+/// POV-Ray's `noise_generator` 1, 2, 3.
+enum class NoiseGenerator { original = 1, range_corrected = 2, perlin = 3 };
+
+/// How octaves of noise are added up, and by how much they move a point.
+struct Turbulence {
+    Vec3 amount{0};
+    int octaves = 6;
+    double omega = 0.5, lambda = 2;
+};
+
+enum class Wave { ramp, sine, triangle, scallop, cubic, poly };
+
+/// A pattern of the point (a name in the pattern registry, eval/patterns/registry.h) mapped to signals.
 struct PatternSignal {
     std::string pattern;
-    std::vector<double> parameters;
-    std::vector<MapEntry> map;
-    std::vector<Warp> warps;
+    std::vector<double> parameters;        ///< in the order of the pattern's row; what is left out at the end has the row's default
+    std::vector<MapEntry> map;             ///< in the order of the file, which is not sorted; of `average`, the values are weights
+    std::vector<Warp> warps;               ///< in the order of the file: the last is undone first
+    Turbulence turbulence;                 ///< the `turbulence` outside of warps: applied after all of them
+    NoiseGenerator noise = NoiseGenerator::range_corrected;
+    std::optional<Wave> wave;              ///< absent: the pattern's own
+    double wave_exponent = 1;              ///< of Wave::poly
+    std::optional<double> frequency;       ///< absent: the pattern's own, 1 or 0
+    double phase = 0;
 };
 
 /// A user function of (x, y, z); `program` is an index into Scene::functions.

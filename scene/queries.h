@@ -58,4 +58,11 @@ Bounds world_bounds(const Scene& scene);
 /// ancestor's first material covers all slots.
 std::optional<MaterialId> inherited_material(const Scene& scene, const std::vector<NodeId>& path, uint32_t slot);
 
+/// The same with the place in `path` of the node that carries it: in that node's space its patterns are looked up.
+struct CarriedMaterial {
+    MaterialId material;
+    size_t carrier = 0;
+};
+std::optional<CarriedMaterial> carried_material(const Scene& scene, const std::vector<NodeId>& path, uint32_t slot);
+
 }  // namespace alidade

@@ -9,11 +9,13 @@ namespace {
 bool finite(const Vec4& v) { return is_finite(Vec3(v)) && std::isfinite(v.w); }
 
 bool finite(const Signal& signal) {
-    if (const auto* constant = std::get_if<ConstantSignal>(&signal.what)) return finite(constant->value);
+    if (const auto* constant = std::get_if<ConstantSignal>(&signal.what)) return finite(constant->value) && std::isfinite(constant->filter) && std::isfinite(constant->transmit);
     if (const auto* image = std::get_if<ImageSignal>(&signal.what)) return Transform{image->uv_transform, Vec3(0)}.is_finite();
     if (const auto* pattern = std::get_if<PatternSignal>(&signal.what)) {
         const auto is_finite_number = [](double x) { return std::isfinite(x); };
-        return std::all_of(pattern->parameters.begin(), pattern->parameters.end(), is_finite_number) &&
+        const Turbulence& t = pattern->turbulence;
+        return is_finite(t.amount) && is_finite(Vec3(t.omega, t.lambda, pattern->phase)) && is_finite_number(pattern->wave_exponent) && is_finite_number(pattern->frequency.value_or(0)) &&
+               std::all_of(pattern->parameters.begin(), pattern->parameters.end(), is_finite_number) &&
                std::all_of(pattern->map.begin(), pattern->map.end(), [](const MapEntry& e) { return std::isfinite(e.value); }) &&
                std::all_of(pattern->warps.begin(), pattern->warps.end(), [&](const Warp& w) {
                    return w.transform.is_finite() && std::all_of(w.parameters.begin(), w.parameters.end(), is_finite_number);

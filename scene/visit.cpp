@@ -45,13 +45,18 @@ void visit_paths(const Scene& scene, const std::function<bool(const Visit&)>& vi
         if (!visit_below(scene, root, visitor)) return;
 }
 
-std::optional<MaterialId> inherited_material(const Scene& scene, const std::vector<NodeId>& path, uint32_t slot) {
+std::optional<CarriedMaterial> carried_material(const Scene& scene, const std::vector<NodeId>& path, uint32_t slot) {
     for (size_t i = path.size(); i-- > 0;) {
         const auto& materials = scene.nodes[path[i].index].materials;
         const size_t at = i + 1 == path.size() ? slot : 0;
-        if (at < materials.size() && materials[at]) return materials[at];
+        if (at < materials.size() && materials[at]) return CarriedMaterial{*materials[at], i};
     }
     return std::nullopt;
+}
+
+std::optional<MaterialId> inherited_material(const Scene& scene, const std::vector<NodeId>& path, uint32_t slot) {
+    const auto carried = carried_material(scene, path, slot);
+    return carried ? std::optional(carried->material) : std::nullopt;
 }
 
 }  // namespace alidade

@@ -75,7 +75,12 @@ class Placer {
         instance.node = visit.node;
         const uint32_t slots = slot_count(out_.scene.shapes[shape.index].geometry);
         const auto interior = inherited_interior(out_.scene, visit.path);
-        for (uint32_t slot = 0; slot < slots; ++slot) out_.slots.push_back(materials_.slot(inherited_material(out_.scene, visit.path, slot), interior));
+        for (uint32_t slot = 0; slot < slots; ++slot) {
+            const auto carried = carried_material(out_.scene, visit.path, slot);
+            SlotMaterial material = materials_.slot(carried ? std::optional(carried->material) : std::nullopt, interior);
+            if (carried) material.space = materials_.space(*carried, visit.path);
+            out_.slots.push_back(material);
+        }
         out_.instances.push_back(instance);
     }
 

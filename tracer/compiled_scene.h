@@ -27,6 +27,13 @@ struct Geometry {
 struct SlotMaterial {
     uint32_t material = 0;
     uint32_t interior = kNoId;
+    uint32_t space = kNoId;   ///< into CompiledScene::pattern_spaces; without one where the material has no patterns
+};
+
+/// Where a material's patterns are looked up.
+struct PatternSpace {
+    Transform from_world;      ///< into the space of the node that carries the material
+    bool uv_mapped = false;    ///< at (u, v, 0) instead
 };
 
 /// One path from a root to a node with a shape.
@@ -60,6 +67,7 @@ struct CompiledScene {
     std::vector<Geometry> geometries;
     std::vector<Instance> instances;
     std::vector<SlotMaterial> slots;
+    std::vector<PatternSpace> pattern_spaces;
     std::vector<Interior> interiors;
     std::unique_ptr<Accelerator> top;      ///< over the instances
     std::unique_ptr<Textures> textures;

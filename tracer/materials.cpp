@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tracer/materials.h"
 
+#include "scene/graph.h"
+
 #include <algorithm>
 #include <fmt/format.h>
 
@@ -42,9 +44,20 @@ unsigned features_of(const Scene& scene, const GltfPbr& m) {
     return features;
 }
 
+/// May light pass through a part of it?
+bool lets_light_through(const Scene& scene, const PovFinish& f) {
+    if (f.filter != 0 || f.transmit != 0) return true;
+    std::vector<SignalId> read;
+    collect_signals(scene, f.pigment, read);
+    return std::any_of(read.begin(), read.end(), [&](SignalId id) {
+        const auto* constant = std::get_if<ConstantSignal>(&scene.signals[id.index].what);
+        return constant && (constant->filter != 0 || constant->transmit != 0);
+    });
+}
+
 unsigned features_of(const Scene& scene, const PovFinish& f) {
     unsigned features = is_constant(scene, f.pigment) ? 0u : unsigned(kTextures);
-    if (f.filter != 0 || f.transmit != 0) features |= kTransmission;
+    if (lets_light_through(scene, f)) features |= kTransmission;
     if (!is_black(f.reflection_min) || !is_black(f.reflection_max)) features |= kMirrors;
     return features;
 }
@@ -54,10 +67,10 @@ bool is_pov(const Material& m) {
     return !m.layers.empty() && std::all_of(m.layers.begin(), m.layers.end(), [](const auto& layer) { return std::holds_alternative<PovFinish>(layer); });
 }
 
-bool lets_light_through(const Material& m) {
-    return std::all_of(m.layers.begin(), m.layers.end(), [](const auto& layer) {
+bool lets_light_through(const Scene& scene, const Material& m) {
+    return std::all_of(m.layers.begin(), m.layers.end(), [&](const auto& layer) {
         const auto* f = std::get_if<PovFinish>(&layer);
-        return f && (f->filter != 0 || f->transmit != 0);
+        return f && lets_light_through(scene, *f);
     });
 }
 
@@ -79,8 +92,8 @@ bool check_supported(const Scene& scene, const Material& m, const std::vector<Si
     }
     for (const SignalId id : signals) {
         const Signal& s = scene.signals[id.index];
-        if (!std::holds_alternative<PatternSignal>(s.what) && !std::holds_alternative<FunctionSignal>(s.what)) continue;
-        said.error(s.from, fmt::format("material '{}': patterns and functions are not rendered yet", m.name));
+        if (!std::holds_alternative<FunctionSignal>(s.what)) continue;
+        said.error(s.from, fmt::format("material '{}': functions are not rendered yet", m.name));
         return false;
     }
     return true;
@@ -121,7 +134,7 @@ SlotMaterial MaterialTable::slot(std::optional<MaterialId> material, std::option
     out.material = material ? material->index : default_material();
     const Material& m = out_.scene.materials[out.material];
     const auto* pbr = m.layers.empty() ? nullptr : std::get_if<GltfPbr>(&m.layers[0]);
-    if (pbr ? is_zero(out_.scene, pbr->transmission) : !lets_light_through(m)) return out;
+    if (pbr ? is_zero(out_.scene, pbr->transmission) : !lets_light_through(out_.scene, m)) return out;
     const auto [at, added] = interior_of_.try_emplace({out.material, interior ? interior->index : kNoId}, uint32_t(out_.interiors.size()));
     if (added) {
         out_.interiors.push_back(interior ? out_.scene.interiors[interior->index] : Interior());
@@ -129,6 +142,26 @@ SlotMaterial MaterialTable::slot(std::optional<MaterialId> material, std::option
     }
     out.interior = at->second;
     return out;
+}
+
+bool MaterialTable::has_patterns(uint32_t material) {
+    const auto known = has_patterns_.find(material);
+    if (known != has_patterns_.end()) return known->second;
+    std::vector<SignalId> read;
+    for_each_signal(out_.scene.materials[material], [&](SignalId root) { collect_signals(out_.scene, root, read); });
+    const bool any = std::any_of(read.begin(), read.end(), [&](SignalId id) { return std::holds_alternative<PatternSignal>(out_.scene.signals[id.index].what); });
+    has_patterns_.emplace(material, any);
+    return any;
+}
+
+uint32_t MaterialTable::space(const CarriedMaterial& carried, const std::vector<NodeId>& path) {
+    if (!has_patterns(carried.material.index)) return kNoId;
+    Transform to_world;
+    for (size_t i = 0; i <= carried.carrier; ++i) to_world = to_world * out_.scene.nodes[path[i].index].to_parent;
+    const auto from_world = inverse(to_world);
+    if (!from_world) return kNoId;
+    out_.pattern_spaces.push_back({*from_world, out_.scene.materials[carried.material.index].uv_mapped});
+    return uint32_t(out_.pattern_spaces.size() - 1);
 }
 
 void compile_materials(CompiledScene& out, const CompileOptions& options, FeatureReasons& reasons, Diagnostics& said) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "scene/queries.h"
 #include "tracer/compiled_scene.h"
 
 #include <map>
@@ -14,12 +15,18 @@ class MaterialTable {
     /// Without a material the slot takes glTF's default one (specification 3.9: white, metallic 1, roughness 1), added to the scene.
     SlotMaterial slot(std::optional<MaterialId> material, std::optional<InteriorId> interior);
 
+    /// The space in which the patterns of `carried` are looked up on this path: an index into CompiledScene::pattern_spaces,
+    /// or kNoId if it has no patterns, or if the space is flat, so that nothing in it is seen.
+    uint32_t space(const CarriedMaterial& carried, const std::vector<NodeId>& path);
+
   private:
     uint32_t default_material();
+    bool has_patterns(uint32_t material);
 
     CompiledScene& out_;
     std::map<std::pair<uint32_t, uint32_t>, uint32_t> interior_of_;   // (material, interior or kNoId) -> CompiledScene::interiors
     std::optional<uint32_t> default_;
+    std::map<uint32_t, bool> has_patterns_;   // by material
 };
 
 /// The feature mask of the render kernel, each bit with the first thing that asked for it.

@@ -15,11 +15,18 @@ const Material& material_at(const CompiledScene& scene, const ShadePoint& p) {
     return scene.scene.materials[scene.slots[scene.instances[p.instance].first_slot + p.slot].material];
 }
 
-double opacity(const RenderSettings& settings, const PovFinish& f, const Color& c) {
-    return 1 - f.filter * (settings.filter_dims_by_colour ? max_component(c) : 1) - f.transmit;
+/// What the layer's own filter and transmit let through comes on top of its pigment's.
+PigmentColor pigment_of(const CompiledScene& scene, const PovFinish& f, const ShadePoint& point) {
+    PigmentColor c = scene.textures->pigment(f.pigment, point);
+    c.filter += f.filter, c.transmit += f.transmit;
+    return c;
 }
 
-Color filter_of(const PovFinish& f, const Color& c) { return c * f.filter + Color(f.transmit); }
+double opacity(const RenderSettings& settings, const PigmentColor& c) {
+    return 1 - c.filter * (settings.filter_dims_by_colour ? max_component(c.color) : 1) - c.transmit;
+}
+
+Color filter_of(const PigmentColor& c) { return c.color * c.filter + Color(c.transmit); }
 
 /// How a metal's highlight or reflection takes the colour of the surface: less and less towards grazing angles. `cosine` is of the angle from the normal.
 Color metallic(const Color& c, double amount, double cosine) {
@@ -95,11 +102,12 @@ PovSurface::PovSurface(const CompiledScene& scene, const ShadePoint& point, cons
     for (size_t i = material.layers.size(); i-- > 0;) {
         PovLayer layer;
         layer.finish = &std::get<PovFinish>(material.layers[i]);
-        layer.color = Color(scene.textures->evaluate(layer.finish->pigment, point));
-        layer.opacity = opacity(settings, *layer.finish, layer.color);
+        const PigmentColor pigment = pigment_of(scene, *layer.finish, point);
+        layer.color = pigment.color;
+        layer.opacity = opacity(settings, pigment);
         layer.above = through_;
         layers_.push_back(layer);
-        through_ *= filter_of(*layer.finish, layer.color);
+        through_ *= filter_of(pigment);
         if (layer.finish->conserve_energy) {
             const Color left = Color(1) - reflectivity(layer, cosine, relative_ior(scene, point));
             through_ *= glm::min(left, Color(1));
@@ -183,9 +191,8 @@ void PovSurface::secondary(const CompiledScene& scene, const ShadePoint& point, 
 Color pov_transmitted(const CompiledScene& scene, const Material& material, const ShadePoint& point) {
     Color through(1);
     for (const auto& layer : material.layers) {
-        const PovFinish& f = std::get<PovFinish>(layer);
-        if (f.filter == 0 && f.transmit == 0) return Color(0);
-        through *= filter_of(f, Color(scene.textures->evaluate(f.pigment, point)));
+        through *= filter_of(pigment_of(scene, std::get<PovFinish>(layer), point));
+        if (is_black(through)) return through;
     }
     return through;
 }

@@ -67,6 +67,11 @@ Vec2 ShadePoint::uv(uint32_t set) const {
     return Vec2(interpolate(mesh->uvs[set], *mesh, triangle, u, v));
 }
 
+Vec3 ShadePoint::pattern_point() const {
+    if (!space) return position;
+    return space->uv_mapped ? Vec3(uv(0), 0) : space->from_world.point(position);
+}
+
 Vec4 ShadePoint::vertex_color() const {
     if (!has_vertex_color()) return Vec4(1);
     return Vec4(interpolate(mesh->colors[0], *mesh, triangle, u, v));
@@ -82,6 +87,8 @@ ShadePoint shade_point(const CompiledScene& scene, const Ray& ray, const Hit& hi
     if (geometry.mesh) place_on_mesh(*geometry.mesh, instance, hit, p);
     else place_on_shape(geometry, instance, hit, p);
     p.front = dot(ray.dir, p.geometric_normal) <= 0;
+    const uint32_t space = scene.slots[instance.first_slot + p.slot].space;
+    if (space != kNoId) p.space = &scene.pattern_spaces[space];
     return p;
 }
 

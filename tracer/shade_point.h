@@ -18,8 +18,11 @@ struct ShadePoint {
     double error = 0;                 ///< how far `position` may be from the true surface, world space
     uint32_t instance = 0, slot = 0;
     bool front = true;                ///< the ray came from outside
+    const PatternSpace* space = nullptr;   ///< of the material's patterns, if it has any
 
     Vec2 uv(uint32_t set) const;
+    /// Where patterns are looked up.
+    Vec3 pattern_point() const;
     /// The mesh's vertex colour, or white.
     bool has_vertex_color() const { return mesh && !mesh->colors.empty() && mesh->colors[0].present(); }
     Vec4 vertex_color() const;

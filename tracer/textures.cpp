@@ -77,7 +77,7 @@ void collect_signals(const Scene& scene, SignalId root, std::vector<SignalId>& o
 }
 
 Textures::Textures(const Scene& scene, const std::vector<SignalId>& used, int threads, Diagnostics& said)
-    : signals_(scene.signals), picture_of_(scene.signals.size(), kNoId) {
+    : signals_(scene.signals), resource_of_(scene.signals.size(), kNoId) {
     std::map<PictureKey, uint32_t> index;
     std::vector<PictureKey> keys;
     for (const SignalId id : used) {
@@ -85,8 +85,9 @@ Textures::Textures(const Scene& scene, const std::vector<SignalId>& used, int th
         if (!image) continue;
         const auto [at, added] = index.try_emplace({image->image.index, image->srgb}, uint32_t(keys.size()));
         if (added) keys.push_back(at->first);
-        picture_of_[id.index] = at->second;
+        resource_of_[id.index] = at->second;
     }
+    add_patterns(used, said);
     pictures_.resize(keys.size());
     std::vector<std::string> failures(keys.size());
     parallel_for(keys.size(), threads, [&](size_t i) {
@@ -97,6 +98,20 @@ Textures::Textures(const Scene& scene, const std::vector<SignalId>& used, int th
     for (size_t i = 0; i < keys.size(); ++i) {
         const Image& image = scene.images[keys[i].first];
         if (!failures[i].empty()) said.error(image.from, fmt::format("image '{}' cannot be read: {}", image.path.empty() ? image.name : image.path, failures[i]));
+    }
+}
+
+void Textures::add_patterns(const std::vector<SignalId>& used, Diagnostics& said) {
+    for (const SignalId id : used) {
+        const auto* signal = std::get_if<PatternSignal>(&signals_[id.index].what);
+        if (!signal || resource_of_[id.index] != kNoId) continue;
+        auto pattern = Pattern::make(*signal);
+        if (!pattern) {
+            said.error(signals_[id.index].from, pattern.error());
+            continue;
+        }
+        resource_of_[id.index] = uint32_t(patterns_.size());
+        patterns_.push_back(std::move(*pattern));
     }
 }
 
@@ -116,16 +131,49 @@ Vec4 Textures::lookup(const ImageSignal& image, const Picture& picture, const Ve
     return (at(i, j) * (1 - s) + at(i + 1, j) * s) * (1 - t) + (at(i, j + 1) * (1 - s) + at(i + 1, j + 1) * s) * t;
 }
 
-Vec4 Textures::evaluate(SignalId signal, const ShadePoint& point) const {
+Textures::Value Textures::mapped(const PatternSignal& signal, const Pattern& pattern, const ShadePoint& point, const Vec3* place) const {
+    const auto sum = [](const Value& a, double s, const Value& b, double t) { return Value{a.rgba * s + b.rgba * t, a.filter * s + b.filter * t, a.transmit * s + b.transmit * t}; };
+    const Vec3 at = pattern.place(place ? *place : point.pattern_point());
+    if (pattern.is_average()) {
+        Value total;
+        double weights = 0;
+        for (const MapEntry& entry : signal.map) {
+            total = sum(total, 1, value(entry.signal, point, &at), entry.value);
+            weights += entry.value;
+        }
+        return weights != 0 ? sum(total, 1 / weights, {}, 0) : Value();
+    }
+    if (signal.map.empty()) {
+        const double v = pattern.value_at(at);   // as POV-Ray's own map from black to white
+        return {Vec4(v, v, v, 1), 0, 0};
+    }
+    const MapBlend blend = look_up(signal.map, pattern.value_at(at));
+    const Value low = value(signal.map[blend.low].signal, point, &at);
+    return blend.t > 0 ? sum(low, 1 - blend.t, value(signal.map[blend.high].signal, point, &at), blend.t) : low;
+}
+
+Textures::Value Textures::value(SignalId signal, const ShadePoint& point, const Vec3* place) const {
     const auto& what = signals_[signal.index].what;
-    if (const auto* constant = std::get_if<ConstantSignal>(&what)) return constant->value;
-    if (const auto* product = std::get_if<ProductSignal>(&what)) return evaluate(product->a, point) * evaluate(product->b, point);
-    if (const auto* channel = std::get_if<ChannelSignal>(&what)) return Vec4(evaluate(channel->of, point)[channel->channel]);
+    if (const auto* constant = std::get_if<ConstantSignal>(&what)) return {constant->value, constant->filter, constant->transmit};
+    if (const auto* product = std::get_if<ProductSignal>(&what)) return {value(product->a, point, place).rgba * value(product->b, point, place).rgba, 0, 0};
+    if (const auto* channel = std::get_if<ChannelSignal>(&what)) return {Vec4(value(channel->of, point, place).rgba[channel->channel]), 0, 0};
     if (const auto* image = std::get_if<ImageSignal>(&what)) {
         const Vec3 uv = image->uv_transform * Vec3(point.uv(image->uv_set), 1);
-        return lookup(*image, pictures_[picture_of_[signal.index]], Vec2(uv));
+        const Vec4 texel = lookup(*image, pictures_[resource_of_[signal.index]], Vec2(uv));
+        return {texel, 0, 1 - texel.w};
     }
-    return Vec4(0);   // compile() refuses the rest
+    if (const auto* pattern = std::get_if<PatternSignal>(&what)) return mapped(*pattern, patterns_[resource_of_[signal.index]], point, place);
+    return {};   // compile() refuses functions
+}
+
+Vec4 Textures::evaluate(SignalId signal, const ShadePoint& point) const {
+    const auto* constant = std::get_if<ConstantSignal>(&signals_[signal.index].what);
+    return constant ? constant->value : value(signal, point, nullptr).rgba;
+}
+
+PigmentColor Textures::pigment(SignalId signal, const ShadePoint& point) const {
+    const Value v = value(signal, point, nullptr);
+    return {Color(v.rgba), v.filter, v.transmit};
 }
 
 }  // namespace alidade

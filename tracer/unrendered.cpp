@@ -17,7 +17,6 @@ struct Unrendered {
 
 constexpr Unrendered kTable[] = {
     {Requirement::clipping, Severity::warning, "clipped_by is not rendered yet: all of the object is drawn"},
-    {Requirement::patterns, Severity::error, "patterns are not rendered yet"},
     {Requirement::functions, Severity::error, "functions are not rendered yet"},
     {Requirement::media, Severity::warning, "media are not rendered yet: they are left out"},
     {Requirement::fog, Severity::warning, "fog is not rendered yet: it is left out"},

@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "eval/noise/hash.h"
+
+#include <random>
+#include <vector>
+
+namespace alidade {
+
+double cell_random(unsigned index) {
+    static const std::vector<double> numbers = [] {
+        std::vector<double> all(32768);
+        std::mt19937 twister;   // its default seed, 5489
+        for (double& n : all) n = double(twister()) / 4294967296.0;
+        return all;
+    }();
+    return numbers[index % 32768];
+}
+
+}  // namespace alidade

@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: Apache-2.0
+/// Patterns made of noise.
+/// Source   POV-Ray 3.7 user documentation, 3.4.7.1 "General Patterns"; what it leaves open by experiment
+#include "eval/noise/noise.h"
+#include "eval/patterns/registry.h"
+
+namespace alidade::pattern {
+
+namespace {
+
+bool is_turbulent(const PatternInput& in) { return in.turbulence.amount != Vec3(0); }
+
+/// How far around the z axis a point is, in turns.
+double turns(const Vec3& p, double radius) {
+    if (radius == 0) return 0;
+    const double angle = p.x < 0 ? 1.5 * kPi - std::asin(p.y / radius) : 0.5 * kPi + std::asin(p.y / radius);
+    return angle / (2 * kPi);
+}
+
+double wound(const Vec3& p, double radius, const PatternInput& in) {
+    const double moved = is_turbulent(in) ? in.turbulence.amount.x * turbulence(p, in.turbulence, in.noise) : 0;
+    return p.z + radius + in[0] * turns(p, radius) + moved;
+}
+
+}  // namespace
+
+double plain_noise(const Vec3& p, const PatternInput& in) { return noise(p, in.noise); }
+
+double dents(const Vec3& p, const PatternInput& in) {
+    const double n = noise(p, in.noise);
+    return n * n * n;
+}
+
+double granite(const Vec3& p, const PatternInput& in) {
+    double sum = 0, frequency = 1;
+    for (int k = 0; k < 6; ++k, frequency *= 2) {
+        const double n = noise(p * (4 * frequency), in.noise);
+        const double folded = in.noise == NoiseGenerator::original ? std::abs(0.5 - n) : std::min(0.5, std::abs(1 - 2 * n));
+        sum += folded / frequency;
+    }
+    return sum;
+}
+
+double wrinkles(const Vec3& p, const PatternInput& in) {
+    double sum = 0, frequency = 1;
+    for (int k = 0; k < 10; ++k, frequency *= 2) {
+        const double n = noise(p * frequency, in.noise);
+        sum += (in.noise == NoiseGenerator::original ? n : std::clamp(2 * n - 0.5, 0.0, 1.0)) / frequency;
+    }
+    return sum / 2;
+}
+
+double agate(const Vec3& p, const PatternInput& in) {
+    const double band = 0.5 * (cycle(1.3 * in[0] * turbulence(p, in.turbulence, in.noise) + 1.1 * p.z) + 1);
+    return std::pow(std::clamp(band, 0.0, 1.0), 0.77);
+}
+
+double marble(const Vec3& p, const PatternInput& in) {
+    return is_turbulent(in) ? p.x + in.turbulence.amount.x * turbulence(p, in.turbulence, in.noise) : p.x;
+}
+
+double wood(const Vec3& p, const PatternInput& in) {
+    if (!is_turbulent(in)) return std::hypot(p.x, p.y);
+    const Vec3 t = vector_turbulence(p, in.turbulence), amount = in.turbulence.amount;
+    return std::hypot(p.x + cycle((p.x + t.x) * amount.x), p.y + cycle((p.y + t.y) * amount.y));
+}
+
+double spiral1(const Vec3& p, const PatternInput& in) { return wound(p, std::hypot(p.x, p.y), in); }
+
+double spiral2(const Vec3& p, const PatternInput& in) {
+    const double radius = std::hypot(p.x, p.y);
+    return triangle(radius) + triangle(wound(p, radius, in));
+}
+
+}  // namespace alidade::pattern
