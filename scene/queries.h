@@ -51,6 +51,10 @@ struct Visit {
 /// The scene must have passed validate().
 void visit_paths(const Scene& scene, const std::function<bool(const Visit&)>& visitor);
 
+/// How many paths visit_paths() would walk, in time linear in the graph: thirty levels of two references each are already a billion. The scene must have
+/// passed validate().
+double path_count(const Scene& scene);
+
 /// The box of everything bounded that can be seen, in world space (empty if there is none). Cheap: boxes of boxes.
 Bounds world_bounds(const Scene& scene);
 

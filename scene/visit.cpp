@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "scene/queries.h"
 
+#include "scene/graph.h"
+
 namespace alidade {
 
 namespace {
@@ -43,6 +45,22 @@ bool visit_below(const Scene& scene, NodeId root, const std::function<bool(const
 void visit_paths(const Scene& scene, const std::function<bool(const Visit&)>& visitor) {
     for (const NodeId root : scene.roots)
         if (!visit_below(scene, root, visitor)) return;
+}
+
+double path_count(const Scene& scene) {
+    const auto children = [&](uint32_t i, const auto& f) {
+        for (const NodeId child : scene.nodes[i].children) f(child.index);
+    };
+    std::vector<double> below(scene.nodes.size(), 0);   // paths that begin at the node
+    const std::vector<uint32_t> order = topological_order(scene.nodes.size(), children).sequence;
+    for (auto i = order.rbegin(); i != order.rend(); ++i) {
+        if (!scene.nodes[*i].flags.visible) continue;
+        below[*i] = 1;
+        for (const NodeId child : scene.nodes[*i].children) below[*i] += below[child.index];
+    }
+    double all = 0;
+    for (const NodeId root : scene.roots) all += below[root.index];
+    return all;
 }
 
 std::optional<CarriedMaterial> carried_material(const Scene& scene, const std::vector<NodeId>& path, uint32_t slot) {

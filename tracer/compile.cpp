@@ -10,12 +10,20 @@
 
 #include <algorithm>
 #include <fmt/format.h>
+#include <limits>
 
 namespace alidade {
 namespace {
 
 /// More paths than this are a mistake of the file (or an attack): 30 levels of two references each are already a billion.
-constexpr size_t kMostPaths = 100'000'000;
+constexpr double kMostPaths = 1e8;
+
+bool check_path_count(const Scene& scene, Diagnostics& said) {
+    if (path_count(scene) <= kMostPaths) return true;
+    const SourcePos from = scene.nodes[scene.roots.front().index].from;
+    said.error(from, fmt::format("the scene has more than {} paths from a root to a node", kMostPaths), "look for nodes that refer to each other many times over");
+    return false;
+}
 
 std::optional<InteriorId> inherited_interior(const Scene& scene, const std::vector<NodeId>& path) {
     for (size_t i = path.size(); i-- > 0;)
@@ -36,24 +44,21 @@ class Placer {
   public:
     Placer(CompiledScene& out, Diagnostics& said) : out_(out), said_(said), geometry_of_(out.scene.shapes.size(), kNoId), materials_(out) {}
 
-    bool visit(const Visit& visit) {
+    void visit(const Visit& visit) {
         const Node& node = out_.scene.nodes[visit.node.index];
-        if (left_out(visit.path)) return true;
+        if (left_out(node, visit.path.size())) return;
         if (const auto* shape = std::get_if<ShapeId>(&node.what)) place_shape(visit, node, *shape);
         else if (const auto* light = std::get_if<LightId>(&node.what)) place_light(visit, *light);
         else if (const auto* camera = std::get_if<CameraId>(&node.what)) out_.cameras.push_back({placed(out_.scene.cameras[camera->index], visit.to_world)});
-        if (++paths_ < kMostPaths) return true;
-        said_.error(node.from, fmt::format("the scene has more than {} paths from a root to a node", kMostPaths), "look for nodes that refer to each other many times over");
-        return false;
     }
 
   private:
     /// Parts of intersections and differences: those are not rendered yet (report_unrendered says so).
-    bool left_out(const std::vector<NodeId>& path) const {
-        return std::any_of(path.begin(), path.end(), [&](NodeId id) {
-            const CsgKind csg = out_.scene.nodes[id.index].csg;
-            return csg == CsgKind::intersection || csg == CsgKind::difference;
-        });
+    bool left_out(const Node& node, size_t depth) {
+        if (depth > left_out_below_) return true;
+        const bool begins = node.csg == CsgKind::intersection || node.csg == CsgKind::difference;
+        left_out_below_ = begins ? depth : std::numeric_limits<size_t>::max();
+        return begins;
     }
 
     void place_shape(const Visit& visit, const Node& node, ShapeId shape) {
@@ -103,7 +108,7 @@ class Placer {
     CompiledScene& out_;
     Diagnostics& said_;
     std::vector<uint32_t> geometry_of_;   // by shape
-    size_t paths_ = 0;
+    size_t left_out_below_ = std::numeric_limits<size_t>::max();   // the depth of the operation whose parts are being left out
     MaterialTable materials_;
 };
 
@@ -197,9 +202,13 @@ std::shared_ptr<const CompiledScene> compile(Scene scene, const CompileOptions& 
     if (said.has_errors()) return nullptr;
     report_unrendered(scene, said);
     auto out = std::make_shared<CompiledScene>();
+    if (!check_path_count(scene, said)) return nullptr;
     out->scene = deform(std::move(scene));
     Placer placer(*out, said);
-    visit_paths(out->scene, [&](const Visit& visit) { return placer.visit(visit); });
+    visit_paths(out->scene, [&](const Visit& visit) {
+        placer.visit(visit);
+        return true;
+    });
     FeatureReasons reasons;
     compile_materials(*out, options, reasons, said);
     make_missing_tangents(*out, options.threads);

@@ -118,7 +118,7 @@ std::string FeatureReasons::text() const {
 uint32_t MaterialTable::default_material() {
     if (default_) return *default_;
     Scene& scene = out_.scene;
-    scene.signals.push_back({ConstantSignal{Vec4(1)}, {}});
+    scene.signals.emplace_back().what = ConstantSignal{Vec4(1)};
     GltfPbr pbr;
     pbr.base_color = {uint32_t(scene.signals.size() - 1)};
     Material material;

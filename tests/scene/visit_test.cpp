@@ -91,6 +91,25 @@ TEST(VisitPaths, TheVisitorEndsTheWalk) {
     calls = 0;
     visit_paths(scene, [&](const Visit&) { return ++calls < 1; });
     EXPECT_EQ(calls, 1u);
+    EXPECT_EQ(path_count(scene), 0x1p32 - 2);
+}
+
+/// Random graphs, hidden nodes among them.
+TEST(VisitPaths, AreAsManyAsCounted) {
+    for (uint64_t seed = 0; seed < 200; ++seed) {
+        const RandomKey key(seed, 0, 0, 0);
+        std::vector<Node> nodes(12);
+        for (uint32_t i = 0; i < 12; ++i) {
+            nodes[i].flags.visible = key.uniform(100 * i) < 0.9;
+            for (uint32_t child = i + 1; child < 12; ++child)
+                if (key.uniform(100 * i + child) < 0.3) nodes[i].children.push_back(NodeId{child});
+        }
+        Scene scene = test::scene_of(std::move(nodes));
+        scene.roots = {NodeId{0}, NodeId{2}};
+        size_t calls = 0;
+        visit_paths(scene, [&](const Visit&) { return ++calls, true; });
+        EXPECT_EQ(path_count(scene), double(calls)) << seed;
+    }
 }
 
 }  // namespace

@@ -16,7 +16,8 @@ GltfPbr coated(SceneBuilder& b, GltfPbr base, double factor, double roughness) {
 double schlick(double cosine) { return 0.04 + 0.96 * std::pow(1 - cosine, 5); }
 
 /// The square, seen from `angle` off its normal in a sky of radiance 1.
-double furnace(SceneBuilder b, const GltfPbr& m, double angle) {
+double furnace(const SceneBuilder& materials, const GltfPbr& m, double angle) {
+    SceneBuilder b = materials;
     b.object(square(), b.material(m));
     b.scene.atmosphere.environment = Color(1);
     b.scene.settings.adc_bailout = 0;
