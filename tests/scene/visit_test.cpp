@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "scene/queries.h"
+
+#include "core/random.h"
 #include "tests/scene/sample_scene.h"
 
 #include <gmock/gmock.h>
