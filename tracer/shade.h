@@ -31,10 +31,7 @@ template <unsigned F> Vec4 base_color(const CompiledScene& scene, const GltfPbr&
     return base;
 }
 
-template <unsigned F> Surface shade(const CompiledScene& scene, const ShadePoint& point, const Vec3& dir) {
-    const GltfPbr* metal_rough = pbr(scene, point);
-    if (!metal_rough) return shade_pov(scene, point, dir);
-    const GltfPbr& m = *metal_rough;
+template <unsigned F> Surface shade_metal_rough(const CompiledScene& scene, const GltfPbr& m, const ShadePoint& point, const Vec3& dir) {
     Surface s;
     s.point_ = &point;
     s.wo_ = -dir;
@@ -43,7 +40,7 @@ template <unsigned F> Surface shade(const CompiledScene& scene, const ShadePoint
     const Vec4 base = base_color<F>(scene, m, point);
     const double metallic = scalar(scene, m.metallic, point, 1), roughness = scalar(scene, m.roughness, point, 1);
     s.albedo_ = Color(base);
-    if constexpr ((F & kAlpha) != 0) s.coverage_ = coverage(m, base.w);
+    if ((F & kAlpha) != 0 && m.alpha_mode != AlphaMode::opaque) s.coverage_ = coverage(m, base.w);
     s.unlit_ = m.unlit;
     if (m.emissive) s.emitted_ = Color(scene.textures->evaluate(*m.emissive, point)) * m.emissive_strength;
     if (m.unlit) {
@@ -69,6 +66,11 @@ template <unsigned F> Surface shade(const CompiledScene& scene, const ShadePoint
         }
     }
     return s;
+}
+
+template <unsigned F> Surface shade(const CompiledScene& scene, const ShadePoint& point, const Vec3& dir) {
+    const GltfPbr* m = pbr(scene, point);
+    return m ? shade_metal_rough<F>(scene, *m, point, dir) : shade_pov(scene, point, dir);
 }
 
 }  // namespace alidade

@@ -60,7 +60,7 @@ class Surface {
     Secondaries secondary(const CompiledScene& scene, const RayState& state) const;
 
   private:
-    template <unsigned F> friend Surface shade(const CompiledScene&, const ShadePoint&, const Vec3&);
+    template <unsigned F> friend Surface shade_metal_rough(const CompiledScene&, const GltfPbr&, const ShadePoint&, const Vec3&);
     friend Surface shade_pov(const CompiledScene&, const ShadePoint&, const Vec3&);
     Color scatter_base(const Vec3& wi) const;
     void add_mirror(const RayState& state, Secondaries& out) const;

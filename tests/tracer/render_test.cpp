@@ -218,15 +218,25 @@ TEST(Compile, BuildsAndReadsOnlyWhatCanBeSeen) {
 
 TEST(Compile, SaysWhatItDoesNotRender) {
     SceneBuilder b;
-    const NodeId node = b.object(Sphere{}, b.material(b.lambert(Color(1))));
-    b.scene.nodes[node.index].inverse = true;
+    const MaterialId white = b.material(b.lambert(Color(1)));
+    const NodeId part = b.object(Sphere{}, white), other = b.object(Sphere{}, white);
+    Node difference;
+    difference.csg = CsgKind::difference;
+    difference.children = {part};
+    b.node(difference);
+    b.scene.roots = {NodeId{uint32_t(b.scene.nodes.size() - 1)}, other};
     b.scene.atmosphere.fogs.emplace_back();
     Diagnostics said;
-    ASSERT_TRUE(compile(b.scene, {}, said));
-    for (const char* word : {"inverse", "fog"}) EXPECT_NE(said.text().find(word), std::string::npos) << word << "\n" << said.text();
-    b.scene.nodes[node.index].csg = CsgKind::difference;
+    const auto scene = compile(b.scene, {}, said);
+    ASSERT_TRUE(scene) << said.text();
+    for (const char* sentence : {"differences are not rendered yet: they are left out (1 of them)", "fog"})
+        EXPECT_NE(said.text().find(sentence), std::string::npos) << sentence << "\n" << said.text();
+    EXPECT_EQ(summary(*scene).instances, 1u) << "the part of the difference is left out, what stands behind it is not";
+    b.scene.signals.emplace_back().what = FunctionSignal{};
+    GltfPbr formula = b.lambert(Color(1));
+    formula.base_color = {uint32_t(b.scene.signals.size() - 1)};
+    b.scene.nodes[other.index].materials = {b.material(formula)};
     EXPECT_FALSE(compile(b.scene, {}, said));
-    EXPECT_NE(said.text().find("difference"), std::string::npos);
 }
 
 /// A graph of 40 levels with two references each has 2^40 paths: refused in seconds, not walked.

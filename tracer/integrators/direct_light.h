@@ -23,14 +23,14 @@ template <unsigned F> class DirectLight {
             const PlacedLight& light = tracing_.scene.lights[i];
             if constexpr ((F & kSampledLights) != 0) {
                 if (light.sampled()) {
-                    sum += sampled(i, [&](const Vec2& square) { return from_light(light, square); });
+                    sum += from_sampled_light(i);
                     continue;
                 }
             }
             sum += from_light(light, Vec2(0));
         }
         if constexpr ((F & kSampledLights) != 0) {
-            if (tracing_.scene.sky->lights()) sum += sampled(kSkyDimension, [&](const Vec2& square) { return from_sky(square); });
+            if (tracing_.scene.sky->lights()) sum += from_sampled_sky();
         }
         return sum;
     }
@@ -43,6 +43,14 @@ template <unsigned F> class DirectLight {
         const uint32_t count = uint32_t(tracing_.light_samples);
         for (uint32_t k = 0; k < count; ++k) sum += one(state_.key.pair(dimension, k, count));
         return sum / double(count);
+    }
+
+    // Out of line: scenes without such lights pay for a comparison alone.
+    [[gnu::noinline]] Color from_sampled_light(size_t i) const {
+        return sampled(i, [&](const Vec2& square) { return from_light(tracing_.scene.lights[i], square); });
+    }
+    [[gnu::noinline]] Color from_sampled_sky() const {
+        return sampled(kSkyDimension, [&](const Vec2& square) { return from_sky(square); });
     }
 
     Color from_light(const PlacedLight& light, const Vec2& square) const {

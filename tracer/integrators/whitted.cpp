@@ -27,17 +27,17 @@ template <unsigned F> struct Whitted {
 
     static Color radiance(Tracing& tracing, const Ray& ray, const RayState& state, FirstHit& first) {
         Whitted whitted{tracing, first};
-        whitted.trace(ray, state);
-        while (!tracing.pending.empty()) {
-            const PendingRay next = tracing.pending.back();
-            tracing.pending.pop_back();
+        PendingRay next{ray, state};
+        for (;;) {
             whitted.trace(next.ray, next.state);
+            if (tracing.pending.empty()) return whitted.sum;
+            next = tracing.pending.back();
+            tracing.pending.pop_back();
         }
-        return whitted.sum;
     }
 
     /// Goes on straight through alpha, however many layers; mirrors and glass are followed by new rays.
-    void trace(const Ray& start, RayState state) {
+    void trace(const Ray& start, RayState& state) {
         Ray ray = start;
         for (;;) {
             Hit hit;
