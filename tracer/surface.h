@@ -82,7 +82,7 @@ class Surface {
     std::shared_ptr<const PovSurface> pov_;   ///< takes the place of all the rest but the normal
 };
 
-/// The surface at `point`, seen along the unit direction `dir`; defined in tracer/shade.h. `point` must outlive it.
+/// The surface at `point`, seen along the unit direction `dir`; defined in tracer/shade.h, which callers include. `point` must outlive it.
 template <unsigned F> Surface shade(const CompiledScene& scene, const ShadePoint& point, const Vec3& dir);
 
 /// The share of light that passes straight through the surface at `point`: what shadow rays multiply by. 0 for opaque surfaces.

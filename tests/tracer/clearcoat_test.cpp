@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 /// KHR_materials_clearcoat against closed forms: a coat takes c F(cos) of the light, F being Schlick's term for an index of 1.5.
 #include "tests/tracer/scene_builder.h"
-#include "tracer/surface.h"
+#include "tracer/shade.h"
 
 namespace alidade::test {
 namespace {

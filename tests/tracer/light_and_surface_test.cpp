@@ -2,7 +2,7 @@
 /// Lights and surfaces against closed forms.
 #include "tests/tracer/scene_builder.h"
 #include "tracer/lights.h"
-#include "tracer/surface.h"
+#include "tracer/shade.h"
 
 namespace alidade::test {
 namespace {
