@@ -134,7 +134,8 @@ SlotMaterial MaterialTable::slot(std::optional<MaterialId> material, std::option
     out.material = material ? material->index : default_material();
     const Material& m = out_.scene.materials[out.material];
     const auto* pbr = m.layers.empty() ? nullptr : std::get_if<GltfPbr>(&m.layers[0]);
-    if (pbr ? is_zero(out_.scene, pbr->transmission) : !lets_light_through(out_.scene, m)) return out;
+    // POV-Ray's interiors tell how an opaque surface mirrors, too.
+    if (pbr ? is_zero(out_.scene, pbr->transmission) : !interior && !lets_light_through(out_.scene, m)) return out;
     const auto [at, added] = interior_of_.try_emplace({out.material, interior ? interior->index : kNoId}, uint32_t(out_.interiors.size()));
     if (added) {
         out_.interiors.push_back(interior ? out_.scene.interiors[interior->index] : Interior());

@@ -66,6 +66,7 @@ std::vector<PovPicture> pictures() {
                          "mesh2 { vertex_vectors { 4, <-2,1,0>, <-1,1,0>, <-1,2,0>, <-2,2,0> } normal_vectors { 4, <-1,-1,-3>, <0,0,-2>, <.1,0,-.1>, <0,.5,-.5> } texture_list { 2, texture { pigment { rgb <1,1,0> } }, texture { "
                          "pigment { rgb <0,1,1> } finish { phong 1 } } } face_indices { 2, <0,1,2>, 0, <0,2,3>, 1 } }"},
         {"Visibility", usual + "plane { y, -1 pigment { rgb .5 } finish { reflection .5 } } union { sphere { <-1,.5,0>, .7 } sphere { <1,.5,0>, .7 no_reflection } pigment { rgb <1,.5,.2> } no_image } box { <-.3,-.5,-.3>, .3 no_reflection pigment { rgb 1 } }"},
+        {"OpaqueFresnel", usual + "plane { y, -1 pigment { rgb <.8,.7,.5> } finish { reflection { .05, .4 fresnel } } interior { ior 1.4 } } sphere { y*.5, .8 pigment { rgb <.2,.5,1> } finish { reflection { .9 fresnel } } interior { ior 1.6 } }"},
         {"DoubleIlluminate", usual + "disc { 0, z, 2 pigment { rgb 1 } rotate y*70 double_illuminate } disc { <2,0,0>, z, 1 pigment { rgb <1,1,0> } finish { diffuse .6, .3 } rotate y*60 }"},
     };
 }
