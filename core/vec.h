@@ -66,6 +66,12 @@ inline Vec3 normalized(const Vec3& v) {
 /// Rec.709 luminance.
 inline double luminance(const Color& c) { return 0.2126 * c.x + 0.7152 * c.y + 0.0722 * c.z; }
 
+/// POV-Ray's brightness of a colour.
+inline double pov_grey(const Color& c) { return 0.297 * c.x + 0.589 * c.y + 0.114 * c.z; }
+
+/// 3 t^2 - 2 t^3.
+inline double smooth_step(double t) { return t * t * (3 - 2 * t); }
+
 inline bool is_black(const Color& c) { return c.x == 0 && c.y == 0 && c.z == 0; }
 
 /// Two unit vectors that make a right-handed frame with the unit vector `n`.

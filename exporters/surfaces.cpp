@@ -62,7 +62,8 @@ PlainSurface surface_of(const Scene& scene, const PovFinish& from, Losses& losse
     losses.add("POV-Ray finishes", 1, "their pigment and emission on a rough surface");
     PlainSurface out;
     out.base_color = texel(scene, from.pigment, losses);
-    const double through = std::clamp(from.filter + from.transmit, 0.0, 1.0);
+    const auto* plain = std::get_if<ConstantSignal>(&scene.signals[from.pigment.index].what);
+    const double through = plain ? std::clamp(plain->filter + plain->transmit, 0.0, 1.0) : 0;
     out.base_color.factor = Vec4(from.diffuse * Vec3(out.base_color.factor), 1 - through);
     if (through > 0) out.alpha_mode = AlphaMode::blend;
     out.metallic.factor = Vec4(0);

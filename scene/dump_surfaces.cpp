@@ -62,7 +62,7 @@ void dump_layer(std::string& out, const GltfPbr& g) {
 
 void dump_layer(std::string& out, const PovFinish& p) {
     const PovFinish usual;
-    Line(out, "  pov").always("pigment", p.pigment).field("filter", p.filter).field("transmit", p.transmit).field("normal", p.normal)
+    Line(out, "  pov").always("pigment", p.pigment).field("normal", p.normal)
         .field("normal_amount", p.normal_amount, usual.normal_amount).field("ambient", p.ambient, usual.ambient).field("emission", p.emission)
         .field("diffuse", p.diffuse, usual.diffuse).field("brilliance", p.brilliance, usual.brilliance).field("diffuse_back", p.diffuse_back)
         .field("phong", p.phong).field("phong_size", p.phong_size, usual.phong_size).field("specular", p.specular)

@@ -135,7 +135,6 @@ struct GltfPbr {
 /// POV-Ray's finish (manual, 3.4.3 "Finish"), with its pigment and normal.
 struct PovFinish {
     SignalId pigment;                         ///< RGB, filter, transmit
-    double filter = 0, transmit = 0;
     std::optional<SignalId> normal;
     double normal_amount = 0.5;
     Color ambient{0.1}, emission{0};

@@ -55,6 +55,12 @@ void visit_paths(const Scene& scene, const std::function<bool(const Visit&)>& vi
 /// passed validate().
 double path_count(const Scene& scene);
 
+/// All signals reachable from `root`, itself included, appended to `out`.
+void collect_signals(const Scene& scene, SignalId root, std::vector<SignalId>& out);
+
+/// May light pass where the pigment `root` is? If one of its colours filters or transmits, or if it has pictures, whose alpha transmits.
+bool lets_light_through(const Scene& scene, SignalId root);
+
 /// The box of everything bounded that can be seen, in world space (empty if there is none). Cheap: boxes of boxes.
 Bounds world_bounds(const Scene& scene);
 

@@ -138,7 +138,7 @@ class Collector {
         if (p.normal) need(Requirement::normal_maps, from);
         if (!is_black(p.emission)) need(Requirement::emission, from);
         if (!is_black(p.reflection_max) || !is_black(p.reflection_min)) need(Requirement::mirror, from);
-        if (p.filter != 0 || p.transmit != 0) need(Requirement::transmission, from);
+        if (lets_light_through(scene_, p.pigment)) need(Requirement::transmission, from);
     }
 
     void interior(const Interior& i) {

@@ -28,7 +28,7 @@ bool finite(const GltfPbr& g) { return is_finite(Vec3(g.normal_scale, g.emissive
 
 bool finite(const PovFinish& p) {
     return is_finite(p.ambient) && is_finite(p.emission) && is_finite(p.reflection_min) && is_finite(p.reflection_max) &&
-           is_finite(Vec3(p.filter, p.transmit, p.normal_amount)) && is_finite(Vec3(p.diffuse, p.brilliance, p.diffuse_back)) &&
+           std::isfinite(p.normal_amount) && is_finite(Vec3(p.diffuse, p.brilliance, p.diffuse_back)) &&
            is_finite(Vec3(p.phong, p.phong_size, p.specular)) && is_finite(Vec3(p.roughness, p.metallic, p.crand)) &&
            is_finite(Vec3(p.reflection_falloff, p.reflection_exponent, p.reflection_metallic));
 }

@@ -3,6 +3,8 @@
 
 #include "scene/graph.h"
 
+#include <algorithm>
+
 namespace alidade {
 
 namespace {
@@ -61,6 +63,29 @@ double path_count(const Scene& scene) {
     double all = 0;
     for (const NodeId root : scene.roots) all += below[root.index];
     return all;
+}
+
+void collect_signals(const Scene& scene, SignalId root, std::vector<SignalId>& out) {
+    std::vector<SignalId> todo{root};
+    std::vector<bool> seen(scene.signals.size());
+    while (!todo.empty()) {
+        const SignalId id = todo.back();
+        todo.pop_back();
+        if (seen[id.index]) continue;
+        seen[id.index] = true;
+        out.push_back(id);
+        for_each_operand(scene.signals[id.index], [&](SignalId operand) { todo.push_back(operand); });
+    }
+}
+
+bool lets_light_through(const Scene& scene, SignalId root) {
+    std::vector<SignalId> read;
+    collect_signals(scene, root, read);
+    return std::any_of(read.begin(), read.end(), [&](SignalId id) {
+        const auto& what = scene.signals[id.index].what;
+        const auto* constant = std::get_if<ConstantSignal>(&what);
+        return constant ? constant->filter != 0 || constant->transmit != 0 : std::holds_alternative<ImageSignal>(what);
+    });
 }
 
 std::optional<CarriedMaterial> carried_material(const Scene& scene, const std::vector<NodeId>& path, uint32_t slot) {

@@ -32,6 +32,17 @@ Loaded load(const Request& request) {
     return loaded;
 }
 
+Prepared prepare(const Request& request) {
+    Loaded loaded = load(request);
+    const double start = seconds_now();
+    Prepared prepared;
+    if (loaded.scene) prepared.scene = compile(std::move(*loaded.scene), request.compile, loaded.said);
+    prepared.said = std::move(loaded.said);
+    prepared.read_seconds = loaded.seconds;
+    prepared.build_seconds = seconds_now() - start;
+    return prepared;
+}
+
 double seconds_now() { return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count(); }
 
 }  // namespace alidade

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-/// The first step of every verb that looks at a scene.
+/// The first steps of every verb that looks at a scene.
 #pragma once
 
 #include "tools/options.h"
+#include "tracer/render.h"
 
+#include <memory>
 #include <optional>
 
 namespace alidade {
@@ -16,6 +18,16 @@ struct Loaded {
 
 /// Reads the scene of `request`, poses it if a time was asked for, and reshapes its meshes as asked.
 Loaded load(const Request& request);
+
+/// A scene ready for its rays, and what it took to get there.
+struct Prepared {
+    std::shared_ptr<const CompiledScene> scene;
+    Diagnostics said;
+    double read_seconds = 0, build_seconds = 0;
+};
+
+/// Loads and compiles.
+Prepared prepare(const Request& request);
 
 /// Seconds since some fixed point; for differences.
 double seconds_now();

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 /// `alidade povray`: a drop-in for POV-Ray in scripts.
 #include "tools/interrupt.h"
+#include "tools/load.h"
 #include "tools/output.h"
 #include "tools/povray_words.h"
 #include "tools/verbs.h"
 
-#include "importers/importer.h"
 #include "tracer/render.h"
 
 #include <cmath>
@@ -17,30 +17,27 @@ namespace alidade {
 
 namespace {
 
-int fail(const std::string& sentence) {
-    fmt::print(stderr, "alidade: error: {}\n", sentence);
-    return kError;
-}
-
 /// A scene's name may come without its ending.
 std::string scene_path(const PovrayRequest& r) {
     if (std::filesystem::path(r.input).has_extension() || std::filesystem::exists(r.input)) return r.input;
     return r.input + ".pov";
 }
 
-ImportOptions import_options(const PovrayRequest& r, int frame) {
-    ImportOptions options;
-    options.include_paths = r.library_paths;
-    options.declarations = r.declarations;
-    pov::FrameSettings& f = options.frame;
+Request request_of(const PovrayRequest& r, int frame) {
+    Request request;
+    request.scene = scene_path(r);
+    request.import.include_paths = r.library_paths;
+    request.import.declarations = r.declarations;
+    request.compile.threads = r.threads;
+    pov::FrameSettings& f = request.import.frame;
     f.image_width = r.width, f.image_height = r.height;
     f.clock = clock_of(r, frame);
     f.clock_on = r.animated();
-    if (!r.animated()) return options;
+    if (!r.animated()) return request;
     f.initial_clock = r.initial_clock, f.final_clock = r.final_clock;
     f.initial_frame = r.initial_frame, f.final_frame = r.final_frame, f.frame_number = frame;
     f.clock_delta = clock_of(r, r.initial_frame + 1) - clock_of(r, r.initial_frame);
-    return options;
+    return request;
 }
 
 /// Columns and rows are counted from 1, or are shares of the picture if not greater than 1.
@@ -59,19 +56,13 @@ RenderOptions render_options(const PovrayRequest& r, int frame) {
 }
 
 int render_frame(const PovrayRequest& r, int frame) {
-    ImportResult imported = import_scene(scene_path(r), import_options(r, frame));
-    fmt::print(stderr, "{}", imported ? imported->diagnostics.text() : imported.error().text());
-    if (!imported) return kError;
-    Diagnostics said;
-    CompileOptions compile_options;
-    compile_options.threads = r.threads;
-    const auto scene = compile(std::move(imported->scene), compile_options, said);
-    fmt::print(stderr, "{}", said.text());
-    if (!scene) return kError;
+    const Prepared prepared = prepare(request_of(r, frame));
+    fmt::print(stderr, "{}", prepared.said.text());
+    if (!prepared.scene) return kError;
     const StopOnSignal signals;
     Monitor monitor;
     monitor.stop = &signals.stop();
-    const auto film = render(*scene, render_options(r, frame), monitor);
+    const auto film = render(*prepared.scene, render_options(r, frame), monitor);
     if (!film) return fail(film.error());
     if (r.to_file) {
         const std::string name = output_name(r, frame);

@@ -31,24 +31,6 @@ void add_output_options(CLI::App& app, RenderWords& words) {
     app.add_flag("--json", words.json, "prints what --stats writes");
 }
 
-/// A scene ready for its rays, and what it took to get there.
-struct Prepared {
-    std::shared_ptr<const CompiledScene> scene;
-    Diagnostics said;
-    double read_seconds = 0, build_seconds = 0;
-};
-
-Prepared prepare(const Request& request) {
-    Loaded loaded = load(request);
-    const double start = seconds_now();
-    Prepared prepared;
-    if (loaded.scene) prepared.scene = compile(std::move(*loaded.scene), request.compile, loaded.said);
-    prepared.said = std::move(loaded.said);
-    prepared.read_seconds = loaded.seconds;
-    prepared.build_seconds = seconds_now() - start;
-    return prepared;
-}
-
 Json cost(const RenderWords& words, const Prepared& prepared, const Film& film, const std::vector<std::string>& files) {
     const CompiledSummary built = summary(*prepared.scene);
     Json structures = Json::array();
@@ -66,11 +48,6 @@ tl::expected<Film, std::string> render_watched(const CompiledScene& scene, const
     monitor.progress = [&progress](size_t done, size_t tiles) { progress.update(done, tiles); };
     monitor.stop = &signals.stop();
     return render(scene, words.request.render, monitor);
-}
-
-int fail(const std::string& sentence) {
-    fmt::print(stderr, "alidade: error: {}\n", sentence);
-    return kError;
 }
 
 int write_everything(const RenderWords& words, const Prepared& prepared, const Film& film) {

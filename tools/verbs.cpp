@@ -65,6 +65,11 @@ std::string nearest(std::string_view word, std::span<const std::string> candidat
     return best;
 }
 
+int fail(const std::string& sentence) {
+    fmt::print(stderr, "alidade: error: {}\n", sentence);
+    return kError;
+}
+
 int run_words(const Words& words) {
     if (words.empty()) {
         fmt::print(stderr, "{}", help());

@@ -31,6 +31,9 @@ std::string nearest(std::string_view word, std::span<const std::string> candidat
 /// Runs the verb that `words` (without the program's name) begin with; also --help and --version.
 int run_words(const Words& words);
 
+/// Says the sentence as an error, and returns kError.
+int fail(const std::string& sentence);
+
 // The rows' functions, one a file.
 int run_render(const Verb& verb, const Words& words);
 int run_info(const Verb& verb, const Words& words);

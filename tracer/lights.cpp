@@ -31,7 +31,7 @@ double cone(const ConeLight& spot, double c) {
     const double inner = std::cos(spot.radius), outer = std::cos(spot.falloff);
     if (inner > 0 && c < inner) {
         const double u = outer < inner ? std::clamp((c - outer) / (inner - outer), 0.0, 1.0) : 0;
-        k *= u * u * (3 - 2 * u);
+        k *= smooth_step(u);
     }
     return k;
 }

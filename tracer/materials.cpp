@@ -44,20 +44,9 @@ unsigned features_of(const Scene& scene, const GltfPbr& m) {
     return features;
 }
 
-/// May light pass through a part of it?
-bool lets_light_through(const Scene& scene, const PovFinish& f) {
-    if (f.filter != 0 || f.transmit != 0) return true;
-    std::vector<SignalId> read;
-    collect_signals(scene, f.pigment, read);
-    return std::any_of(read.begin(), read.end(), [&](SignalId id) {
-        const auto* constant = std::get_if<ConstantSignal>(&scene.signals[id.index].what);
-        return constant && (constant->filter != 0 || constant->transmit != 0);
-    });
-}
-
 unsigned features_of(const Scene& scene, const PovFinish& f) {
     unsigned features = is_constant(scene, f.pigment) ? 0u : unsigned(kTextures);
-    if (lets_light_through(scene, f)) features |= kTransmission;
+    if (lets_light_through(scene, f.pigment)) features |= kTransmission;
     if (!is_black(f.reflection_min) || !is_black(f.reflection_max)) features |= kMirrors;
     return features;
 }
@@ -70,7 +59,7 @@ bool is_pov(const Material& m) {
 bool lets_light_through(const Scene& scene, const Material& m) {
     return std::all_of(m.layers.begin(), m.layers.end(), [&](const auto& layer) {
         const auto* f = std::get_if<PovFinish>(&layer);
-        return f && lets_light_through(scene, *f);
+        return f && lets_light_through(scene, f->pigment);
     });
 }
 

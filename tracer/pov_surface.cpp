@@ -9,19 +9,6 @@ namespace {
 /// Products nearer to 0 than this count as none: where POV-Ray looks at a light, or at a change of direction.
 constexpr double kEpsilon = 1e-10;
 
-double grey(const Color& c) { return 0.297 * c.x + 0.589 * c.y + 0.114 * c.z; }
-
-const Material& material_at(const CompiledScene& scene, const ShadePoint& p) {
-    return scene.scene.materials[scene.slots[scene.instances[p.instance].first_slot + p.slot].material];
-}
-
-/// What the layer's own filter and transmit let through comes on top of its pigment's.
-PigmentColor pigment_of(const CompiledScene& scene, const PovFinish& f, const ShadePoint& point) {
-    PigmentColor c = scene.textures->pigment(f.pigment, point);
-    c.filter += f.filter, c.transmit += f.transmit;
-    return c;
-}
-
 double opacity(const RenderSettings& settings, const PigmentColor& c) {
     return 1 - c.filter * (settings.filter_dims_by_colour ? max_component(c.color) : 1) - c.transmit;
 }
@@ -56,7 +43,7 @@ Color reflectivity(const PovLayer& layer, double cosine, double relative_ior) {
 
 /// Of what lies behind the surface, over that in front: as if the object stood in air.
 double relative_ior(const CompiledScene& scene, const ShadePoint& point) {
-    const uint32_t interior = scene.slots[scene.instances[point.instance].first_slot + point.slot].interior;
+    const uint32_t interior = slot_at(scene, point).interior;
     const double own = interior == kNoId ? 1 : scene.interiors[interior].ior;
     return point.front ? own : 1 / own;
 }
@@ -69,17 +56,16 @@ struct Passage {
 
 /// A solid is left by a ray that has entered it, whatever side is hit.
 Passage passage(const CompiledScene& scene, const ShadePoint& point, const RayState& state) {
-    const uint32_t interior = scene.slots[scene.instances[point.instance].first_slot + point.slot].interior;
+    const uint32_t interior = slot_at(scene, point).interior;
     Passage out;
     out.beyond = state.inside;
     if (interior == kNoId) return out;
-    const auto ior_in = [&](const InteriorStack& stack) { return stack.empty() ? 1.0 : scene.interiors[stack.top().interior].ior; };
-    const double own = scene.interiors[interior].ior, here = ior_in(state.inside);
+    const double own = scene.interiors[interior].ior, here = ior_in(scene, state.inside);
     const bool last = !state.inside.empty() && state.inside.top().instance == point.instance;
     // A camera inside of a solid has not entered it.
     const bool began_inside = state.inside.empty() && !point.front && !point.mesh && state.kind == RayKind::camera;
     if (out.beyond.leave(point.instance)) {
-        out.ratio = last ? own / ior_in(out.beyond) : 1;
+        out.ratio = last ? own / ior_in(scene, out.beyond) : 1;
         out.faded = pov_fade(scene.interiors[interior], state.travelled);
     } else if (began_inside) {
         out.ratio = own;
@@ -102,7 +88,7 @@ PovSurface::PovSurface(const CompiledScene& scene, const ShadePoint& point, cons
     for (size_t i = material.layers.size(); i-- > 0;) {
         PovLayer layer;
         layer.finish = &std::get<PovFinish>(material.layers[i]);
-        const PigmentColor pigment = pigment_of(scene, *layer.finish, point);
+        const PigmentColor pigment = scene.textures->pigment(layer.finish->pigment, point);
         layer.color = pigment.color;
         layer.opacity = opacity(settings, pigment);
         layer.above = through_;
@@ -112,7 +98,7 @@ PovSurface::PovSurface(const CompiledScene& scene, const ShadePoint& point, cons
             const Color left = Color(1) - reflectivity(layer, cosine, relative_ior(scene, point));
             through_ *= glm::min(left, Color(1));
         }
-        if (std::min(1.0, std::abs(grey(through_))) <= settings.adc_bailout) break;
+        if (std::min(1.0, std::abs(pov_grey(through_))) <= settings.adc_bailout) break;
     }
 }
 
@@ -158,7 +144,7 @@ void PovSurface::add_reflection(const CompiledScene& scene, const RayState& stat
     for (const PovLayer& l : layers_) {
         const Color r = reflectivity(l, cosine, relative_ior);
         const Color most = l.finish->reflection_fresnel ? r : glm::max(l.finish->reflection_max, l.finish->reflection_min);
-        const double own = std::min(1.0, std::abs(grey(l.above))) * max_component(most);
+        const double own = std::min(1.0, std::abs(pov_grey(l.above))) * max_component(most);
         if (is_black(r) || state.importance * own < scene.scene.settings.adc_bailout) continue;
         weight += r;
         importance = std::max(importance, own);
@@ -172,7 +158,7 @@ void PovSurface::add_reflection(const CompiledScene& scene, const RayState& stat
 void PovSurface::secondary(const CompiledScene& scene, const ShadePoint& point, const RayState& state, const Vec3& facing, Secondaries& out) const {
     const Passage p = passage(scene, point, state);
     bool total = false;
-    if (std::min(1.0, std::abs(grey(through_))) > scene.scene.settings.adc_bailout) {
+    if (std::min(1.0, std::abs(pov_grey(through_))) > scene.scene.settings.adc_bailout) {
         const double c = -dot(dir_, normal_), t = 1 + p.ratio * p.ratio * (c * c - 1);
         const Color weight = p.faded * through_;
         const double importance = std::max({std::abs(through_.x), std::abs(through_.y), std::abs(through_.z)});
@@ -191,7 +177,7 @@ void PovSurface::secondary(const CompiledScene& scene, const ShadePoint& point, 
 Color pov_transmitted(const CompiledScene& scene, const Material& material, const ShadePoint& point) {
     Color through(1);
     for (const auto& layer : material.layers) {
-        through *= filter_of(pigment_of(scene, std::get<PovFinish>(layer), point));
+        through *= filter_of(scene.textures->pigment(std::get<PovFinish>(layer).pigment, point));
         if (is_black(through)) return through;
     }
     return through;

@@ -12,6 +12,8 @@ Color transmittance(const CompiledScene& scene, const InteriorStack& inside, dou
     return {std::pow(c.x, x), std::pow(c.y, x), std::pow(c.z, x)};
 }
 
+double ior_in(const CompiledScene& scene, const InteriorStack& inside) { return inside.empty() ? 1 : scene.interiors[inside.top().interior].ior; }
+
 Color pov_fade(const Interior& interior, double length) {
     if (!(interior.fade_distance > 1e-10) || interior.fade_power == 0) return Color(1);
     const Color& c = interior.fade_color;

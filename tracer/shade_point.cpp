@@ -87,7 +87,7 @@ ShadePoint shade_point(const CompiledScene& scene, const Ray& ray, const Hit& hi
     if (geometry.mesh) place_on_mesh(*geometry.mesh, instance, hit, p);
     else place_on_shape(geometry, instance, hit, p);
     p.front = dot(ray.dir, p.geometric_normal) <= 0;
-    const uint32_t space = scene.slots[instance.first_slot + p.slot].space;
+    const uint32_t space = slot_at(scene, p).space;
     if (space != kNoId) p.space = &scene.pattern_spaces[space];
     return p;
 }

@@ -31,6 +31,10 @@ struct ShadePoint {
 /// `ray` is the world-space ray that found `hit`.
 ShadePoint shade_point(const CompiledScene& scene, const Ray& ray, const Hit& hit);
 
+/// The material, and what else the surface at `point` has of its slot.
+inline const SlotMaterial& slot_at(const CompiledScene& scene, const ShadePoint& point) { return scene.slots[scene.instances[point.instance].first_slot + point.slot]; }
+inline const Material& material_at(const CompiledScene& scene, const ShadePoint& point) { return scene.scene.materials[slot_at(scene, point).material]; }
+
 /// Fills in `tangent` and `bitangent`: the mesh's own, else those that compile() made along the texture coordinates of `uv_set`; any, if there are none.
 void tangent_frame(const CompiledScene& scene, uint32_t uv_set, ShadePoint& point);
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tracer/normal_maps.h"
 #include "tracer/pov_surface.h"
+#include "tracer/segment.h"
 #include "tracer/shade.h"
 
 namespace alidade {
@@ -17,8 +18,7 @@ double microfacet(double alpha, double nh, double nl, double nv) {
 }  // namespace
 
 const GltfPbr* pbr(const CompiledScene& scene, const ShadePoint& p) {
-    const SlotMaterial& slot = scene.slots[scene.instances[p.instance].first_slot + p.slot];
-    return std::get_if<GltfPbr>(&scene.scene.materials[slot.material].layers[0]);
+    return std::get_if<GltfPbr>(&material_at(scene, p).layers[0]);
 }
 
 Surface shade_pov(const CompiledScene& scene, const ShadePoint& point, const Vec3& dir) {
@@ -139,13 +139,12 @@ void Surface::add_coat(const RayState& state, Secondaries& out) const {
 
 /// Glass: what is not mirrored is refracted and coloured. The outside is whatever the ray was in before.
 void Surface::add_transmission(const CompiledScene& scene, const RayState& state, Secondaries& out) const {
-    const auto ior_in = [&](const InteriorStack& stack) { return stack.empty() ? 1.0 : scene.interiors[stack.top().interior].ior; };
     InteriorStack beyond = state.inside;
-    const uint32_t interior = scene.slots[scene.instances[point_->instance].first_slot + point_->slot].interior;
+    const uint32_t interior = slot_at(scene, *point_).interior;
     if (point_->front) beyond.enter({point_->instance, interior});
     else beyond.leave(point_->instance);
     // A camera inside the glass has no entry to leave: it is in this interior all the same.
-    const double n1 = !point_->front && state.inside.empty() ? ior_ : ior_in(state.inside), n2 = ior_in(beyond);
+    const double n1 = !point_->front && state.inside.empty() ? ior_ : ior_in(scene, state.inside), n2 = ior_in(scene, beyond);
     // A bent normal can face away from the eye: then the true one mirrors and refracts.
     const Vec3 facing = facing_normal(), normal = dot(normal_, wo_) > 0 ? normal_ : facing;
     const double eta = n2 / n1, cos_o = std::max(dot(normal, wo_), 0.0), reflectance = fresnel_dielectric(cos_o, eta), share = coverage_ * (1 - coat_.weight);
@@ -158,7 +157,7 @@ void Surface::add_transmission(const CompiledScene& scene, const RayState& state
 
 Color transmitted(const CompiledScene& scene, const ShadePoint& point) {
     const GltfPbr* metal_rough = pbr(scene, point);
-    if (!metal_rough) return pov_transmitted(scene, scene.scene.materials[scene.slots[scene.instances[point.instance].first_slot + point.slot].material], point);
+    if (!metal_rough) return pov_transmitted(scene, material_at(scene, point), point);
     const GltfPbr& m = *metal_rough;
     const Vec4 base = base_color<kAllFeatures>(scene, m, point);
     const double there = coverage(m, base.w);

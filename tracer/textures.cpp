@@ -59,23 +59,6 @@ Vec4 texel(const Picture& picture, int x, int y) {
 
 }  // namespace
 
-void collect_signals(const Scene& scene, SignalId root, std::vector<SignalId>& out) {
-    std::vector<SignalId> todo{root};
-    std::vector<bool> seen(scene.signals.size());
-    while (!todo.empty()) {
-        const SignalId id = todo.back();
-        todo.pop_back();
-        if (seen[id.index]) continue;
-        seen[id.index] = true;
-        out.push_back(id);
-        const auto& what = scene.signals[id.index].what;
-        if (const auto* product = std::get_if<ProductSignal>(&what)) todo.insert(todo.end(), {product->a, product->b});
-        else if (const auto* channel = std::get_if<ChannelSignal>(&what)) todo.push_back(channel->of);
-        else if (const auto* pattern = std::get_if<PatternSignal>(&what))
-            for (const MapEntry& e : pattern->map) todo.push_back(e.signal);
-    }
-}
-
 Textures::Textures(const Scene& scene, const std::vector<SignalId>& used, int threads, Diagnostics& said)
     : signals_(scene.signals), resource_of_(scene.signals.size(), kNoId) {
     std::map<PictureKey, uint32_t> index;

@@ -54,7 +54,4 @@ class Textures {
     std::vector<uint32_t> resource_of_;   ///< by signal: its picture or its pattern; kNoId where the signal is neither
 };
 
-/// All signals reachable from `root`, itself included, appended to `out`.
-void collect_signals(const Scene& scene, SignalId root, std::vector<SignalId>& out);
-
 }  // namespace alidade

@@ -44,7 +44,6 @@ const GradientTables& tables() {
     return *all;
 }
 
-double smooth(double t) { return t * t * (3 - 2 * t); }
 double mix(double a, double b, double t) { return a + t * (b - a); }
 
 }  // namespace
@@ -67,11 +66,11 @@ double gradient_noise(const Vec3& p) {
             const Vec3 low = at - Vec3(0, dy, dz), high = low - Vec3(1, 0, 0);
             const double a = dot(all.gradient[all.permutation[x0 + cell[1] + dy] + cell[2] + dz], low);
             const double b = dot(all.gradient[all.permutation[x1 + cell[1] + dy] + cell[2] + dz], high);
-            rows[dy] = mix(a, b, smooth(at.x));
+            rows[dy] = mix(a, b, smooth_step(at.x));
         }
-        planes[dz] = mix(rows[0], rows[1], smooth(at.y));
+        planes[dz] = mix(rows[0], rows[1], smooth_step(at.y));
     }
-    return mix(planes[0], planes[1], smooth(at.z));
+    return mix(planes[0], planes[1], smooth_step(at.z));
 }
 
 }  // namespace alidade

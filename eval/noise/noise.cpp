@@ -21,7 +21,6 @@ constexpr std::array<Corner, 264> kCorners = [] {
     return all;
 }();
 
-double smooth(double t) { return t * t * (3 - 2 * t); }
 double clamped(double v) { return std::clamp(v, 0.0, 1.0); }
 
 /// The cell of a coordinate, and where in it the coordinate is. A negative integer belongs to the cell below it, up to 1e-10.
@@ -65,7 +64,7 @@ struct Cell {
 
 double lattice_noise(const Vec3& p) {
     const Cell cell(p);
-    return cell.sum(0, smooth(cell.x.offset), smooth(cell.y.offset), smooth(cell.z.offset));
+    return cell.sum(0, smooth_step(cell.x.offset), smooth_step(cell.y.offset), smooth_step(cell.z.offset));
 }
 
 /// One octave: of generators 2 and 3 the contrast is doubled.
@@ -87,7 +86,7 @@ double noise(const Vec3& p, NoiseGenerator generator) {
 
 Vec3 vector_noise(const Vec3& p) {
     const Cell cell(p);
-    const double sx = smooth(cell.x.offset), sy = smooth(cell.y.offset), sz = smooth(cell.z.offset);
+    const double sx = smooth_step(cell.x.offset), sy = smooth_step(cell.y.offset), sz = smooth_step(cell.z.offset);
     return {cell.sum(0, sx, sy, sz), cell.sum(4, sx, sy, sz), cell.sum(8, sx, sy, sz)};
 }
 

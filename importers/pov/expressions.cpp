@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "importers/pov/expressions.h"
 
+#include "core/vec.h"
 #include "importers/pov/arrays.h"
 #include "importers/pov/blocks.h"
 #include "importers/pov/builtins/builtins.h"
@@ -22,7 +23,10 @@ Value component(Parser& p, const Value& value, const Token& word) {
     static constexpr std::pair<WordId, int> kComponents[] = {{"x"_w, 0}, {"u"_w, 0}, {"red"_w, 0}, {"y"_w, 1}, {"v"_w, 1}, {"green"_w, 1},
                                                               {"z"_w, 2}, {"blue"_w, 2}, {"t"_w, 3}, {"filter"_w, 3}, {"transmit"_w, 4}};
     require_numeric(p, value, word.place());
-    if (word.is_word("gray"_w)) return Value::number(grey(promoted(value, 5)));
+    if (word.is_word("gray"_w)) {
+        const std::array<double, 5> c = promoted(value, 5);
+        return Value::number(pov_grey({c[0], c[1], c[2]}));
+    }
     for (const auto& [name, index] : kComponents)
         if (word.is_word(name)) {
             if (value.terms == 1) p.fail(word.place(), "a float has no components");

@@ -60,6 +60,4 @@ double compared(char op, double a, double b) {
 
 double compared(char op, const std::string& a, const std::string& b) { return compared(op, double(a.compare(b) < 0 ? -1 : a.compare(b) > 0), 0.0); }
 
-double grey(const std::array<double, 5>& c) { return 0.297 * c[0] + 0.589 * c[1] + 0.114 * c[2]; }
-
 }  // namespace alidade::pov

@@ -22,7 +22,4 @@ Value negated(Value value);
 double compared(char op, double a, double b);
 double compared(char op, const std::string& a, const std::string& b);
 
-/// 0.297 r + 0.589 g + 0.114 b, as `.gray` gives it.
-double grey(const std::array<double, 5>& c);
-
 }  // namespace alidade::pov

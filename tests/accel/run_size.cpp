@@ -14,4 +14,9 @@ size_t run_size(size_t usual, size_t full) {
     return size_t(std::max(count, 1.0));
 }
 
+bool runs_scaled_down() {
+    const char* scale = std::getenv("ALIDADE_TEST_SCALE");
+    return scale && std::atof(scale) < 1;
+}
+
 }  // namespace alidade::test

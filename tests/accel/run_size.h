@@ -10,4 +10,7 @@ namespace alidade::test {
 /// under a sanitizer), and never less than 1.
 size_t run_size(size_t usual, size_t full);
 
+/// Does the environment ask for less than an ordinary run?
+bool runs_scaled_down();
+
 }  // namespace alidade::test

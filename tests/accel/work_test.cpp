@@ -76,7 +76,7 @@ TEST_P(Work, GrowsSlowly) {
     for (const auto& [kind, make] : kinds) {
         std::vector<std::pair<double, double>> n_and_work;
         for (const double n : {1e3, 1e4, 1e5, 1e6}) {
-            if (n > 5e5 && (precision == Precision::double_ || run_size(2, 2) < 2)) continue;  // the float run has shown it, and the one without sanitizers
+            if (n > 5e5 && (precision == Precision::double_ || runs_scaled_down())) continue;  // the float run has shown it, and the one without sanitizers
             const Mesh mesh = make(n);
             const size_t count = 1000;
             const auto accelerator = build(*entry, mesh, {precision});

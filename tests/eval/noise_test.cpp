@@ -2,7 +2,7 @@
 /// POV-Ray's own numbers are the oracle: those of a run, where it is installed, those it printed once, where they are at hand, and a few that stand here.
 #include "eval/noise/noise.h"
 
-#include "povray_values.h"
+#include "tests/povray/povray.h"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>

@@ -3,7 +3,7 @@
 #include "eval/patterns/pattern.h"
 
 #include "pattern_cases.h"
-#include "povray_values.h"
+#include "tests/povray/povray.h"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>

@@ -3,14 +3,14 @@
 #include "importers/pov/reader.h"
 
 #include "core/diagnostics.h"
+#include "tests/povray/povray.h"
 
 #include <cmath>
 #include <cstdlib>
-#include <filesystem>
 #include <fmt/format.h>
-#include <fstream>
 #include <gtest/gtest.h>
 #include <random>
+#include <sstream>
 
 using namespace alidade;
 using namespace alidade::pov;
@@ -128,26 +128,10 @@ Questions questions() {
     return q;
 }
 
-std::vector<std::string> lines_of(std::istream& in) {
+std::vector<std::string> lines_of(const std::string& text) {
+    std::istringstream in(text);
     std::vector<std::string> all;
     for (std::string line; std::getline(in, line);) all.push_back(line);
-    return all;
-}
-
-/// What POV-Ray's debug stream holds: blanks at the end of a line are its own.
-std::vector<std::string> by_povray(const std::string& scene) {
-    namespace fs = std::filesystem;
-    const fs::path folder = fs::temp_directory_path() / fmt::format("alidade_pov_differential_{}", std::random_device{}());
-    fs::create_directories(folder);
-    std::ofstream(folder / "scene.pov") << scene << "sphere { 0, 1 }\n";
-    const std::string command = fmt::format("cd '{}' && povray +Iscene.pov -D -F +W1 +H1 +WT1 -GA +GDdebug.txt +GFfatal.txt > /dev/null 2>&1", folder.string());
-    const int code = std::system(command.c_str());
-    std::ifstream said(folder / "fatal.txt");
-    const std::string fatal((std::istreambuf_iterator<char>(said)), {});
-    EXPECT_EQ(code, 0) << fatal;
-    std::ifstream debug(folder / "debug.txt");
-    std::vector<std::string> all = lines_of(debug);
-    fs::remove_all(folder);
     return all;
 }
 
@@ -161,7 +145,7 @@ bool same(const std::string& ours, const std::string& theirs) {
 }  // namespace
 
 TEST(PovDifferential, ExpressionsHaveThePovRaysOwnValues) {
-    if (std::system("command -v povray > /dev/null 2>&1") != 0) GTEST_SKIP() << "povray is not installed";
+    if (!povray_is_installed()) GTEST_SKIP() << "povray is not installed";
     const Questions q = questions();
     ASSERT_GT(q.asked.size(), 500u);
     std::string printed;
@@ -170,8 +154,7 @@ TEST(PovDifferential, ExpressionsHaveThePovRaysOwnValues) {
     Diagnostics said;
     read_program_text("scene.pov", q.prelude + q.text, options, said);
     ASSERT_FALSE(said.has_errors()) << said.text();
-    std::istringstream in(printed);
-    const std::vector<std::string> ours = lines_of(in), theirs = by_povray(q.prelude + q.text);
+    const std::vector<std::string> ours = lines_of(printed), theirs = lines_of(povray_debug(q.prelude + q.text));
     ASSERT_EQ(ours.size(), q.asked.size());
     ASSERT_EQ(theirs.size(), q.asked.size());
     for (size_t i = 0; i < ours.size(); ++i) EXPECT_TRUE(same(ours[i], theirs[i])) << q.asked[i] << ": " << ours[i] << ", POV-Ray has " << theirs[i];

@@ -251,8 +251,6 @@ const Change kSurfaceChanges[] = {
     [](Scene& s) { gltf(s).clearcoat_roughness = SignalId{0}; },
     [](Scene& s) { gltf(s).clearcoat_normal = SignalId{0}; },
     [](Scene& s) { pov(s).pigment = SignalId{0}; },
-    [](Scene& s) { pov(s).filter = 1; },
-    [](Scene& s) { pov(s).transmit = 1; },
     [](Scene& s) { pov(s).normal.reset(); },
     [](Scene& s) { pov(s).normal_amount = 1; },
     [](Scene& s) { pov(s).ambient = Color(0); },

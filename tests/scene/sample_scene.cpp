@@ -57,7 +57,7 @@ void add_surfaces(Scene& s) {
     s.images = {{"wood", "wood.png", {}, {}}, {"embedded", "", {std::byte(1), std::byte(2)}, {}}};
     PatternSignal pattern;
     pattern.pattern = "agate";
-    pattern.map = {{0, SignalId{0}}, {1, SignalId{1}}};
+    pattern.map = {{0, SignalId{0}}, {1, SignalId{0}}};
     pattern.warps.resize(1);
     s.signals.resize(6);
     s.signals[0].what = ConstantSignal{Vec4(0.8, 0.7, 0.6, 1)};

@@ -2,6 +2,7 @@
 /// Small scenes rendered by POV-Ray and by Alidade: the 8-bit codes must be the same, but for the few pixels where an edge goes through a centre.
 #include "core/image.h"
 #include "importers/importer.h"
+#include "tests/povray/povray.h"
 #include "tracer/render.h"
 
 #include <cmath>
@@ -104,7 +105,7 @@ int code(const Picture& p, int x, int y, int c) { return int(std::lround(p.at(x,
 class PovPictures : public testing::TestWithParam<PovPicture> {};
 
 TEST_P(PovPictures, AreThoseOfPovRay) {
-    if (std::system("command -v povray > /dev/null 2>&1") != 0) GTEST_SKIP() << "povray is not installed";
+    if (!povray_is_installed()) GTEST_SKIP() << "povray is not installed";
     const Folder folder;
     std::ofstream(folder / "scene.pov") << GetParam().scene << "\n";
     ASSERT_EQ(std::system(fmt::format("cd '{}' && povray +Iscene.pov +Oref.png +W{} +H{} -A -D +WT1 > said.txt 2>&1", folder / "", kWidth, kHeight).c_str()), 0);

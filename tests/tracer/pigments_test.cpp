@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 /// Pigments with maps against POV-Ray's pigment functions, and the space that patterns are looked up in.
-#include "tests/eval/povray_values.h"
+#include "tests/povray/povray.h"
 #include "tests/tracer/scene_builder.h"
 #include "tracer/shade_point.h"
 

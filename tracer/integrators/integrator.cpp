@@ -18,7 +18,7 @@ Color filtered_light(Tracing& tracing, const Ray& ray, const InteriorStack& star
         through *= transmittance(tracing.scene, inside, hit.t - t);
         const double before = t;
         t = hit.t;
-        const uint32_t interior = tracing.scene.slots[tracing.scene.instances[p.instance].first_slot + p.slot].interior;
+        const uint32_t interior = slot_at(tracing.scene, p).interior;
         if (interior == kNoId) continue;
         if (p.front) inside.enter({p.instance, interior});
         else if (inside.leave(p.instance)) through *= pov_fade(tracing.scene.interiors[interior], hit.t - before);

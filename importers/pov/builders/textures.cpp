@@ -10,17 +10,11 @@ namespace {
 
 constexpr size_t kMostLayers = 1000;
 
-SignalId add_colour(Build& build, const Color& c, Place at) {
-    Signal signal;
-    signal.what = ConstantSignal{Vec4(c, 1)};
-    signal.from = build.position(at);
-    build.scene.signals.push_back(signal);
-    return {uint32_t(build.scene.signals.size() - 1)};
-}
-
 void set_colour(Build& build, const std::array<double, 5>& c, Place at, PovFinish& layer) {
-    layer.pigment = add_colour(build, {c[0], c[1], c[2]}, at);
-    layer.filter = c[3], layer.transmit = c[4];
+    Signal& signal = build.scene.signals.emplace_back();
+    signal.what = ConstantSignal{Vec4(c[0], c[1], c[2], 1), c[3], c[4]};
+    signal.from = build.position(at);
+    layer.pigment = {uint32_t(build.scene.signals.size() - 1)};
 }
 
 /// Until patterns are built: middle grey, opaque.

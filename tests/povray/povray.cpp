@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "povray_values.h"
+#include "tests/povray/povray.h"
 
 #include <cstdlib>
 #include <filesystem>
@@ -11,31 +11,40 @@
 
 namespace alidade {
 
+namespace {
+
+std::string whole_file(const std::filesystem::path& path) {
+    std::ifstream in(path);
+    return {std::istreambuf_iterator<char>(in), {}};
+}
+
+}  // namespace
+
 bool povray_is_installed() { return std::system("command -v povray > /dev/null 2>&1") == 0; }
 
 std::string pov_text(const Vec3& p) { return fmt::format("<{:.17g}, {:.17g}, {:.17g}>", p.x, p.y, p.z); }
 
-std::vector<double> povray_values(const std::string& prelude, const std::vector<std::string>& expressions) {
+std::string povray_debug(const std::string& scene) {
     namespace fs = std::filesystem;
-    const fs::path folder = fs::temp_directory_path() / fmt::format("alidade_povray_values_{}", std::random_device{}());
+    const fs::path folder = fs::temp_directory_path() / fmt::format("alidade_povray_{}", std::random_device{}());
     fs::create_directories(folder);
-    {
-        std::ofstream scene(folder / "scene.pov");
-        scene << "#version 3.7;\nglobal_settings { assumed_gamma 1 }\n" << prelude << "\n";
-        for (const std::string& e : expressions) scene << "#debug concat(str(" << e << ", 0, 17), \"\\n\")\n";
-        scene << "sphere { 0, 1 }\n";
-    }
+    std::ofstream(folder / "scene.pov") << scene << "sphere { 0, 1 }\n";
     const std::string command = fmt::format("cd '{}' && povray +Iscene.pov -D -F +W1 +H1 +WT1 -GA +GDdebug.txt +GFfatal.txt > /dev/null 2>&1", folder.string());
     const int code = std::system(command.c_str());
-    std::ifstream said(folder / "fatal.txt");
-    const std::string fatal((std::istreambuf_iterator<char>(said)), {});
-    std::vector<double> values;
-    std::ifstream debug(folder / "debug.txt");
-    for (std::string word; debug >> word;) values.push_back(std::strtod(word.c_str(), nullptr));   // which reads "-nan" too
-    EXPECT_EQ(code, 0) << fatal;
-    EXPECT_EQ(values.size(), expressions.size()) << fatal;
-    if (values.size() != expressions.size()) values.clear();
+    EXPECT_EQ(code, 0) << whole_file(folder / "fatal.txt");
+    std::string printed = whole_file(folder / "debug.txt");
     fs::remove_all(folder);
+    return printed;
+}
+
+std::vector<double> povray_values(const std::string& prelude, const std::vector<std::string>& expressions) {
+    std::string scene = "#version 3.7;\nglobal_settings { assumed_gamma 1 }\n" + prelude + "\n";
+    for (const std::string& e : expressions) scene += fmt::format("#debug concat(str({}, 0, 17), \"\\n\")\n", e);
+    std::vector<double> values;
+    std::istringstream printed(povray_debug(scene));
+    for (std::string word; printed >> word;) values.push_back(std::strtod(word.c_str(), nullptr));   // which reads "-nan" too
+    EXPECT_EQ(values.size(), expressions.size());
+    if (values.size() != expressions.size()) values.clear();
     return values;
 }
 

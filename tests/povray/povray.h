@@ -11,6 +11,9 @@ namespace alidade {
 
 bool povray_is_installed();
 
+/// What one run of povray prints with #debug for `scene`, to which a sphere is added. A failed expectation, with povray's words, if it refuses the scene.
+std::string povray_debug(const std::string& scene);
+
 /// The values of float expressions, printed with 17 digits after the point by one run of povray. `prelude` are statements before the first of them.
 /// Empty, and a failed expectation, if povray refuses the scene.
 std::vector<double> povray_values(const std::string& prelude, const std::vector<std::string>& expressions);
