@@ -22,6 +22,7 @@ class Flattening {
     std::optional<Texel> of(const ConstantSignal& s) { return Texel{s.value, nullptr, -1}; }
     std::optional<Texel> of(const ImageSignal& s) { return Texel{Vec4(1), &s, -1}; }
     std::optional<Texel> of(const PatternSignal&) { return std::nullopt; }
+    std::optional<Texel> of(const ReliefSignal&) { return std::nullopt; }
     std::optional<Texel> of(const FunctionSignal&) { return std::nullopt; }
     std::optional<Texel> of(const ProductSignal& s) {
         const auto a = of(s.a), b = of(s.b);
@@ -70,6 +71,11 @@ PlainSurface surface_of(const Scene& scene, const PovFinish& from, Losses& losse
     if (!is_black(from.emission)) out.emissive = Texel{Vec4(from.emission * Vec3(out.base_color.factor), 1), nullptr, -1};
     out.double_sided = true;
     return out;
+}
+
+PlainSurface surface_of(const Scene& scene, const PovTextureMap& from, Losses& losses) {
+    losses.add("maps of textures", 1, "their first texture");
+    return plain_surface(scene, scene.materials[from.textures.front().index], losses);
 }
 
 }  // namespace

@@ -25,6 +25,8 @@ struct Camera {
     Vec3 location{0}, direction{0, 0, -1}, right{1, 0, 0}, up{0, 1, 0};
     Fit fit = Fit::stretch;
     double angle = 0;            ///< degrees; used by the projections that are not linear
+    double vertical_angle = 0;   ///< degrees; of the spherical projection, 0: half of `angle`
+    int cylinder = 1;            ///< POV-Ray's kinds of the cylindrical projection, 1 to 4: the axis is up, right, up, right; in 3 and 4 the location moves along it
     double aperture = 0;         ///< diameter of the lens; 0: pinhole
     Vec3 focal_point{0, 0, -1};  ///< in focus
     int blur_samples = 0;

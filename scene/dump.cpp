@@ -13,8 +13,13 @@ void dump_kind(Line& line, const DirectionalLight&) { line.word("directional"); 
 void dump_kind(Line& line, const AreaLight& a) {
     const AreaLight usual;
     line.word("area").always("form", a.form).field("width", a.width, usual.width).field("height", a.height, usual.height)
-        .field("radius", a.radius, usual.radius).field("samples_u", a.samples_u, usual.samples_u).field("samples_v", a.samples_v, usual.samples_v)
-        .field("adaptive", a.adaptive).field("jitter", a.jitter).field("circular", a.circular).field("orient", a.orient);
+        .field("radius", a.radius, usual.radius);
+}
+void dump_kind(Line& line, const CylinderLight& c) { line.word("cylinder").always("radius", c.radius).always("falloff", c.falloff).field("tightness", c.tightness); }
+void dump_grid(Line& line, const ShadowGrid& g) {
+    const ShadowGrid usual;
+    line.word("shadow_grid").always("axis1", g.axis1).always("axis2", g.axis2).always("size1", g.size1).always("size2", g.size2)
+        .field("adaptive", g.adaptive, usual.adaptive).field("jitter", g.jitter).field("circular", g.circular).field("orient", g.orient).field("illuminates", g.illuminates);
 }
 
 void dump_light(std::string& out, size_t i, const Light& light) {
@@ -23,6 +28,7 @@ void dump_light(std::string& out, size_t i, const Light& light) {
     std::visit([&](const auto& kind) { dump_kind(line, kind); }, light.kind);
     line.field("name", light.name).field("intensity", light.intensity, usual.intensity).field("range", light.range, usual.range);
     if (light.fade) line.word("fade").always("distance", light.fade->distance).always("power", light.fade->power);
+    if (light.shadow_grid) dump_grid(line, *light.shadow_grid);
     line.field("inverse_square", light.inverse_square, true).field("parallel", light.parallel).field("shadowless", light.shadowless);
     line.field("media_interaction", light.media_interaction, true).field("looks_like", light.looks_like);
     line.field("projected_through", light.projected_through).field("from", light.from);
@@ -32,7 +38,7 @@ void dump_camera(std::string& out, size_t i, const Camera& c) {
     const Camera usual;
     Line(out, fmt::format("camera {}", i)).always("projection", c.projection).field("name", c.name).field("location", c.location)
         .field("direction", c.direction, usual.direction).field("right", c.right, usual.right).field("up", c.up, usual.up).field("fit", c.fit)
-        .field("angle", c.angle).field("aperture", c.aperture).field("focal_point", c.focal_point, usual.focal_point)
+        .field("angle", c.angle).field("vertical_angle", c.vertical_angle).field("cylinder", c.cylinder, usual.cylinder).field("aperture", c.aperture).field("focal_point", c.focal_point, usual.focal_point)
         .field("blur_samples", c.blur_samples).field("from", c.from);
 }
 
@@ -48,9 +54,11 @@ void dump_atmosphere(std::string& out, const Atmosphere& a) {
     Line(out, "atmosphere").field("background", a.background).field("environment", a.environment).field("environment_image", a.environment_image)
         .field("environment_strength", a.environment_strength, Atmosphere().environment_strength);
     for (const Fog& f : a.fogs)
-        Line(out, "  fog").field("type", f.type, usual.type).field("distance", f.distance).field("offset", f.offset).field("altitude", f.altitude)
-            .field("turbulence", f.turbulence).field("color", f.color, usual.color).field("up", f.up, usual.up);
-    if (a.sky) Line(out, "  sky").always("pigments", a.sky->pigments).field("transform", a.sky->transform);
+        Line(out, "  fog").field("ground", f.ground).field("distance", f.distance).field("offset", f.offset).field("altitude", f.altitude)
+            .field("turbulence", f.turbulence.amount).field("octaves", f.turbulence.octaves, usual.turbulence.octaves).field("omega", f.turbulence.omega, usual.turbulence.omega)
+            .field("lambda", f.turbulence.lambda, usual.turbulence.lambda).field("turbulence_depth", f.turbulence_depth, usual.turbulence_depth)
+            .field("noise", f.noise, usual.noise).field("color", f.color).field("filter", f.filter).field("transmit", f.transmit).field("up", f.up, usual.up);
+    if (a.sky) Line(out, "  sky").always("pigments", a.sky->pigments).field("emission", a.sky->emission, Color(1)).field("transform", a.sky->transform);
     dump_media(out, a.media);
 }
 

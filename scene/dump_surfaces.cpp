@@ -33,9 +33,18 @@ class SignalDump {
     void operator()(const ProductSignal& s) const { Line(out_, head_).word("product").always("a", s.a).always("b", s.b).field("from", from_); }
     void operator()(const ChannelSignal& s) const { Line(out_, head_).word("channel").always("of", s.of).always("channel", s.channel).field("from", from_); }
     void operator()(const FunctionSignal& s) const { Line(out_, head_).word("function").always("program", s.program).field("from", from_); }
-    void operator()(const PatternSignal& s) const {
+    void operator()(const PatternSignal& s) const { pattern(head_, s); }
+    void operator()(const ReliefSignal& s) const {
+        const ReliefSignal usual;
+        Line(out_, head_).word("relief").field("amount", s.amount, usual.amount).field("accuracy", s.accuracy, usual.accuracy).field("scaled", s.scaled, usual.scaled);
+        pattern(" ", s.pattern);
+        for (const SlopeEntry& entry : s.slopes) Line(out_, "  slope").always("value", entry.value).always("height", entry.height).always("slope", entry.slope);
+    }
+
+  private:
+    void pattern(std::string_view head, const PatternSignal& s) const {
         const PatternSignal usual;
-        Line(out_, head_).word("pattern").always("pattern", s.pattern).field("parameters", s.parameters).field("turbulence", s.turbulence.amount, usual.turbulence.amount)
+        Line(out_, head).word("pattern").always("pattern", s.pattern).field("parameters", s.parameters).field("turbulence", s.turbulence.amount, usual.turbulence.amount)
             .field("octaves", s.turbulence.octaves, usual.turbulence.octaves).field("omega", s.turbulence.omega, usual.turbulence.omega)
             .field("lambda", s.turbulence.lambda, usual.turbulence.lambda).field("noise", s.noise, usual.noise).field("wave", s.wave)
             .field("wave_exponent", s.wave_exponent, usual.wave_exponent).field("frequency", s.frequency).field("phase", s.phase).field("from", from_);
@@ -44,7 +53,6 @@ class SignalDump {
             Line(out_, "  warp").always("kind", warp.kind).field("transform", warp.transform).field("parameters", warp.parameters);
     }
 
-  private:
     std::string& out_;
     std::string head_;
     const SourcePos& from_;
@@ -62,8 +70,7 @@ void dump_layer(std::string& out, const GltfPbr& g) {
 
 void dump_layer(std::string& out, const PovFinish& p) {
     const PovFinish usual;
-    Line(out, "  pov").always("pigment", p.pigment).field("normal", p.normal)
-        .field("normal_amount", p.normal_amount, usual.normal_amount).field("ambient", p.ambient, usual.ambient).field("emission", p.emission)
+    Line(out, "  pov").always("pigment", p.pigment).field("normal", p.normal).field("ambient", p.ambient, usual.ambient).field("emission", p.emission)
         .field("diffuse", p.diffuse, usual.diffuse).field("brilliance", p.brilliance, usual.brilliance).field("diffuse_back", p.diffuse_back)
         .field("phong", p.phong).field("phong_size", p.phong_size, usual.phong_size).field("specular", p.specular)
         .field("roughness", p.roughness, usual.roughness).field("metallic", p.metallic).field("crand", p.crand)
@@ -72,6 +79,8 @@ void dump_layer(std::string& out, const PovFinish& p) {
         .field("reflection_exponent", p.reflection_exponent, usual.reflection_exponent).field("reflection_metallic", p.reflection_metallic)
         .field("reflection_fresnel", p.reflection_fresnel).field("conserve_energy", p.conserve_energy);
 }
+
+void dump_layer(std::string& out, const PovTextureMap& m) { Line(out, "  map").always("pattern", m.pattern).always("textures", m.textures); }
 
 void dump_interior(std::string& out, size_t i, const Interior& in) {
     const Interior usual;

@@ -57,8 +57,16 @@ template <class F> void for_each_link(const Scene& scene, const Node& node, cons
 template <class F> void for_each_operand(const Signal& signal, const F& f) {
     if (const auto* product = std::get_if<ProductSignal>(&signal.what)) f(product->a), f(product->b);
     if (const auto* channel = std::get_if<ChannelSignal>(&signal.what)) f(channel->of);
-    if (const auto* pattern = std::get_if<PatternSignal>(&signal.what))
+    const auto* relief = std::get_if<ReliefSignal>(&signal.what);
+    if (const auto* pattern = relief ? &relief->pattern : std::get_if<PatternSignal>(&signal.what))
         for (const MapEntry& entry : pattern->map) f(entry.signal);
+}
+
+/// Calls f(MaterialId) for every material that is a part of `material`.
+template <class F> void for_each_part(const Material& material, const F& f) {
+    for (const auto& layer : material.layers)
+        if (const auto* map = std::get_if<PovTextureMap>(&layer))
+            for (const MaterialId id : map->textures) f(id);
 }
 
 /// Calls f(SignalId) for every signal of `material` that a renderer reads: all but the occlusion, which is kept for exporters.
@@ -74,6 +82,7 @@ template <class F> void for_each_signal(const Material& material, const F& f) {
                 maybe(*id);
         }
         if (const auto* p = std::get_if<PovFinish>(&layer)) f(p->pigment), maybe(p->normal);
+        if (const auto* p = std::get_if<PovTextureMap>(&layer)) f(p->pattern);
     }
 }
 

@@ -26,6 +26,12 @@ struct ConeLight {
     double radius = kPi / 6, falloff = kPi / 4, tightness = 0;
 };
 
+/// Parallel light in a cylinder about -z of its node: outside of `radius` (world units) it falls to 0 at `falloff`, by (1 - distance / falloff)^tightness and 3u^2 - 2u^3.
+/// Source   POV-Ray 3.7 reference, 3.4.4.4 "Cylindrical Lights"; verified by probing.
+struct CylinderLight {
+    double radius = 0.75, falloff = 1, tightness = 0;
+};
+
 /// Parallel light along -z of its node, from infinitely far away.
 struct DirectionalLight {};
 
@@ -33,8 +39,16 @@ struct DirectionalLight {};
 struct AreaLight {
     enum class Form { rectangle, disc, sphere } form = Form::rectangle;
     double width = 1, height = 1, radius = 0.5;
-    int samples_u = 1, samples_v = 1;   ///< POV's area_light grid
-    bool adaptive = false, jitter = false, circular = false, orient = false;
+};
+
+/// POV-Ray's area_light: a grid of points on the parallelogram of `axis1` and `axis2` (world space) around the light. Shadow rays go to them; everything else comes from the light's centre.
+/// Source   POV-Ray 3.7 reference, 3.4.4.6 "Area Lights"; verified by probing.
+struct ShadowGrid {
+    Vec3 axis1{1, 0, 0}, axis2{0, 1, 0};
+    int size1 = 1, size2 = 1;           ///< points along each axis
+    int adaptive = -1;                  ///< a part of the grid is divided so often whatever its corners see; below 0: always
+    bool jitter = false, circular = false, orient = false;
+    bool illuminates = false;           ///< area_illumination: the light itself comes from the points, too
 };
 
 /// POV-Ray's attenuation 2 / (1 + (d / distance)^power) (manual, 3.4.7.9 "Light Fading"); absent in glTF, whose law is 1 / d^2.
@@ -44,10 +58,11 @@ struct LightFade {
 
 struct Light {
     std::string name;
-    std::variant<PointLight, SpotLight, DirectionalLight, AreaLight, ConeLight> kind;
+    std::variant<PointLight, SpotLight, DirectionalLight, AreaLight, ConeLight, CylinderLight> kind;
     Color intensity{1};   ///< W/sr (point, spot), W/m^2 (directional), W/(sr m^2) (area), never candela or lux: importers convert; linear Rec.709
     double range = kInf;  ///< beyond it there is no light
     std::optional<LightFade> fade;
+    std::optional<ShadowGrid> shadow_grid;
     bool inverse_square = true;
     bool parallel = false;   ///< POV's `parallel`: light goes along -z of the node, from the plane through it
     bool shadowless = false, media_interaction = true;

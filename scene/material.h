@@ -99,13 +99,27 @@ struct PatternSignal {
     double phase = 0;
 };
 
+/// At `value` of a pattern, the height of a relief and its slope there.
+struct SlopeEntry {
+    double value = 0, height = 0, slope = 0;
+};
+
+/// POV-Ray's normal: the surface is shaded as if `pattern` were a relief on it. The entries of the pattern's map, if it has one, are reliefs as well: their normals are mixed.
+struct ReliefSignal {
+    PatternSignal pattern;
+    double amount = 0.5;              ///< how deep it is (`bump_size`)
+    double accuracy = 0.02;           ///< how far apart the pattern is looked up for its slope
+    bool scaled = true;               ///< the depth is the same however the pattern is scaled; false: no_bump_scale
+    std::vector<SlopeEntry> slopes;   ///< in the order of the file; empty: the pattern's value is the height
+};
+
 /// A user function of (x, y, z); `program` is an index into Scene::functions.
 struct FunctionSignal {
     uint32_t program = 0;
 };
 
 struct Signal {
-    std::variant<ConstantSignal, ImageSignal, ProductSignal, ChannelSignal, PatternSignal, FunctionSignal> what;
+    std::variant<ConstantSignal, ImageSignal, ProductSignal, ChannelSignal, PatternSignal, ReliefSignal, FunctionSignal> what;
     SourcePos from;
 };
 
@@ -135,8 +149,7 @@ struct GltfPbr {
 /// POV-Ray's finish (manual, 3.4.3 "Finish"), with its pigment and normal.
 struct PovFinish {
     SignalId pigment;                         ///< RGB, filter, transmit
-    std::optional<SignalId> normal;
-    double normal_amount = 0.5;
+    std::optional<SignalId> normal;           ///< a ReliefSignal
     Color ambient{0.1}, emission{0};
     double diffuse = 0.6, brilliance = 1, diffuse_back = 0;
     double phong = 0, phong_size = 40, specular = 0, roughness = 0.05, metallic = 0, crand = 0;
@@ -145,10 +158,16 @@ struct PovFinish {
     bool reflection_fresnel = false, conserve_energy = false;
 };
 
+/// POV-Ray's texture_map, and a list of textures: where `pattern` (a PatternSignal) has a value, the light of the textures beside it in the map is mixed. The signals of the map itself are not read.
+struct PovTextureMap {
+    SignalId pattern;
+    std::vector<MaterialId> textures;         ///< one an entry of the map
+};
+
 /// Layers from the bottom up; glTF materials and plain POV textures have one.
 struct Material {
     std::string name;
-    std::vector<std::variant<GltfPbr, PovFinish>> layers;
+    std::vector<std::variant<GltfPbr, PovFinish, PovTextureMap>> layers;
     bool uv_mapped = false;   ///< POV: patterns are looked up at (u, v, 0)
     SourcePos from;
 };

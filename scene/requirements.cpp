@@ -94,6 +94,7 @@ class Collector {
         }
     }
 
+    void reach_parts();
     void reach_signals();
 
     void node(size_t i) {
@@ -141,6 +142,8 @@ class Collector {
         if (lets_light_through(scene_, p.pigment)) need(Requirement::transmission, from);
     }
 
+    void surface(const PovTextureMap&, const SourcePos&) {}   // its parts are materials of their own
+
     void interior(const Interior& i) {
         if (i.fade_power != 0 || std::isfinite(i.attenuation_distance)) need(Requirement::absorption, i.from);
         if (!i.media.empty()) need(Requirement::media, i.from);
@@ -148,15 +151,16 @@ class Collector {
 
     void signal(const Signal& s) {
         if (std::holds_alternative<ImageSignal>(s.what)) need(Requirement::textures, s.from);
-        if (std::holds_alternative<PatternSignal>(s.what)) need(Requirement::patterns, s.from);
+        if (std::holds_alternative<PatternSignal>(s.what) || std::holds_alternative<ReliefSignal>(s.what)) need(Requirement::patterns, s.from);
         if (std::holds_alternative<FunctionSignal>(s.what)) need(Requirement::functions, s.from);
     }
 
     void light(const Light& l) {
         static constexpr Requirement kKinds[] = {Requirement::point_lights, Requirement::spot_lights, Requirement::directional_lights,
-                                                 Requirement::area_lights, Requirement::spot_lights};
+                                                 Requirement::area_lights, Requirement::spot_lights, Requirement::spot_lights};
         static_assert(std::size(kKinds) == std::variant_size_v<decltype(Light::kind)>);
         need(kKinds[l.kind.index()], l.from);
+        if (l.shadow_grid) need(Requirement::area_lights, l.from);
     }
 
     void camera(const Camera& c) {
@@ -192,6 +196,13 @@ class Collector {
     std::array<RequiredBy, kCount> found_{};
 };
 
+/// Used materials use their parts.
+void Collector::reach_parts() {
+    const auto parts = [&](uint32_t i, const auto& f) { for_each_part(scene_.materials[i], [&](MaterialId id) { f(id.index); }); };
+    for (const uint32_t i : topological_order(scene_.materials.size(), parts).sequence)
+        if (reached_.materials[i]) parts(i, [&](uint32_t part) { reached_.materials[part] = true; });
+}
+
 /// From the used materials and interiors and from the atmosphere, through the graph of signals.
 void Collector::reach_signals() {
     std::vector<SignalId> open;
@@ -200,6 +211,7 @@ void Collector::reach_signals() {
         reached_.signals[id.index] = true;
         open.push_back(id);
     };
+    reach_parts();
     const auto of_media = [&](const std::vector<Interior::Medium>& media) {
         for (const Interior::Medium& medium : media)
             for (const SignalId density : medium.density) reach(density);

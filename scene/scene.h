@@ -45,15 +45,22 @@ struct Node {
     SourcePos from;
 };
 
+/// POV-Ray's fog (manual, 3.4.5.3 "Fog"): everywhere, or (ground) thinning out above `offset` along `up`, to a quarter at `altitude` above it.
 struct Fog {
-    int type = 1;
-    double distance = 0, offset = 0, altitude = 0, turbulence = 0;
-    Vec4 color{0};
+    bool ground = false;
+    double distance = 0, offset = 0, altitude = 0;
+    Turbulence turbulence{Vec3(0)};
+    double turbulence_depth = 0.5;
+    NoiseGenerator noise = NoiseGenerator::range_corrected;
+    Color color{0};
+    double filter = 0, transmit = 0;
     Vec3 up{0, 1, 0};
 };
 
+/// POV-Ray's sky_sphere: pigments looked up in the direction of a ray, the last in front.
 struct SkySphere {
     std::vector<SignalId> pigments;
+    Color emission{1};
     Transform transform;
 };
 

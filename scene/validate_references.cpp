@@ -37,6 +37,7 @@ void check_material(Validation& v, size_t i) {
     const Label who = label("material", i, material.name);
     const auto check = [&](SignalId id) { v.in_range(id, v.scene.signals, material.from, who, "signal"); };
     for_each_signal(material, check);
+    for_each_part(material, [&](MaterialId id) { v.in_range(id, v.scene.materials, material.from, who, "material"); });
     for (const auto& layer : material.layers)
         if (const auto* g = std::get_if<GltfPbr>(&layer); g && g->occlusion) check(*g->occlusion);
 }

@@ -8,19 +8,27 @@ namespace {
 
 bool finite(const Vec4& v) { return is_finite(Vec3(v)) && std::isfinite(v.w); }
 
+bool finite(const PatternSignal& pattern) {
+    const auto is_finite_number = [](double x) { return std::isfinite(x); };
+    const Turbulence& t = pattern.turbulence;
+    return is_finite(t.amount) && is_finite(Vec3(t.omega, t.lambda, pattern.phase)) && is_finite_number(pattern.wave_exponent) && is_finite_number(pattern.frequency.value_or(0)) &&
+           std::all_of(pattern.parameters.begin(), pattern.parameters.end(), is_finite_number) &&
+           std::all_of(pattern.map.begin(), pattern.map.end(), [](const MapEntry& e) { return std::isfinite(e.value); }) &&
+           std::all_of(pattern.warps.begin(), pattern.warps.end(), [&](const Warp& w) {
+               return w.transform.is_finite() && std::all_of(w.parameters.begin(), w.parameters.end(), is_finite_number);
+           });
+}
+
+bool finite(const ReliefSignal& relief) {
+    return finite(relief.pattern) && std::isfinite(relief.amount) && std::isfinite(relief.accuracy) &&
+           std::all_of(relief.slopes.begin(), relief.slopes.end(), [](const SlopeEntry& e) { return is_finite(Vec3(e.value, e.height, e.slope)); });
+}
+
 bool finite(const Signal& signal) {
     if (const auto* constant = std::get_if<ConstantSignal>(&signal.what)) return finite(constant->value) && std::isfinite(constant->filter) && std::isfinite(constant->transmit);
     if (const auto* image = std::get_if<ImageSignal>(&signal.what)) return Transform{image->uv_transform, Vec3(0)}.is_finite();
-    if (const auto* pattern = std::get_if<PatternSignal>(&signal.what)) {
-        const auto is_finite_number = [](double x) { return std::isfinite(x); };
-        const Turbulence& t = pattern->turbulence;
-        return is_finite(t.amount) && is_finite(Vec3(t.omega, t.lambda, pattern->phase)) && is_finite_number(pattern->wave_exponent) && is_finite_number(pattern->frequency.value_or(0)) &&
-               std::all_of(pattern->parameters.begin(), pattern->parameters.end(), is_finite_number) &&
-               std::all_of(pattern->map.begin(), pattern->map.end(), [](const MapEntry& e) { return std::isfinite(e.value); }) &&
-               std::all_of(pattern->warps.begin(), pattern->warps.end(), [&](const Warp& w) {
-                   return w.transform.is_finite() && std::all_of(w.parameters.begin(), w.parameters.end(), is_finite_number);
-               });
-    }
+    if (const auto* pattern = std::get_if<PatternSignal>(&signal.what)) return finite(*pattern);
+    if (const auto* relief = std::get_if<ReliefSignal>(&signal.what)) return finite(*relief);
     return true;
 }
 
@@ -28,15 +36,29 @@ bool finite(const GltfPbr& g) { return is_finite(Vec3(g.normal_scale, g.emissive
 
 bool finite(const PovFinish& p) {
     return is_finite(p.ambient) && is_finite(p.emission) && is_finite(p.reflection_min) && is_finite(p.reflection_max) &&
-           std::isfinite(p.normal_amount) && is_finite(Vec3(p.diffuse, p.brilliance, p.diffuse_back)) &&
+           is_finite(Vec3(p.diffuse, p.brilliance, p.diffuse_back)) &&
            is_finite(Vec3(p.phong, p.phong_size, p.specular)) && is_finite(Vec3(p.roughness, p.metallic, p.crand)) &&
            is_finite(Vec3(p.reflection_falloff, p.reflection_exponent, p.reflection_metallic));
+}
+
+bool finite(const PovTextureMap&) { return true; }
+
+bool is_relief(const Scene& scene, SignalId id) { return std::holds_alternative<ReliefSignal>(scene.signals[id.index].what); }
+
+/// Reliefs bend normals: they stand where a normal is asked for, and nothing else does.
+void check_reliefs(Validation& v, size_t i) {
+    const Signal& signal = v.scene.signals[i];
+    const bool relief = is_relief(v.scene, {uint32_t(i)});
+    for_each_operand(signal, [&](SignalId id) {
+        if (is_relief(v.scene, id) != relief) v.error(signal.from, fmt::format("{} reads signal {}, which {} a relief", label("signal", i).text(), id.index, relief ? "is not" : "is"));
+    });
 }
 
 void check_signals(Validation& v) {
     const std::vector<Signal>& signals = v.scene.signals;
     for (size_t i = 0; i < signals.size(); ++i) {
         if (!finite(signals[i])) v.error(signals[i].from, label("signal", i).text() + " has a number that is not finite");
+        check_reliefs(v, i);
         const auto* channel = std::get_if<ChannelSignal>(&signals[i].what);
         if (channel && (channel->channel < 0 || channel->channel > 3))
             v.error(signals[i].from, fmt::format("{} reads channel {}: there are channels 0 to 3", label("signal", i).text(), channel->channel));
@@ -46,10 +68,27 @@ void check_signals(Validation& v) {
         v.error(signals[*cycle].from, label("signal", *cycle).text() + " reads itself, directly or through others");
 }
 
+void check_texture_map(Validation& v, const PovTextureMap& map, const Material& material, const Label& who) {
+    const auto* pattern = std::get_if<PatternSignal>(&v.scene.signals[map.pattern.index].what);
+    if (!pattern) return v.error(material.from, fmt::format("{} maps textures by signal {}, which is no pattern", who.text(), map.pattern.index));
+    if (pattern->map.empty() || pattern->map.size() != map.textures.size())
+        v.error(material.from, fmt::format("{} has {} textures for {} entries of a map", who.text(), map.textures.size(), pattern->map.size()));
+}
+
+void check_parts(Validation& v) {
+    const std::vector<Material>& materials = v.scene.materials;
+    const auto parts = [&](uint32_t i, const auto& f) { for_each_part(materials[i], [&](MaterialId id) { f(id.index); }); };
+    if (const auto cycle = topological_order(materials.size(), parts).on_cycle)
+        v.error(materials[*cycle].from, label("material", *cycle, materials[*cycle].name).text() + " is a part of itself, directly or through others");
+}
+
 void check_material(Validation& v, const Material& material, const Label& who) {
     if (material.layers.empty()) v.error(material.from, who.text() + " has no layers");
     for (const auto& layer : material.layers) {
         if (!std::visit([](const auto& surface) { return finite(surface); }, layer)) v.error(material.from, who.text() + " has a number that is not finite");
+        if (const auto* map = std::get_if<PovTextureMap>(&layer)) check_texture_map(v, *map, material, who);
+        if (const auto* p = std::get_if<PovFinish>(&layer); p && p->normal && !is_relief(v.scene, *p->normal))
+            v.error(material.from, fmt::format("{} has signal {} as its normal, which is no relief", who.text(), p->normal->index));
         if (const auto* g = std::get_if<GltfPbr>(&layer); g && g->ior < 1 && g->ior != 0)   // 0 is KHR_materials_ior's "reflects everything"
             v.warning(material.from, fmt::format("{} has the refractive index {}, which is less than 1", who.text(), g->ior));
     }
@@ -72,6 +111,7 @@ void check_surfaces(Validation& v) {
     }
     check_signals(v);
     for (size_t i = 0; i < s.materials.size(); ++i) check_material(v, s.materials[i], label("material", i, s.materials[i].name));
+    check_parts(v);
     for (size_t i = 0; i < s.interiors.size(); ++i) {
         const Interior& in = s.interiors[i];
         const Label who = label("interior", i);

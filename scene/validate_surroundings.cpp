@@ -23,7 +23,15 @@ std::string fault(const AreaLight& area) {
     } else if (!(area.radius >= 0 && std::isfinite(area.radius))) {
         return fmt::format("has the radius {}", area.radius);
     }
-    if (area.samples_u < 1 || area.samples_v < 1) return fmt::format("has a grid of {} by {} samples", area.samples_u, area.samples_v);
+    return {};
+}
+std::string fault(const CylinderLight& cylinder) {
+    return is_finite(Vec3(cylinder.radius, cylinder.falloff, cylinder.tightness)) ? std::string() : "has a cylinder with a number that is not finite";
+}
+
+std::string fault(const ShadowGrid& grid) {
+    if (!is_finite(grid.axis1) || !is_finite(grid.axis2)) return "has a grid whose axes are not finite";
+    if (grid.size1 < 1 || grid.size2 < 1) return fmt::format("has a grid of {} by {} points", grid.size1, grid.size2);
     return {};
 }
 
@@ -34,13 +42,16 @@ void check_light(Validation& v, const Light& light, const Label& who) {
         v.error(light.from, who.text() + " fades by a number that is not finite");
     const std::string form = std::visit([](const auto& kind) { return fault(kind); }, light.kind);
     if (!form.empty()) v.error(light.from, who.text() + " " + form);
+    const std::string grid = light.shadow_grid ? fault(*light.shadow_grid) : std::string();
+    if (!grid.empty()) v.error(light.from, who.text() + " " + grid);
 }
 
 void check_camera(Validation& v, const Camera& c, const Label& who) {
     if (!is_finite(c.location) || !is_finite(c.direction) || !is_finite(c.right) || !is_finite(c.up) || !is_finite(c.focal_point) ||
-        !is_finite(Vec3(c.angle, c.aperture, 0)))
+        !is_finite(Vec3(c.angle, c.vertical_angle, c.aperture)))
         return v.error(c.from, who.text() + " has a number that is not finite");
     if (c.aperture < 0) v.error(c.from, fmt::format("{} has the aperture {}: it cannot be negative", who.text(), c.aperture));
+    if (c.cylinder < 1 || c.cylinder > 4) v.error(c.from, fmt::format("{} has the cylinder {}: there are 1 to 4", who.text(), c.cylinder));
     if (c.blur_samples < 0) v.error(c.from, fmt::format("{} has {} blur samples", who.text(), c.blur_samples));
     // Of unit vectors: a wide or a long lens is no fault.
     if (dot(normalized(c.direction), cross(normalized(c.right), normalized(c.up))) == 0)
@@ -60,11 +71,12 @@ void check_atmosphere(Validation& v) {
     if ((a.environment && !is_finite(*a.environment)) || !std::isfinite(a.environment_strength))
         v.error({}, "the environment has a number that is not finite");
     for (const Fog& fog : a.fogs) {
-        if (!is_finite(Vec3(fog.color)) || !std::isfinite(fog.color.w) || !is_finite(fog.up) || !is_finite(Vec3(fog.distance, fog.offset, fog.altitude)) ||
-            !std::isfinite(fog.turbulence))
+        const Turbulence& t = fog.turbulence;
+        if (!is_finite(fog.color) || !is_finite(Vec3(fog.filter, fog.transmit, fog.turbulence_depth)) || !is_finite(fog.up) || !is_finite(Vec3(fog.distance, fog.offset, fog.altitude)) ||
+            !is_finite(t.amount) || !std::isfinite(t.omega) || !std::isfinite(t.lambda))
             v.error({}, "a fog has a number that is not finite");
     }
-    if (a.sky && !a.sky->transform.is_finite()) v.error({}, "the sky's transform is not finite");
+    if (a.sky && (!a.sky->transform.is_finite() || !is_finite(a.sky->emission))) v.error({}, "the sky has a number that is not finite");
     check_media(v, a.media, {}, label("the atmosphere"));
     const RenderSettings& r = v.scene.settings;
     if (!std::isfinite(r.adc_bailout) || !std::isfinite(r.assumed_gamma) || !is_finite(r.ambient_light))

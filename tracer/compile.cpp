@@ -6,6 +6,8 @@
 #include "tracer/instance_set.h"
 #include "tracer/materials.h"
 #include "tracer/normal_maps.h"
+#include "tracer/pov_sky.h"
+#include "tracer/textures.h"
 #include "tracer/unrendered.h"
 
 #include <algorithm>
@@ -146,6 +148,10 @@ void make_sky(CompiledScene& out, const CompileOptions& options, Diagnostics& sa
         else said.error({}, fmt::format("environment '{}' cannot be read: {}", options.environment_file, picture.error()));
     } else if (air.environment) {
         out.sky = std::make_unique<Sky>(*air.environment * air.environment_strength, true);
+    } else if (air.sky && !air.sky->pigments.empty()) {
+        if (const auto from_world = inverse(air.sky->transform)) out.sky_from_world = *from_world;
+        else said.warning({}, "the sky's transform has no inverse: it is left out");
+        out.sky = std::make_unique<Sky>([scene = &out](const Vec3& direction) { return pov_sky(*scene, direction); });
     }
 }
 
@@ -187,6 +193,9 @@ void choose_kernel(CompiledScene& out, const CompileOptions& options, FeatureRea
 }
 
 }  // namespace
+
+CompiledScene::CompiledScene() = default;
+CompiledScene::~CompiledScene() = default;
 
 std::shared_ptr<const CompiledScene> compile(Scene scene, const CompileOptions& options, Diagnostics& said) {
     const AcceleratorEntry* accel = find_accelerator(options.accel);

@@ -7,9 +7,10 @@
 #include "tracer/lights.h"
 #include "tracer/render.h"
 #include "tracer/sky.h"
-#include "tracer/textures.h"
 
 namespace alidade {
+
+class Textures;
 
 /// Something that can be hit, in its own space: a mesh with an accelerator over its triangles, or a closed-form shape. Stored once, however many
 /// instances show it.
@@ -32,8 +33,8 @@ struct SlotMaterial {
 
 /// Where a material's patterns are looked up.
 struct PatternSpace {
-    Transform from_world;      ///< into the space of the node that carries the material
-    bool uv_mapped = false;    ///< at (u, v, 0) instead
+    Transform to_world, from_world;   ///< from and into the space of the node that carries the material
+    bool uv_mapped = false;           ///< at (u, v, 0) instead
 };
 
 /// One path from a root to a node with a shape.
@@ -73,13 +74,15 @@ struct CompiledScene {
     std::unique_ptr<Textures> textures;
     std::vector<PlacedLight> lights;
     std::vector<PlacedCamera> cameras;     ///< at least one
+    Transform sky_from_world;              ///< into the space of the sky's pigments
     std::unique_ptr<Sky> sky;              ///< what a ray sees that leaves the scene, and what lights it from there
     bool glows = false;                    ///< a surface emits light (or is unlit)
     bool filters_light = false;            ///< some surface lets a part of the light on a shadow ray pass
     unsigned features = 0;                 ///< of the kernel: what the scene needs, or more
     std::string kernel;                    ///< the features in words, each with what asked for it
 
-    CompiledScene() = default;
+    CompiledScene();
+    ~CompiledScene();
     CompiledScene(const CompiledScene&) = delete;   // `geometries` and `textures` point into `scene`
     CompiledScene& operator=(const CompiledScene&) = delete;
 };

@@ -2,6 +2,7 @@
 #include "tracer/materials.h"
 
 #include "scene/graph.h"
+#include "tracer/textures.h"
 
 #include <algorithm>
 #include <fmt/format.h>
@@ -45,22 +46,61 @@ unsigned features_of(const Scene& scene, const GltfPbr& m) {
 }
 
 unsigned features_of(const Scene& scene, const PovFinish& f) {
-    unsigned features = is_constant(scene, f.pigment) ? 0u : unsigned(kTextures);
+    unsigned features = is_constant(scene, f.pigment) && !f.normal ? 0u : unsigned(kTextures);
     if (lets_light_through(scene, f.pigment)) features |= kTransmission;
     if (!is_black(f.reflection_min) || !is_black(f.reflection_max)) features |= kMirrors;
     return features;
 }
 
-/// POV-Ray's layers all belong to one kind: importers mix none.
-bool is_pov(const Material& m) {
-    return !m.layers.empty() && std::all_of(m.layers.begin(), m.layers.end(), [](const auto& layer) { return std::holds_alternative<PovFinish>(layer); });
+unsigned features_of(const Scene&, const PovTextureMap&) { return kTextures; }   // those of its parts come on top
+
+/// The materials `roots` and all their parts, each once.
+std::vector<uint32_t> with_parts(const Scene& scene, const std::vector<uint32_t>& roots) {
+    std::vector<bool> seen(scene.materials.size());
+    std::vector<uint32_t> out;
+    const auto use = [&](uint32_t i) {
+        if (!seen[i]) seen[i] = true, out.push_back(i);
+    };
+    for (const uint32_t root : roots) use(root);
+    for (size_t done = 0; done < out.size(); ++done) for_each_part(scene.materials[out[done]], [&](MaterialId part) { use(part.index); });
+    return out;
 }
 
-bool lets_light_through(const Scene& scene, const Material& m) {
-    return std::all_of(m.layers.begin(), m.layers.end(), [&](const auto& layer) {
-        const auto* f = std::get_if<PovFinish>(&layer);
-        return f && lets_light_through(scene, f->pigment);
+/// POV-Ray's layers all belong to one kind: importers mix none. A map of textures has no layers beside it.
+bool is_pov(const Scene& scene, uint32_t material) {
+    const std::vector<uint32_t> parts = with_parts(scene, {material});
+    return std::all_of(parts.begin(), parts.end(), [&](uint32_t part) {
+        const auto& layers = scene.materials[part].layers;
+        if (layers.size() == 1 && std::holds_alternative<PovTextureMap>(layers[0])) return true;
+        return std::all_of(layers.begin(), layers.end(), [](const auto& layer) { return std::holds_alternative<PovFinish>(layer); });
     });
+}
+
+/// May light pass through all layers of one of the textures?
+bool lets_light_through(const Scene& scene, uint32_t material) {
+    const std::vector<uint32_t> parts = with_parts(scene, {material});
+    return std::any_of(parts.begin(), parts.end(), [&](uint32_t part) {
+        const auto& layers = scene.materials[part].layers;
+        return std::all_of(layers.begin(), layers.end(), [&](const auto& layer) {
+            const auto* f = std::get_if<PovFinish>(&layer);
+            return f && lets_light_through(scene, f->pigment);
+        });
+    });
+}
+
+/// All signals that are evaluated for a material itself, without its parts.
+std::vector<SignalId> read_signals(const Scene& scene, const Material& m) {
+    std::vector<SignalId> out;
+    for (const auto& layer : m.layers) {
+        if (const auto* pbr = std::get_if<GltfPbr>(&layer))
+            for (const SignalId id : read_signals(*pbr)) collect_signals(scene, id, out);
+        if (const auto* finish = std::get_if<PovFinish>(&layer)) {
+            collect_signals(scene, finish->pigment, out);
+            if (finish->normal) collect_signals(scene, *finish->normal, out);
+        }
+        if (const auto* map = std::get_if<PovTextureMap>(&layer)) collect_signals(scene, map->pattern, out);
+    }
+    return out;
 }
 
 /// What POV-Ray's finishes have that is left out.
@@ -74,8 +114,9 @@ void report_finish(const Material& m, Diagnostics& said) {
 }
 
 /// False, and an error, if the tracer cannot render the material.
-bool check_supported(const Scene& scene, const Material& m, const std::vector<SignalId>& signals, Diagnostics& said) {
-    if (!is_pov(m) && (m.layers.size() != 1 || !std::holds_alternative<GltfPbr>(m.layers[0]))) {
+bool check_supported(const Scene& scene, uint32_t material, const std::vector<SignalId>& signals, Diagnostics& said) {
+    const Material& m = scene.materials[material];
+    if (!is_pov(scene, material) && (m.layers.size() != 1 || !std::holds_alternative<GltfPbr>(m.layers[0]))) {
         said.error(m.from, fmt::format("material '{}': layers of different kinds cannot be rendered", m.name));
         return false;
     }
@@ -124,7 +165,7 @@ SlotMaterial MaterialTable::slot(std::optional<MaterialId> material, std::option
     const Material& m = out_.scene.materials[out.material];
     const auto* pbr = m.layers.empty() ? nullptr : std::get_if<GltfPbr>(&m.layers[0]);
     // POV-Ray's interiors tell how an opaque surface mirrors, too.
-    if (pbr ? is_zero(out_.scene, pbr->transmission) : !interior && !lets_light_through(out_.scene, m)) return out;
+    if (pbr ? is_zero(out_.scene, pbr->transmission) : !interior && !lets_light_through(out_.scene, out.material)) return out;
     const auto [at, added] = interior_of_.try_emplace({out.material, interior ? interior->index : kNoId}, uint32_t(out_.interiors.size()));
     if (added) {
         out_.interiors.push_back(interior ? out_.scene.interiors[interior->index] : Interior());
@@ -139,7 +180,10 @@ bool MaterialTable::has_patterns(uint32_t material) {
     if (known != has_patterns_.end()) return known->second;
     std::vector<SignalId> read;
     for_each_signal(out_.scene.materials[material], [&](SignalId root) { collect_signals(out_.scene, root, read); });
-    const bool any = std::any_of(read.begin(), read.end(), [&](SignalId id) { return std::holds_alternative<PatternSignal>(out_.scene.signals[id.index].what); });
+    const bool any = std::any_of(read.begin(), read.end(), [&](SignalId id) {
+        const auto& what = out_.scene.signals[id.index].what;
+        return std::holds_alternative<PatternSignal>(what) || std::holds_alternative<ReliefSignal>(what);
+    });
     has_patterns_.emplace(material, any);
     return any;
 }
@@ -150,30 +194,28 @@ uint32_t MaterialTable::space(const CarriedMaterial& carried, const std::vector<
     for (size_t i = 0; i <= carried.carrier; ++i) to_world = to_world * out_.scene.nodes[path[i].index].to_parent;
     const auto from_world = inverse(to_world);
     if (!from_world) return kNoId;
-    out_.pattern_spaces.push_back({*from_world, out_.scene.materials[carried.material.index].uv_mapped});
+    out_.pattern_spaces.push_back({to_world, *from_world, out_.scene.materials[carried.material.index].uv_mapped});
     return uint32_t(out_.pattern_spaces.size() - 1);
 }
 
 void compile_materials(CompiledScene& out, const CompileOptions& options, FeatureReasons& reasons, Diagnostics& said) {
-    std::vector<bool> used(out.scene.materials.size());
-    for (const SlotMaterial& slot : out.slots) used[slot.material] = true;
+    std::vector<uint32_t> roots;
+    for (const SlotMaterial& slot : out.slots) roots.push_back(slot.material);
+    std::vector<uint32_t> used = with_parts(out.scene, roots);
+    std::sort(used.begin(), used.end());
     std::vector<SignalId> signals;
-    for (size_t i = 0; i < used.size(); ++i) {
-        if (!used[i]) continue;
+    for (const uint32_t i : used) {
         const Material& m = out.scene.materials[i];
-        std::vector<SignalId> own;
-        for (const auto& layer : m.layers) {
-            if (const auto* pbr = std::get_if<GltfPbr>(&layer))
-                for (const SignalId id : read_signals(*pbr)) collect_signals(out.scene, id, own);
-            if (const auto* finish = std::get_if<PovFinish>(&layer)) collect_signals(out.scene, finish->pigment, own);
-        }
-        if (!check_supported(out.scene, m, own, said)) continue;
+        const std::vector<SignalId> own = read_signals(out.scene, m);
+        if (!check_supported(out.scene, i, own, said)) continue;
         const std::string who = fmt::format("material '{}'", m.name);
         for (const auto& layer : m.layers) reasons.need(std::visit([&](const auto& surface) { return features_of(out.scene, surface); }, layer), who);
         report_finish(m, said);
         if (const auto* pbr = std::get_if<GltfPbr>(&m.layers[0])) out.glows = out.glows || (pbr->emissive && !is_zero(out.scene, pbr->emissive)) || pbr->unlit;
         signals.insert(signals.end(), own.begin(), own.end());
     }
+    if (const auto& sky = out.scene.atmosphere.sky)
+        for (const SignalId pigment : sky->pigments) collect_signals(out.scene, pigment, signals);
     for (const Geometry& g : out.geometries)
         if (g.mesh && !g.mesh->colors.empty()) reasons.need(kTextures, fmt::format("vertex colours of '{}'", out.scene.shapes[g.shape.index].name));
     out.textures = std::make_unique<Textures>(out.scene, signals, options.threads, said);

@@ -2,6 +2,9 @@
 #include "tracer/pov_surface.h"
 
 #include "tracer/segment.h"
+#include "tracer/textures.h"
+
+#include <algorithm>
 
 namespace alidade {
 namespace {
@@ -48,14 +51,16 @@ double relative_ior(const CompiledScene& scene, const ShadePoint& point) {
     return point.front ? own : 1 / own;
 }
 
-struct Passage {
+}  // namespace
+
+struct PovSurface::Passage {
     InteriorStack beyond;
     double ratio = 1;          ///< index of refraction here over that beyond
     Color faded{1};            ///< what is left of light on the way inside of the object that is left
 };
 
 /// A solid is left by a ray that has entered it, whatever side is hit.
-Passage passage(const CompiledScene& scene, const ShadePoint& point, const RayState& state) {
+PovSurface::Passage PovSurface::passage(const CompiledScene& scene, const ShadePoint& point, const RayState& state) const {
     const uint32_t interior = slot_at(scene, point).interior;
     Passage out;
     out.beyond = state.inside;
@@ -77,34 +82,51 @@ Passage passage(const CompiledScene& scene, const ShadePoint& point, const RaySt
     return out;
 }
 
-}  // namespace
-
 PovSurface::PovSurface(const CompiledScene& scene, const ShadePoint& point, const Vec3& dir, const Vec3& normal) : dir_(dir), normal_(normal) {
-    const Material& material = material_at(scene, point);
-    const RenderSettings& settings = scene.scene.settings;
-    const double cosine = -dot(dir, normal);
     double_illuminate_ = scene.instances[point.instance].double_illuminate;
-    layers_.reserve(material.layers.size());
+    add(scene, point, material_at(scene, point), 1, pattern_frame(point));
+}
+
+void PovSurface::add(const CompiledScene& scene, const ShadePoint& point, const Material& material, double share, const PatternFrame& frame) {
+    const auto* map = std::get_if<PovTextureMap>(&material.layers.front());
+    if (!map) return add_layers(scene, point, material, share, frame);
+    scene.textures->for_each_share(map->pattern, frame, [&](uint32_t entry, double part, const PatternFrame& inner) {
+        add(scene, point, scene.scene.materials[map->textures[entry].index], share * part, inner);
+    });
+}
+
+void PovSurface::add_layers(const CompiledScene& scene, const ShadePoint& point, const Material& material, double share, const PatternFrame& frame) {
+    const RenderSettings& settings = scene.scene.settings;
+    PovTexture texture;
+    texture.share = share;
+    texture.begin = layers_.size();
     for (size_t i = material.layers.size(); i-- > 0;) {
         PovLayer layer;
         layer.finish = &std::get<PovFinish>(material.layers[i]);
-        const PigmentColor pigment = scene.textures->pigment(layer.finish->pigment, point);
+        const PigmentColor pigment = scene.textures->pigment(layer.finish->pigment, point, frame.at);
         layer.color = pigment.color;
         layer.opacity = opacity(settings, pigment);
-        layer.above = through_;
-        layers_.push_back(layer);
-        through_ *= filter_of(pigment);
+        layer.above = texture.through;
+        layer.normal = layer.finish->normal ? scene.textures->bent(*layer.finish->normal, frame, normal_) : normal_;
+        texture.through *= filter_of(pigment);
         if (layer.finish->conserve_energy) {
-            const Color left = Color(1) - reflectivity(layer, cosine, relative_ior(scene, point));
-            through_ *= glm::min(left, Color(1));
+            const Color left = Color(1) - reflectivity(layer, -dot(dir_, layer.normal), relative_ior(scene, point));
+            texture.through *= glm::min(left, Color(1));
         }
-        if (std::min(1.0, std::abs(pov_grey(through_))) <= settings.adc_bailout) break;
+        layers_.push_back(layer);
+        if (std::min(1.0, std::abs(pov_grey(texture.through))) <= settings.adc_bailout) break;
     }
+    texture.end = layers_.size();
+    textures_.push_back(texture);
 }
 
 Color PovSurface::emitted(const Color& ambient_light) const {
     Color sum(0);
-    for (const PovLayer& l : layers_) sum += l.above * l.color * (l.finish->ambient * ambient_light + l.finish->emission) * l.opacity;
+    for (const PovTexture& t : textures_)
+        for (size_t i = t.begin; i < t.end; ++i) {
+            const PovLayer& l = layers_[i];
+            sum += l.above * l.color * (l.finish->ambient * ambient_light + l.finish->emission) * (l.opacity * t.share);
+        }
     return sum;
 }
 
@@ -117,31 +139,37 @@ Color PovSurface::lit(const PovLayer& layer, const Vec3& wi, double nl, bool hig
     if (back || !highlights) return sum;
     double highlight = 0;
     if (f.phong != 0) {
-        const double k = dot(dir_ - normal_ * (2 * dot(dir_, normal_)), wi);
+        const double k = dot(dir_ - layer.normal * (2 * dot(dir_, layer.normal)), wi);
         if (k > 0 && (f.phong_size < 60 || k > 0.0008)) highlight += f.phong * std::pow(k, f.phong_size);
     }
     if (f.specular != 0) {
         const Vec3 h = wi - dir_;
-        const double size = length(h), k = size > 0 ? dot(h, normal_) / size : 0;
+        const double size = length(h), k = size > 0 ? dot(h, layer.normal) / size : 0;
         if (k > 0) highlight += f.specular * std::pow(k, 1 / f.roughness);
     }
     return highlight == 0 ? sum : sum + metallic(layer.color, f.metallic, nl) * highlight;
 }
 
 Color PovSurface::scatter(const Vec3& wi, bool highlights) const {
-    const double nl = dot(normal_, wi);
     Color sum(0);
-    for (const PovLayer& l : layers_)
-        if (nl >= kEpsilon || double_illuminate_ || l.finish->diffuse_back != 0) sum += l.above * lit(l, wi, nl, highlights);
+    for (const PovTexture& t : textures_)
+        for (size_t i = t.begin; i < t.end; ++i) {
+            const PovLayer& l = layers_[i];
+            const double nl = dot(l.normal, wi);
+            if (nl >= kEpsilon || double_illuminate_ || l.finish->diffuse_back != 0) sum += l.above * lit(l, wi, nl, highlights) * t.share;
+        }
     return sum;
 }
 
-/// One ray for all layers: they have the same normal. A layer's share is not dimmed by those above it, but whether it is followed depends on them.
-void PovSurface::add_reflection(const CompiledScene& scene, const RayState& state, double relative_ior, const Vec3& facing, Secondaries& out) const {
+/// One ray for all layers of a texture that have the normal of the layer `first`. A layer's share is not dimmed by those above it, but whether it is followed depends on them.
+void PovSurface::add_reflection(const CompiledScene& scene, const PovTexture& texture, size_t first, const RayState& state, double relative_ior, const Vec3& facing, Secondaries& out) const {
+    const Vec3& normal = layers_[first].normal;
+    const double cosine = -dot(dir_, normal);
     Color weight(0);
     double importance = 0;
-    const double cosine = -dot(dir_, normal_);
-    for (const PovLayer& l : layers_) {
+    for (size_t i = first; i < texture.end; ++i) {
+        const PovLayer& l = layers_[i];
+        if (l.normal != normal) continue;
         const Color r = reflectivity(l, cosine, relative_ior);
         const Color most = l.finish->reflection_fresnel ? r : glm::max(l.finish->reflection_max, l.finish->reflection_min);
         const double own = std::min(1.0, std::abs(pov_grey(l.above))) * max_component(most);
@@ -150,34 +178,57 @@ void PovSurface::add_reflection(const CompiledScene& scene, const RayState& stat
         importance = std::max(importance, own);
     }
     if (is_black(weight)) return;
-    Vec3 r = dir_ - normal_ * (2 * dot(dir_, normal_));
-    if (const double below = dot(r, facing); below < 0) r = dot(r, normal_) < 0 ? dir_ - facing * (2 * dot(dir_, facing)) : r - facing * (2 * below);
-    out.at[out.count++] = {normalized(r), weight, RayKind::reflection, state.inside, importance, false};
+    Vec3 r = dir_ - normal * (2 * dot(dir_, normal));
+    if (const double below = dot(r, facing); below < 0) r = dot(r, normal) < 0 ? dir_ - facing * (2 * dot(dir_, facing)) : r - facing * (2 * below);
+    out.push_back({normalized(r), weight * texture.share, RayKind::reflection, state.inside, importance, false});
+}
+
+/// `totally`: the normal by which light is mirrored already, whatever the layers say; null: none.
+void PovSurface::add_reflections(const CompiledScene& scene, const PovTexture& texture, const RayState& state, double relative_ior, const Vec3* totally, const Vec3& facing, Secondaries& out) const {
+    for (size_t i = texture.begin; i < texture.end; ++i) {
+        const Vec3& normal = layers_[i].normal;
+        const auto begin = layers_.begin() + std::ptrdiff_t(texture.begin), here = layers_.begin() + std::ptrdiff_t(i);
+        const bool seen = std::any_of(begin, here, [&](const PovLayer& l) { return l.normal == normal; });
+        if (!seen && !(totally && *totally == normal)) add_reflection(scene, texture, i, state, relative_ior, facing, out);
+    }
+}
+
+void PovSurface::add_texture(const CompiledScene& scene, const PovTexture& texture, const Passage& p, const RayState& state, const Vec3& facing, Secondaries& out) const {
+    const Vec3& normal = layers_[texture.begin].normal;
+    const Color& through = texture.through;
+    bool total = false;
+    if (std::min(1.0, std::abs(pov_grey(through))) > scene.scene.settings.adc_bailout) {
+        const double c = -dot(dir_, normal), t = 1 + p.ratio * p.ratio * (c * c - 1);
+        const Color weight = p.faded * through * texture.share;
+        const double importance = std::max({std::abs(through.x), std::abs(through.y), std::abs(through.z)});
+        if (std::abs(p.ratio - 1) < kEpsilon) {
+            out.push_back({dir_, weight, RayKind::refraction, p.beyond, importance, true});
+        } else if (t < 0) {
+            total = true;
+            out.push_back({normalized(dir_ + normal * (2 * c)), p.faded * texture.share, RayKind::reflection, state.inside, importance, false});
+        } else {
+            out.push_back({normalized(dir_ * p.ratio + normal * (p.ratio * c - std::sqrt(t))), weight, RayKind::refraction, p.beyond, importance, false});
+        }
+    }
+    add_reflections(scene, texture, state, 1 / p.ratio, total ? &normal : nullptr, facing, out);
 }
 
 void PovSurface::secondary(const CompiledScene& scene, const ShadePoint& point, const RayState& state, const Vec3& facing, Secondaries& out) const {
     const Passage p = passage(scene, point, state);
-    bool total = false;
-    if (std::min(1.0, std::abs(pov_grey(through_))) > scene.scene.settings.adc_bailout) {
-        const double c = -dot(dir_, normal_), t = 1 + p.ratio * p.ratio * (c * c - 1);
-        const Color weight = p.faded * through_;
-        const double importance = std::max({std::abs(through_.x), std::abs(through_.y), std::abs(through_.z)});
-        if (std::abs(p.ratio - 1) < kEpsilon) {
-            out.at[out.count++] = {dir_, weight, RayKind::refraction, p.beyond, importance, true};
-        } else if (t < 0) {
-            total = true;
-            out.at[out.count++] = {normalized(dir_ + normal_ * (2 * c)), p.faded, RayKind::reflection, state.inside, importance, false};
-        } else {
-            out.at[out.count++] = {normalized(dir_ * p.ratio + normal_ * (p.ratio * c - std::sqrt(t))), weight, RayKind::refraction, p.beyond, importance, false};
-        }
-    }
-    if (!total) add_reflection(scene, state, 1 / p.ratio, facing, out);
+    for (const PovTexture& texture : textures_) add_texture(scene, texture, p, state, facing, out);
 }
 
-Color pov_transmitted(const CompiledScene& scene, const Material& material, const ShadePoint& point) {
+Color pov_transmitted(const CompiledScene& scene, const Material& material, const ShadePoint& point, const PatternFrame& frame) {
+    if (const auto* map = std::get_if<PovTextureMap>(&material.layers.front())) {
+        Color sum(0);
+        scene.textures->for_each_share(map->pattern, frame, [&](uint32_t entry, double share, const PatternFrame& inner) {
+            sum += pov_transmitted(scene, scene.scene.materials[map->textures[entry].index], point, inner) * share;
+        });
+        return sum;
+    }
     Color through(1);
     for (const auto& layer : material.layers) {
-        through *= filter_of(scene.textures->pigment(std::get<PovFinish>(layer).pigment, point));
+        through *= filter_of(scene.textures->pigment(std::get<PovFinish>(layer).pigment, point, frame.at));
         if (is_black(through)) return through;
     }
     return through;

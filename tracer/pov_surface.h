@@ -4,6 +4,7 @@
 #pragma once
 
 #include "tracer/surface.h"
+#include "tracer/textures.h"
 
 namespace alidade {
 
@@ -13,6 +14,14 @@ struct PovLayer {
     Color color{0};
     double opacity = 1;
     Color above{1};             ///< what all layers above let through
+    Vec3 normal{0, 0, 1};       ///< unit, bent by the layer's own relief, on the side of the eye
+};
+
+/// One of the textures that are mixed at a point: all of a plain material, the parts of a texture map.
+struct PovTexture {
+    double share = 1;
+    size_t begin = 0, end = 0;  ///< of its layers
+    Color through{1};           ///< what all of them let through
 };
 
 class PovSurface {
@@ -23,21 +32,28 @@ class PovSurface {
     Color emitted(const Color& ambient_light) const;
     /// Light from the unit direction `wi`, diffuse and in highlights.
     Color scatter(const Vec3& wi, bool highlights) const;
-    /// The mirror and the transmitted ray. `facing` is the geometric normal on the side of the eye.
+    /// The mirrors and the transmitted rays. `facing` is the geometric normal on the side of the eye.
     void secondary(const CompiledScene& scene, const ShadePoint& point, const RayState& state, const Vec3& facing, Secondaries& out) const;
-    const Color& top_color() const { return layers_.front().color; }
+    /// Of the layer on top of the first texture.
+    const PovLayer& top() const { return layers_.front(); }
 
   private:
+    struct Passage;
+    void add(const CompiledScene& scene, const ShadePoint& point, const Material& material, double share, const PatternFrame& frame);
+    void add_layers(const CompiledScene& scene, const ShadePoint& point, const Material& material, double share, const PatternFrame& frame);
     Color lit(const PovLayer& layer, const Vec3& wi, double nl, bool highlights) const;
-    void add_reflection(const CompiledScene& scene, const RayState& state, double relative_ior, const Vec3& facing, Secondaries& out) const;
+    Passage passage(const CompiledScene& scene, const ShadePoint& point, const RayState& state) const;
+    void add_texture(const CompiledScene& scene, const PovTexture& texture, const Passage& passage, const RayState& state, const Vec3& facing, Secondaries& out) const;
+    void add_reflections(const CompiledScene& scene, const PovTexture& texture, const RayState& state, double relative_ior, const Vec3* totally, const Vec3& facing, Secondaries& out) const;
+    void add_reflection(const CompiledScene& scene, const PovTexture& texture, size_t first, const RayState& state, double relative_ior, const Vec3& facing, Secondaries& out) const;
 
-    std::vector<PovLayer> layers_;
-    Color through_{1};          ///< what all layers let through
+    std::vector<PovTexture> textures_;
+    std::vector<PovLayer> layers_;   ///< of all textures, from the top
     Vec3 dir_, normal_;
     bool double_illuminate_ = false;
 };
 
 /// What the layers of a material let through at a point: what shadow rays multiply by.
-Color pov_transmitted(const CompiledScene& scene, const Material& material, const ShadePoint& point);
+Color pov_transmitted(const CompiledScene& scene, const Material& material, const ShadePoint& point, const PatternFrame& frame);
 
 }  // namespace alidade

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "tracer/surface.h"
+#include "tracer/textures.h"
 
 namespace alidade {
 

@@ -35,6 +35,7 @@ Sky::Sky(Picture image, double strength) : image_(std::move(image)), strength_(s
 }
 
 Color Sky::radiance(const Vec3& d) const {
+    if (seen_) return seen_(d);
     if (!image_.width) return color_;
     double column = 0.5 + std::atan2(d.z, d.x) / (2 * kPi);
     column -= std::floor(column);

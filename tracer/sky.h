@@ -4,6 +4,7 @@
 #include "core/image.h"
 #include "core/vec.h"
 
+#include <functional>
 #include <vector>
 
 namespace alidade {
@@ -19,6 +20,8 @@ class Sky {
 
     /// A sky of one colour; `lights`: it does not only stand behind everything.
     Sky(const Color& color, bool lights) : color_(color), lights_(lights && !is_black(color)) {}
+    /// What `seen` says of a unit direction: it is seen, and lights nothing.
+    explicit Sky(std::function<Color(const Vec3&)> seen) : lights_(false), seen_(std::move(seen)) {}
     /// An image whose top row is +y, whose centre column is +x, and whose columns go from there towards +z (Blender's world in glTF's axes).
     Sky(Picture image, double strength);
 
@@ -35,6 +38,7 @@ class Sky {
     bool lights_ = true;
     Picture image_;
     double strength_ = 1;
+    std::function<Color(const Vec3&)> seen_;
     std::vector<double> rows_, columns_;   // cumulative luminance: of rows, and within each row
 };
 

@@ -27,7 +27,8 @@ Surface shade_pov(const CompiledScene& scene, const ShadePoint& point, const Vec
     s.wo_ = -dir;
     s.normal_ = dot(point.shading_normal, dir) > 0 ? -point.shading_normal : point.shading_normal;
     s.pov_ = std::make_shared<const PovSurface>(scene, point, dir, s.normal_);
-    s.albedo_ = s.pov_->top_color();
+    s.albedo_ = s.pov_->top().color;
+    s.normal_ = s.pov_->top().normal;
     s.emitted_ = s.pov_->emitted(scene.scene.settings.ambient_light);
     return s;
 }
@@ -108,14 +109,12 @@ Color Surface::scatter(const Vec3& wi, bool highlights) const {
     return base + Color(coat_.weight * nl * microfacet(coat_.alpha, nh, nl, nv));
 }
 
-Secondaries Surface::secondary(const CompiledScene& scene, const RayState& state) const {
-    Secondaries out;
-    if (pov_) return pov_->secondary(scene, *point_, state, dot(point_->geometric_normal, wo_) < 0 ? -point_->geometric_normal : point_->geometric_normal, out), out;
-    if (coverage_ <= 0 || unlit_) return out;
+void Surface::secondary(const CompiledScene& scene, const RayState& state, Secondaries& out) const {
+    if (pov_) return pov_->secondary(scene, *point_, state, dot(point_->geometric_normal, wo_) < 0 ? -point_->geometric_normal : point_->geometric_normal, out);
+    if (coverage_ <= 0 || unlit_) return;
     if (is_black(transmission_)) add_mirror(state, out);
     else add_transmission(scene, state, out);
     add_coat(state, out);
-    return out;
 }
 
 Vec3 Surface::mirrored(const Vec3& normal) const {
@@ -126,15 +125,15 @@ Vec3 Surface::mirrored(const Vec3& normal) const {
 
 void Surface::add_mirror(const RayState& state, Secondaries& out) const {
     const Color weight = fresnel(std::max(dot(normal_, wo_), 0.0)) * (mirror_ * coverage_ * (1 - coat_.weight));
-    if (!is_black(weight)) out.at[out.count++] = {mirrored(normal_), weight, RayKind::reflection, state.inside};
+    if (!is_black(weight)) out.push_back({mirrored(normal_), weight, RayKind::reflection, state.inside});
 }
 
 void Surface::add_coat(const RayState& state, Secondaries& out) const {
     const Color weight(coat_.weight * coat_.mirror * coverage_);
     if (is_black(weight)) return;
     const Vec3 direction = mirrored(coat_.normal);
-    if (out.count > 0 && out.at[0].kind == RayKind::reflection && out.at[0].dir == direction) out.at[0].weight += weight;   // one ray for both
-    else out.at[out.count++] = {direction, weight, RayKind::reflection, state.inside};
+    if (!out.empty() && out[0].kind == RayKind::reflection && out[0].dir == direction) out[0].weight += weight;   // one ray for both
+    else out.push_back({direction, weight, RayKind::reflection, state.inside});
 }
 
 /// Glass: what is not mirrored is refracted and coloured. The outside is whatever the ray was in before.
@@ -149,15 +148,15 @@ void Surface::add_transmission(const CompiledScene& scene, const RayState& state
     const Vec3 facing = facing_normal(), normal = dot(normal_, wo_) > 0 ? normal_ : facing;
     const double eta = n2 / n1, cos_o = std::max(dot(normal, wo_), 0.0), reflectance = fresnel_dielectric(cos_o, eta), share = coverage_ * (1 - coat_.weight);
     Vec3 through;
-    out.at[out.count++] = {mirrored(normal), Color(reflectance * share), RayKind::reflection, state.inside};
+    out.push_back({mirrored(normal), Color(reflectance * share), RayKind::reflection, state.inside});
     if (!refract(-wo_, normal, eta, through)) return;
     if (dot(through, facing) >= 0 && !refract(-wo_, facing, eta, through)) return;
-    out.at[out.count++] = {through, transmission_ * ((1 - reflectance) * share), RayKind::refraction, beyond};
+    out.push_back({through, transmission_ * ((1 - reflectance) * share), RayKind::refraction, beyond});
 }
 
 Color transmitted(const CompiledScene& scene, const ShadePoint& point) {
     const GltfPbr* metal_rough = pbr(scene, point);
-    if (!metal_rough) return pov_transmitted(scene, material_at(scene, point), point);
+    if (!metal_rough) return pov_transmitted(scene, material_at(scene, point), point, pattern_frame(point));
     const GltfPbr& m = *metal_rough;
     const Vec4 base = base_color<kAllFeatures>(scene, m, point);
     const double there = coverage(m, base.w);

@@ -6,6 +6,7 @@
 #include "tracer/shade_point.h"
 
 #include <memory>
+#include <vector>
 
 namespace alidade {
 
@@ -19,12 +20,8 @@ struct Secondary {
     bool straight = false;  ///< it goes on as it came, and is no deeper
 };
 
-/// At most a mirror ray, a refracted ray and a mirror ray of the coat. (What passes straight through alpha is no ray of its own: the integrator goes on.)
-struct Secondaries {
-    static constexpr int kMax = 3;
-    Secondary at[kMax];
-    int count = 0;
-};
+/// A mirror ray, a refracted ray and a mirror ray of the coat; of POV-Ray's texture maps and layers there can be more. (What passes straight through alpha is no ray of its own: the integrator goes on.)
+using Secondaries = std::vector<Secondary>;
 
 /// KHR_materials_clearcoat at a point: a clear layer of index 1.5 that takes `weight` of the light, its factor times Schlick's Fresnel term at the eye's
 /// angle, and leaves the rest to what is under it.
@@ -56,8 +53,8 @@ class Surface {
     double coverage() const { return coverage_; }
     /// Is there any direction to follow?
     bool mirrors_or_refracts() const { return pov_ || mirror_ > 0 || coat_.weight > 0 || !is_black(transmission_); }
-    /// The directions to follow. `state` is that of the ray that arrived.
-    Secondaries secondary(const CompiledScene& scene, const RayState& state) const;
+    /// Appends the directions to follow. `state` is that of the ray that arrived.
+    void secondary(const CompiledScene& scene, const RayState& state, Secondaries& out) const;
 
   private:
     template <unsigned F> friend Surface shade_metal_rough(const CompiledScene&, const GltfPbr&, const ShadePoint&, const Vec3&);

@@ -2,7 +2,6 @@
 #include "tracer/textures.h"
 
 #include "core/parallel.h"
-#include "tracer/shade_point.h"
 
 #include <fmt/format.h>
 #include <map>
@@ -85,16 +84,16 @@ Textures::Textures(const Scene& scene, const std::vector<SignalId>& used, int th
 }
 
 void Textures::add_patterns(const std::vector<SignalId>& used, Diagnostics& said) {
+    const auto keep = [&](SignalId id, auto made, auto& all) {
+        if (!made) return said.error(signals_[id.index].from, made.error());
+        resource_of_[id.index] = uint32_t(all.size());
+        all.push_back(std::move(*made));
+    };
     for (const SignalId id : used) {
-        const auto* signal = std::get_if<PatternSignal>(&signals_[id.index].what);
-        if (!signal || resource_of_[id.index] != kNoId) continue;
-        auto pattern = Pattern::make(*signal);
-        if (!pattern) {
-            said.error(signals_[id.index].from, pattern.error());
-            continue;
-        }
-        resource_of_[id.index] = uint32_t(patterns_.size());
-        patterns_.push_back(std::move(*pattern));
+        if (resource_of_[id.index] != kNoId) continue;
+        const auto& what = signals_[id.index].what;
+        if (const auto* pattern = std::get_if<PatternSignal>(&what)) keep(id, Pattern::make(*pattern), patterns_);
+        if (const auto* relief = std::get_if<ReliefSignal>(&what)) keep(id, Relief::make(*relief), reliefs_);
     }
 }
 
@@ -114,49 +113,66 @@ Vec4 Textures::lookup(const ImageSignal& image, const Picture& picture, const Ve
     return (at(i, j) * (1 - s) + at(i + 1, j) * s) * (1 - t) + (at(i, j + 1) * (1 - s) + at(i + 1, j + 1) * s) * t;
 }
 
-Textures::Value Textures::mapped(const PatternSignal& signal, const Pattern& pattern, const ShadePoint& point, const Vec3* place) const {
-    const auto sum = [](const Value& a, double s, const Value& b, double t) { return Value{a.rgba * s + b.rgba * t, a.filter * s + b.filter * t, a.transmit * s + b.transmit * t}; };
-    const Vec3 at = pattern.place(place ? *place : point.pattern_point());
-    if (pattern.is_average()) {
-        Value total;
-        double weights = 0;
-        for (const MapEntry& entry : signal.map) {
-            total = sum(total, 1, value(entry.signal, point, &at), entry.value);
-            weights += entry.value;
-        }
-        return weights != 0 ? sum(total, 1 / weights, {}, 0) : Value();
-    }
+Textures::Value Textures::mapped(const PatternSignal& signal, const Pattern& pattern, const ShadePoint& point, const Vec3& outside) const {
+    const Vec3 at = pattern.place(outside);
     if (signal.map.empty()) {
         const double v = pattern.value_at(at);   // as POV-Ray's own map from black to white
         return {Vec4(v, v, v, 1), 0, 0};
     }
-    const MapBlend blend = look_up(signal.map, pattern.value_at(at));
-    const Value low = value(signal.map[blend.low].signal, point, &at);
-    return blend.t > 0 ? sum(low, 1 - blend.t, value(signal.map[blend.high].signal, point, &at), blend.t) : low;
+    Value total;
+    share(signal.map, pattern, at, [&](uint32_t entry, double share) {
+        const Value own = value(signal.map[entry].signal, point, at);
+        total = {total.rgba + own.rgba * share, total.filter + own.filter * share, total.transmit + own.transmit * share};
+    });
+    return total;
 }
 
-Textures::Value Textures::value(SignalId signal, const ShadePoint& point, const Vec3* place) const {
+Textures::Value Textures::value(SignalId signal, const ShadePoint& point, const Vec3& at) const {
     const auto& what = signals_[signal.index].what;
     if (const auto* constant = std::get_if<ConstantSignal>(&what)) return {constant->value, constant->filter, constant->transmit};
-    if (const auto* product = std::get_if<ProductSignal>(&what)) return {value(product->a, point, place).rgba * value(product->b, point, place).rgba, 0, 0};
-    if (const auto* channel = std::get_if<ChannelSignal>(&what)) return {Vec4(value(channel->of, point, place).rgba[channel->channel]), 0, 0};
+    if (const auto* product = std::get_if<ProductSignal>(&what)) return {value(product->a, point, at).rgba * value(product->b, point, at).rgba, 0, 0};
+    if (const auto* channel = std::get_if<ChannelSignal>(&what)) return {Vec4(value(channel->of, point, at).rgba[channel->channel]), 0, 0};
     if (const auto* image = std::get_if<ImageSignal>(&what)) {
         const Vec3 uv = image->uv_transform * Vec3(point.uv(image->uv_set), 1);
         const Vec4 texel = lookup(*image, pictures_[resource_of_[signal.index]], Vec2(uv));
         return {texel, 0, 1 - texel.w};
     }
-    if (const auto* pattern = std::get_if<PatternSignal>(&what)) return mapped(*pattern, patterns_[resource_of_[signal.index]], point, place);
+    if (const auto* pattern = std::get_if<PatternSignal>(&what)) return mapped(*pattern, patterns_[resource_of_[signal.index]], point, at);
     return {};   // compile() refuses functions
 }
 
 Vec4 Textures::evaluate(SignalId signal, const ShadePoint& point) const {
     const auto* constant = std::get_if<ConstantSignal>(&signals_[signal.index].what);
-    return constant ? constant->value : value(signal, point, nullptr).rgba;
+    return constant ? constant->value : value(signal, point, point.pattern_point()).rgba;
 }
 
-PigmentColor Textures::pigment(SignalId signal, const ShadePoint& point) const {
-    const Value v = value(signal, point, nullptr);
+PigmentColor Textures::pigment(SignalId signal, const ShadePoint& point, const Vec3& at) const {
+    const Value v = value(signal, point, at);
     return {Color(v.rgba), v.filter, v.transmit};
+}
+
+PigmentColor Textures::pigment(SignalId signal, const Vec3& at) const { return pigment(signal, ShadePoint(), at); }
+
+Vec3 Textures::bent_there(SignalId id, const Vec3& place, const Vec3& n) const {
+    const Relief& relief = reliefs_[resource_of_[id.index]];
+    const std::vector<MapEntry>& map = std::get<ReliefSignal>(signals_[id.index].what).pattern.map;
+    const Vec3 at = relief.place(place), there = relief.inwards(n);
+    if (map.empty()) return relief.outwards(relief.bent(at, there));
+    Vec3 sum(0);
+    share(map, relief.pattern(), at, [&](uint32_t entry, double share) { sum += bent_there(map[entry].signal, at, there) * share; });
+    return relief.outwards(sum);
+}
+
+Vec3 Textures::bent(SignalId relief, const PatternFrame& frame, const Vec3& n) const {
+    const Vec3 there = frame.normal_in * n;
+    const Vec3 bent = bent_there(relief, frame.at, reliefs_[resource_of_[relief.index]].scaled() ? normalized(there) : there);
+    const Vec3 unit = normalized(frame.normal_out * bent);
+    return std::abs(dot(unit, unit) - 1) < 1e-6 ? unit : n;   // a relief that cancels the normal leaves it as it is
+}
+
+PatternFrame pattern_frame(const ShadePoint& point) {
+    if (!point.space || point.space->uv_mapped) return {point.pattern_point(), Mat3(1.0), Mat3(1.0)};
+    return {point.pattern_point(), glm::transpose(point.space->to_world.linear), glm::transpose(point.space->from_world.linear)};
 }
 
 }  // namespace alidade

@@ -4,8 +4,9 @@
 
 #include "core/diagnostics.h"
 #include "core/image.h"
-#include "eval/patterns/pattern.h"
+#include "eval/patterns/relief.h"
 #include "scene/scene.h"
+#include "tracer/shade_point.h"
 
 #include <memory>
 #include <unordered_map>
@@ -13,7 +14,14 @@
 
 namespace alidade {
 
-struct ShadePoint;
+/// Where patterns are looked up, and how normals come there and back.
+struct PatternFrame {
+    Vec3 at{0};
+    Mat3 normal_in{1.0}, normal_out{1.0};
+};
+
+/// The frame of a point's own material.
+PatternFrame pattern_frame(const ShadePoint& point);
 
 /// A colour of POV-Ray's: what part of the light that passes is coloured (filter), what part is not (transmit).
 struct PigmentColor {
@@ -31,7 +39,15 @@ class Textures {
     Vec4 evaluate(SignalId signal, const ShadePoint& point) const;
 
     /// The same, as a pigment of POV-Ray has it. What an image lets through by its alpha is transmitted.
-    PigmentColor pigment(SignalId signal, const ShadePoint& point) const;
+    PigmentColor pigment(SignalId signal, const ShadePoint& point, const Vec3& at) const;
+    /// A pigment that stands nowhere but in space.
+    PigmentColor pigment(SignalId signal, const Vec3& at) const;
+
+    /// The unit normal `n`, in world space, bent by a ReliefSignal.
+    Vec3 bent(SignalId relief, const PatternFrame& frame, const Vec3& n) const;
+
+    /// Calls f(entry, share, frame) for the entries of a PatternSignal's map that count at a point, with where they are looked up: their shares add up to 1.
+    template <class F> void for_each_share(SignalId pattern, const PatternFrame& frame, const F& f) const;
 
     size_t count() const { return pictures_.size(); }
     size_t bytes() const;
@@ -43,15 +59,39 @@ class Textures {
     };
 
     void add_patterns(const std::vector<SignalId>& used, Diagnostics& said);
-    /// `place` is where the patterns above have moved the lookup to; null: the point's own.
-    Value value(SignalId signal, const ShadePoint& point, const Vec3* place) const;
-    Value mapped(const PatternSignal& signal, const Pattern& pattern, const ShadePoint& point, const Vec3* place) const;
+    /// `at` is where patterns are looked up.
+    Value value(SignalId signal, const ShadePoint& point, const Vec3& at) const;
+    Value mapped(const PatternSignal& signal, const Pattern& pattern, const ShadePoint& point, const Vec3& outside) const;
+    /// The same in the space of the relief above.
+    Vec3 bent_there(SignalId relief, const Vec3& place, const Vec3& n) const;
+    /// Calls f(entry, share).
+    template <class F> static void share(const std::vector<MapEntry>& map, const Pattern& pattern, const Vec3& at, const F& f);
     Vec4 lookup(const ImageSignal& image, const Picture& picture, const Vec2& uv) const;
 
     const std::vector<Signal>& signals_;
     std::vector<Picture> pictures_;
     std::vector<Pattern> patterns_;
-    std::vector<uint32_t> resource_of_;   ///< by signal: its picture or its pattern; kNoId where the signal is neither
+    std::vector<Relief> reliefs_;
+    std::vector<uint32_t> resource_of_;   ///< by signal: its picture, its pattern or its relief; kNoId where the signal is none of them
 };
+
+template <class F> void Textures::share(const std::vector<MapEntry>& map, const Pattern& pattern, const Vec3& at, const F& f) {
+    if (pattern.is_average()) {
+        double total = 0;
+        for (const MapEntry& entry : map) total += entry.value;
+        if (total == 0) return;
+        for (uint32_t i = 0; i < map.size(); ++i) f(i, map[i].value / total);
+        return;
+    }
+    const MapBlend blend = look_up(map, pattern.value_at(at));
+    f(blend.low, 1 - blend.t);
+    if (blend.t > 0) f(blend.high, blend.t);
+}
+
+template <class F> void Textures::for_each_share(SignalId signal, const PatternFrame& frame, const F& f) const {
+    const Pattern& pattern = patterns_[resource_of_[signal.index]];
+    const PatternFrame inner{pattern.place(frame.at), pattern.normal_in() * frame.normal_in, frame.normal_out * pattern.normal_out()};
+    share(std::get<PatternSignal>(signals_[signal.index].what).map, pattern, inner.at, [&](uint32_t entry, double share) { f(entry, share, inner); });
+}
 
 }  // namespace alidade

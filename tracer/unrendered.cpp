@@ -19,7 +19,6 @@ constexpr Unrendered kTable[] = {
     {Requirement::clipping, Severity::warning, "clipped_by is not rendered yet: all of the object is drawn"},
     {Requirement::functions, Severity::error, "functions are not rendered yet"},
     {Requirement::media, Severity::warning, "media are not rendered yet: they are left out"},
-    {Requirement::fog, Severity::warning, "fog is not rendered yet: it is left out"},
 };
 
 /// One message a kind, with how many nodes are of it.
@@ -46,7 +45,6 @@ void report_unrendered(const Scene& scene, Diagnostics& said) {
         for (const RequiredBy& r : required)
             if (r.what == row.what) said.add({row.severity, r.first, row.sentence, {}, {}, {}});
     report_nodes(scene, said);
-    if (scene.atmosphere.sky) said.warning({}, "sky spheres are not rendered yet: the background is drawn");
     if (scene.atmosphere.environment_image) said.warning({}, "environment images of a scene are not rendered yet", "--environment FILE sets one");
 }
 

@@ -57,6 +57,8 @@ Nearest nearest_points(const Vec3& p, double metric) {
 
 }  // namespace
 
+Vec3 nearest_point(const Vec3& p, double metric) { return nearest_points(p, metric).point; }
+
 /// Source   S. Worley, "A Cellular Texture Basis Function", SIGGRAPH 1996; POV-Ray's points and neighbourhood by experiment.
 double crackle(const Vec3& p, const PatternInput& in) {
     const double metric = in[3], offset = in[4];

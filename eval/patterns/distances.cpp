@@ -33,11 +33,16 @@ double boxed(const Vec3& p, const PatternInput&) { return fading(max_abs(p)); }
 double cylindrical(const Vec3& p, const PatternInput&) { return fading(std::hypot(p.x, p.z)); }
 double spherical(const Vec3& p, const PatternInput&) { return fading(length(p)); }
 
-double quilted(const Vec3& p, const PatternInput& in) {
+Vec3 quilt(const Vec3& p, const PatternInput& in) {
     const Vec3 v(p.x - cell_floor(p.x) - 0.5, p.y - cell_floor(p.y) - 0.5, p.z - cell_floor(p.z) - 0.5);
     const double t = length(v), s = 1 - t;
     const double k = (t * t * t + 3 * t * s * s * in[0] + 3 * t * t * s * in[1]) * 1.154700538;   // a Bezier curve; 2 / sqrt(3)
-    return (std::abs(v.x * k) + std::abs(v.y * k) + std::abs(v.z * k)) / 3;
+    return v * k;
+}
+
+double quilted(const Vec3& p, const PatternInput& in) {
+    const Vec3 v = quilt(p, in);
+    return (std::abs(v.x) + std::abs(v.y) + std::abs(v.z)) / 3;
 }
 
 }  // namespace alidade::pattern

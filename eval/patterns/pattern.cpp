@@ -24,20 +24,6 @@ double shaped(Wave wave, double exponent, double v) {
 
 }  // namespace
 
-MapBlend look_up(std::span<const MapEntry> map, double value) {
-    if (map.empty()) return {};
-    const uint32_t last = uint32_t(map.size() - 1);
-    if (value >= single(map[last].value)) return {last, last, 0};
-    for (uint32_t i = 0; i <= last; ++i) {
-        const double position = single(map[i].value);
-        if (!(position >= value)) continue;
-        if (i == 0 || position == value) return {i, i, 0};
-        const double before = single(map[i - 1].value);
-        return {i - 1, i, (value - before) / (position - before)};
-    }
-    return {last, last, 0};   // a NaN
-}
-
 tl::expected<Pattern, std::string> Pattern::make(const PatternSignal& signal) {
     Pattern out;
     out.row_ = find_pattern(signal.pattern);
@@ -53,6 +39,9 @@ tl::expected<Pattern, std::string> Pattern::make(const PatternSignal& signal) {
         auto warp = prepare(signal.warps[i]);
         if (!warp) return tl::unexpected(warp.error());
         out.warps_.push_back(*warp);
+        if (warp->kind != WarpKind::transform) continue;
+        out.normal_in_ = glm::transpose(signal.warps[i].transform.linear) * out.normal_in_;
+        out.normal_out_ = out.normal_out_ * glm::transpose(warp->inverse.linear);
     }
     in.turbulence = signal.turbulence;
     in.turbulence.octaves = std::clamp(in.turbulence.octaves, 1, 10);

@@ -2,6 +2,7 @@
 /// A PatternSignal, ready to be asked.
 #pragma once
 
+#include "eval/noise/single.h"
 #include "eval/patterns/registry.h"
 #include "eval/patterns/warps.h"
 
@@ -16,7 +17,20 @@ struct MapBlend {
 /// What stands at `value`. The entries are taken in their order, sorted or not; of two at one position, the first ends what is below and the second begins what
 /// is above. An empty map gives the entry 0.
 /// Source   experiments with POV-Ray 3.7
-MapBlend look_up(std::span<const MapEntry> map, double value);
+template <class Entry> MapBlend look_up(std::span<const Entry> map, double value) {
+    if (map.empty()) return {};
+    const uint32_t last = uint32_t(map.size() - 1);
+    if (value >= single(map[last].value)) return {last, last, 0};
+    for (uint32_t i = 0; i <= last; ++i) {
+        const double position = single(map[i].value);
+        if (!(position >= value)) continue;
+        if (i == 0 || position == value) return {i, i, 0};
+        const double before = single(map[i - 1].value);
+        return {i - 1, i, (value - before) / (position - before)};
+    }
+    return {last, last, 0};   // a NaN
+}
+inline MapBlend look_up(const std::vector<MapEntry>& map, double value) { return look_up(std::span<const MapEntry>(map), value); }
 
 class Pattern {
   public:
@@ -31,13 +45,19 @@ class Pattern {
     double value(const Vec3& p) const { return value_at(place(p)); }
 
     /// All entries count, by their weights; there is no value.
-    bool is_average() const { return !row_->value; }
+    bool is_average() const { return !row_->value && !row_->relief; }
     const PatternOps& row() const { return *row_; }
+    /// The row's own relief, which must be there.
+    Vec3 relief(const Vec3& place, const Vec3& n, double amount) const { return row_->relief(place, n, amount, input_); }
+    /// How normals come into the space of the pattern, where all transformations of its warps are undone, and back.
+    const Mat3& normal_in() const { return normal_in_; }
+    const Mat3& normal_out() const { return normal_out_; }
 
   private:
     const PatternOps* row_ = nullptr;
     PatternInput input_;
     std::vector<PreparedWarp> warps_;   ///< in the order in which they are undone
+    Mat3 normal_in_{1.0}, normal_out_{1.0};
     Wave wave_ = Wave::ramp;
     double wave_exponent_ = 1, frequency_ = 1;
     bool displaced_ = false;

@@ -11,6 +11,7 @@ constexpr PatternParameter kBrick[] = {{"size.x", 8}, {"size.y", 3}, {"size.z", 
 constexpr PatternParameter kAgate[] = {{"agate_turb", 1, true}};
 constexpr PatternParameter kSpiral[] = {{"arms", 1}};
 constexpr PatternParameter kCrackle[] = {{"form.x", -1}, {"form.y", 1}, {"form.z", 0}, {"metric", 2}, {"offset", 0}, {"solid", 0}};
+constexpr PatternParameter kFacets[] = {{"coords", 0, true}, {"size", 0.1}, {"metric", 2}};
 constexpr PatternParameter kWaves[] = {{"number_of_waves", 10}};
 constexpr PatternParameter kMandel[] = {{"iterations", 1}, {"exponent", 2}, {"exterior", 1}, {"exterior factor", 1}, {"interior", 0}, {"interior factor", 1}};
 constexpr PatternParameter kJulia[] = {{"c.re"}, {"c.im"}, {"iterations", 1}, {"exponent", 2}, {"exterior", 1}, {"exterior factor", 1}, {"interior", 0}, {"interior factor", 1}};
@@ -24,13 +25,14 @@ constexpr PatternOps kPatterns[] = {
     {"boxed", "1 at the origin, 0 at the box from -1 to 1 and outside", {}, pattern::boxed},
     {"bozo", "noise", {}, pattern::plain_noise},
     {"brick", "mortar 0, bricks 1", kBrick, pattern::brick, Wave::ramp, 0},
-    {"bumps", "noise", {}, pattern::plain_noise},
+    {"bumps", "noise", {}, pattern::plain_noise, Wave::ramp, 1, true, nullptr, pattern::bumps_relief},
     {"cells", "a number for each unit cube", {}, pattern::cells},
     {"checker", "unit cubes of 0 and 1 in turn", {}, pattern::checker, Wave::ramp, 0},
     {"crackle", "distances to random points, one a unit cube", kCrackle, pattern::crackle},
     {"cubic", "0 to 5 for the six pyramids around the origin", {}, pattern::cubic, Wave::ramp, 0},
     {"cylindrical", "1 at the y axis, 0 at distance 1 and outside", {}, pattern::cylindrical},
-    {"dents", "noise to the third power", {}, pattern::dents},
+    {"dents", "noise to the third power", {}, pattern::dents, Wave::ramp, 1, true, nullptr, pattern::dents_relief},
+    {"facets", "flat pieces: it bends normals alone", kFacets, nullptr, Wave::ramp, 1, true, nullptr, pattern::facets_relief},
     {"gradient", "the distance along a direction, folded at 1", kGradient, pattern::gradient},
     {"granite", "six octaves of folded noise", {}, pattern::granite},
     {"hexagon", "hexagons of 0, 1 and 2 in the xz plane", {}, pattern::hexagon, Wave::ramp, 0},
@@ -42,18 +44,18 @@ constexpr PatternOps kPatterns[] = {
     {"marble", "x, moved by turbulence", {}, pattern::marble, Wave::triangle, 1, false},
     {"onion", "the distance from the origin", {}, pattern::onion},
     {"planar", "1 at y = 0, 0 at distance 1 and outside", {}, pattern::planar},
-    {"quilted", "a bump in each unit cube", kQuilted, pattern::quilted, Wave::ramp, 0},
+    {"quilted", "a bump in each unit cube", kQuilted, pattern::quilted, Wave::ramp, 0, true, nullptr, pattern::quilted_relief},
     {"radial", "the angle about the y axis", {}, pattern::radial},
-    {"ripples", "the mean of waves from points of the unit sphere", kWaves, pattern::ripples, Wave::ramp, 1, true, pattern::wave_sources},
+    {"ripples", "the mean of waves from points of the unit sphere", kWaves, pattern::ripples, Wave::ramp, 1, true, pattern::wave_sources, pattern::ripples_relief},
     {"spherical", "1 at the origin, 0 at distance 1 and outside", {}, pattern::spherical},
     {"spiral1", "arms that wind about the z axis", kSpiral, pattern::spiral1, Wave::triangle},
     {"spiral2", "arms that wind both ways", kSpiral, pattern::spiral2, Wave::triangle},
     {"spotted", "noise", {}, pattern::plain_noise},
     {"square", "squares of 0 to 3 in the xz plane", {}, pattern::square, Wave::ramp, 0},
     {"triangular", "triangles of 0 to 5 in the xz plane", {}, pattern::triangular, Wave::ramp, 0},
-    {"waves", "waves of many lengths from points of the unit sphere", kWaves, pattern::waves, Wave::ramp, 1, true, pattern::wave_sources},
+    {"waves", "waves of many lengths from points of the unit sphere", kWaves, pattern::waves, Wave::ramp, 1, true, pattern::wave_sources, pattern::waves_relief},
     {"wood", "the distance from the z axis, moved by turbulence", {}, pattern::wood, Wave::triangle, 1, false},
-    {"wrinkles", "ten octaves of noise", {}, pattern::wrinkles},
+    {"wrinkles", "ten octaves of noise", {}, pattern::wrinkles, Wave::ramp, 1, true, nullptr, pattern::wrinkles_relief},
 };
 
 }  // namespace

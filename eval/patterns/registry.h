@@ -39,11 +39,13 @@ struct PatternOps {
     const char* name;
     const char* doc;
     std::span<const PatternParameter> parameters;
-    double (*value)(const Vec3& p, const PatternInput& in);   ///< before frequency, phase and wave; null where a pattern has no number (`average`)
+    double (*value)(const Vec3& p, const PatternInput& in);   ///< before frequency, phase and wave; null where a pattern has no number (`average`, `facets`)
     Wave wave = Wave::ramp;                                   ///< what it has if nothing else is asked for
     double frequency = 1;                                     ///< 0: a pattern of blocks, which knows neither frequency nor phase
     bool displaced = true;                                    ///< turbulence moves the point; if not, the pattern uses it by itself
     void (*prepare)(PatternInput& in) = nullptr;              ///< what is worth doing once
+    /// The unit normal `n`, bent by a relief of its own; null where the value's slope bends it. Not a unit vector.
+    Vec3 (*relief)(const Vec3& p, const Vec3& n, double amount, const PatternInput& in) = nullptr;
 };
 
 /// One row for each pattern.
@@ -75,6 +77,8 @@ double boxed(const Vec3&, const PatternInput&);
 double cylindrical(const Vec3&, const PatternInput&);
 double spherical(const Vec3&, const PatternInput&);
 double quilted(const Vec3&, const PatternInput&);
+/// From the centre of the unit cube of quilted, its length bent by the two controls.
+Vec3 quilt(const Vec3&, const PatternInput&);
 
 double checker(const Vec3&, const PatternInput&);
 double hexagon(const Vec3&, const PatternInput&);
@@ -94,6 +98,8 @@ double wood(const Vec3&, const PatternInput&);
 double spiral1(const Vec3&, const PatternInput&);
 double spiral2(const Vec3&, const PatternInput&);
 double crackle(const Vec3&, const PatternInput&);
+/// The point of crackle's that is nearest.
+Vec3 nearest_point(const Vec3&, double metric);
 
 void wave_sources(PatternInput&);
 double ripples(const Vec3&, const PatternInput&);
@@ -103,6 +109,14 @@ double mandel(const Vec3&, const PatternInput&);
 double julia(const Vec3&, const PatternInput&);
 double magnet_mandel(const Vec3&, const PatternInput&);
 double magnet_julia(const Vec3&, const PatternInput&);
+
+Vec3 bumps_relief(const Vec3& p, const Vec3& n, double amount, const PatternInput& in);
+Vec3 dents_relief(const Vec3& p, const Vec3& n, double amount, const PatternInput& in);
+Vec3 wrinkles_relief(const Vec3& p, const Vec3& n, double amount, const PatternInput& in);
+Vec3 quilted_relief(const Vec3& p, const Vec3& n, double amount, const PatternInput& in);
+Vec3 ripples_relief(const Vec3& p, const Vec3& n, double amount, const PatternInput& in);
+Vec3 waves_relief(const Vec3& p, const Vec3& n, double amount, const PatternInput& in);
+Vec3 facets_relief(const Vec3& p, const Vec3& n, double amount, const PatternInput& in);
 }  // namespace pattern
 
 }  // namespace alidade

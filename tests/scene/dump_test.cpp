@@ -48,14 +48,18 @@ signal 2 product a=0 b=1
 signal 3 channel of=1 channel=2
 signal 4 pattern pattern="agate"
   map value=0 signal=0
-  map value=1 signal=1
+  map value=1 signal=5
   warp kind=transform
 signal 5 function program=0
+signal 6 relief
+  pattern pattern="bumps"
 material 0
   gltf base_color=2 roughness=3
 material 1
-  pov pigment=4 normal=5
-  pov pigment=4 normal=5
+  pov pigment=4 normal=6
+  pov pigment=4 normal=6
+material 2
+  map pattern=4 textures=[1 1]
 interior 0
   medium density=[4]
 light 0 point looks_like=7
@@ -89,6 +93,12 @@ AreaLight& area(Scene& s) {
     if (!std::holds_alternative<AreaLight>(s.lights[0].kind)) s.lights[0].kind = AreaLight();
     return std::get<AreaLight>(s.lights[0].kind);
 }
+ShadowGrid& grid(Scene& s) {
+    if (!s.lights[0].shadow_grid) s.lights[0].shadow_grid.emplace();
+    return *s.lights[0].shadow_grid;
+}
+ReliefSignal& relief(Scene& s) { return std::get<ReliefSignal>(s.signals[6].what); }
+Fog& fog(Scene& s) { return s.atmosphere.fogs[0]; }
 Interior::Medium& medium(Scene& s) { return s.interiors[0].media[0]; }
 Channel& channel(Scene& s) { return s.animations[0].channels[0]; }
 
@@ -220,7 +230,17 @@ const Change kSurfaceChanges[] = {
     [](Scene& s) { pattern(s).frequency = 1; },
     [](Scene& s) { pattern(s).phase = 0.5; },
     [](Scene& s) { pattern(s).map[1].value = 0.5; },
-    [](Scene& s) { pattern(s).map[1].signal = SignalId{0}; },
+    [](Scene& s) { pattern(s).map[1].signal = SignalId{1}; },
+    [](Scene& s) { relief(s).pattern.phase = 0.5; },
+    [](Scene& s) { relief(s).amount = 1; },
+    [](Scene& s) { relief(s).accuracy = 1; },
+    [](Scene& s) { relief(s).scaled = false; },
+    [](Scene& s) { relief(s).slopes = {{0, 0, 0}}; },
+    [](Scene& s) { relief(s).slopes = {{1, 0, 0}}; },
+    [](Scene& s) { relief(s).slopes = {{0, 1, 0}}; },
+    [](Scene& s) { relief(s).slopes = {{0, 0, 1}}; },
+    [](Scene& s) { std::get<PovTextureMap>(s.materials[2].layers[0]).pattern = SignalId{0}; },
+    [](Scene& s) { std::get<PovTextureMap>(s.materials[2].layers[0]).textures.pop_back(); },
     [](Scene& s) { pattern(s).warps[0].kind = WarpKind::black_hole; },
     [](Scene& s) { pattern(s).warps[0].transform.translation.x = 1; },
     [](Scene& s) { pattern(s).warps[0].parameters = {1}; },
@@ -252,7 +272,6 @@ const Change kSurfaceChanges[] = {
     [](Scene& s) { gltf(s).clearcoat_normal = SignalId{0}; },
     [](Scene& s) { pov(s).pigment = SignalId{0}; },
     [](Scene& s) { pov(s).normal.reset(); },
-    [](Scene& s) { pov(s).normal_amount = 1; },
     [](Scene& s) { pov(s).ambient = Color(0); },
     [](Scene& s) { pov(s).emission = Color(1); },
     [](Scene& s) { pov(s).diffuse = 1; },
@@ -303,12 +322,20 @@ const Change kOtherChanges[] = {
     [](Scene& s) { area(s).width = 2; },
     [](Scene& s) { area(s).height = 2; },
     [](Scene& s) { area(s).radius = 2; },
-    [](Scene& s) { area(s).samples_u = 2; },
-    [](Scene& s) { area(s).samples_v = 2; },
-    [](Scene& s) { area(s).adaptive = true; },
-    [](Scene& s) { area(s).jitter = true; },
-    [](Scene& s) { area(s).circular = true; },
-    [](Scene& s) { area(s).orient = true; },
+    [](Scene& s) { s.lights[0].kind = CylinderLight{1, 2, 0}; },
+    [](Scene& s) { s.lights[0].kind = CylinderLight{1, 3, 0}; },
+    [](Scene& s) { s.lights[0].kind = CylinderLight{2, 3, 0}; },
+    [](Scene& s) { s.lights[0].kind = CylinderLight{2, 3, 1}; },
+    [](Scene& s) { grid(s); },
+    [](Scene& s) { grid(s).axis1.y = 1; },
+    [](Scene& s) { grid(s).axis2.x = 1; },
+    [](Scene& s) { grid(s).size1 = 2; },
+    [](Scene& s) { grid(s).size2 = 2; },
+    [](Scene& s) { grid(s).adaptive = 1; },
+    [](Scene& s) { grid(s).jitter = true; },
+    [](Scene& s) { grid(s).circular = true; },
+    [](Scene& s) { grid(s).orient = true; },
+    [](Scene& s) { grid(s).illuminates = true; },
     [](Scene& s) { s.lights[0].intensity = Color(2); },
     [](Scene& s) { s.lights[0].range = 2; },
     [](Scene& s) { s.lights[0].fade = LightFade(); },
@@ -328,6 +355,8 @@ const Change kOtherChanges[] = {
     [](Scene& s) { s.cameras[0].up.x = 1; },
     [](Scene& s) { s.cameras[0].fit = Fit::height; },
     [](Scene& s) { s.cameras[0].angle = 1; },
+    [](Scene& s) { s.cameras[0].vertical_angle = 1; },
+    [](Scene& s) { s.cameras[0].cylinder = 2; },
     [](Scene& s) { s.cameras[0].aperture = 1; },
     [](Scene& s) { s.cameras[0].focal_point.x = 1; },
     [](Scene& s) { s.cameras[0].blur_samples = 1; },
@@ -346,15 +375,23 @@ const Change kOtherChanges[] = {
     [](Scene& s) { s.atmosphere.environment = Color(0); },
     [](Scene& s) { s.atmosphere.environment_image = ImageId{0}; },
     [](Scene& s) { s.atmosphere.environment_strength = 2; },
-    [](Scene& s) { s.atmosphere.fogs[0].type = 2; },
-    [](Scene& s) { s.atmosphere.fogs[0].distance = 1; },
-    [](Scene& s) { s.atmosphere.fogs[0].offset = 1; },
-    [](Scene& s) { s.atmosphere.fogs[0].altitude = 1; },
-    [](Scene& s) { s.atmosphere.fogs[0].turbulence = 1; },
-    [](Scene& s) { s.atmosphere.fogs[0].color.w = 1; },
-    [](Scene& s) { s.atmosphere.fogs[0].up.x = 1; },
+    [](Scene& s) { fog(s).ground = true; },
+    [](Scene& s) { fog(s).distance = 1; },
+    [](Scene& s) { fog(s).offset = 1; },
+    [](Scene& s) { fog(s).altitude = 1; },
+    [](Scene& s) { fog(s).turbulence.amount.y = 1; },
+    [](Scene& s) { fog(s).turbulence.octaves = 2; },
+    [](Scene& s) { fog(s).turbulence.omega = 0.7; },
+    [](Scene& s) { fog(s).turbulence.lambda = 3; },
+    [](Scene& s) { fog(s).turbulence_depth = 1; },
+    [](Scene& s) { fog(s).noise = NoiseGenerator::perlin; },
+    [](Scene& s) { fog(s).color.x = 1; },
+    [](Scene& s) { fog(s).filter = 1; },
+    [](Scene& s) { fog(s).transmit = 1; },
+    [](Scene& s) { fog(s).up.x = 1; },
     [](Scene& s) { s.atmosphere.sky.reset(); },
     [](Scene& s) { s.atmosphere.sky->pigments.clear(); },
+    [](Scene& s) { s.atmosphere.sky->emission.x = 0.5; },
     [](Scene& s) { s.atmosphere.sky->transform.translation.x = 1; },
     [](Scene& s) { s.atmosphere.media[0].emission = Color(1); },
     [](Scene& s) { s.settings.max_depth = 0; },

@@ -49,6 +49,7 @@ TEST(Requirements, CountsAndNamesTheFirstPlace) {
 TEST(Requirements, OnlyWhatIsReached) {
     Scene s = test::sample_scene();
     s.nodes[1].flags.visible = false;
+    std::get<PatternSignal>(s.signals[4].what).map[1].signal = SignalId{1};
     EXPECT_THAT(names(s), Not(Contains("meshes")));
     EXPECT_THAT(names(s), Not(Contains("skins")));
     EXPECT_THAT(names(s), Not(Contains("animation")));

@@ -133,11 +133,12 @@ TEST(Clearcoat, HasItsOwnNormal) {
     WorkCounters work;
     ASSERT_TRUE(scene->top->intersect(ray, hit, work));
     const ShadePoint p = shade_point(*scene, ray, hit);
-    const Secondaries rays = shade<kAllFeatures>(*scene, p, ray.dir).secondary(*scene, {});
-    ASSERT_EQ(rays.count, 2);
-    EXPECT_LT(length(rays.at[0].dir - Vec3(0, 0, 1)), 1e-12);
-    EXPECT_LT(length(rays.at[1].dir - Vec3(2 * 0.8 * 0.6, 0, 2 * 0.8 * 0.8 - 1)), 1e-9);
-    EXPECT_NEAR(rays.at[1].weight.x, schlick(0.8), 1e-9);
+    Secondaries rays;
+    shade<kAllFeatures>(*scene, p, ray.dir).secondary(*scene, {}, rays);
+    ASSERT_EQ(rays.size(), 2u);
+    EXPECT_LT(length(rays[0].dir - Vec3(0, 0, 1)), 1e-12);
+    EXPECT_LT(length(rays[1].dir - Vec3(2 * 0.8 * 0.6, 0, 2 * 0.8 * 0.8 - 1)), 1e-9);
+    EXPECT_NEAR(rays[1].weight.x, schlick(0.8), 1e-9);
 }
 
 }  // namespace

@@ -2,7 +2,7 @@
 /// Pigments with maps against POV-Ray's pigment functions, and the space that patterns are looked up in.
 #include "tests/povray/povray.h"
 #include "tests/tracer/scene_builder.h"
-#include "tracer/shade_point.h"
+#include "tracer/textures.h"
 
 #include <fmt/format.h>
 #include <random>
@@ -88,7 +88,7 @@ TEST(Pigments, MapsArePovRays) {
         point.position = points[k / 5 % points.size()];
         const PigmentCase& c = p.cases[k / 5 / points.size()];
         // POV-Ray's colours have single precision.
-        EXPECT_NEAR(channel(textures.pigment(c.signal, point), k % 5), theirs[k], 3e-7) << c.text << " at " << pov_text(point.position) << ' ' << kChannels[k % 5];
+        EXPECT_NEAR(channel(textures.pigment(c.signal, point, point.pattern_point()), k % 5), theirs[k], 3e-7) << c.text << " at " << pov_text(point.position) << ' ' << kChannels[k % 5];
     }
 }
 
@@ -127,7 +127,7 @@ TEST(Pigments, PatternsAreInTheSpaceOfTheNodeThatCarriesThem) {
 }
 
 TEST(Pigments, UvMappedPatternsAreLookedUpAtTextureCoordinates) {
-    const PatternSpace space{Transform::scale(Vec3(7)), true};
+    const PatternSpace space{Transform(), Transform::scale(Vec3(7)), true};
     ShadePoint point;
     point.position = {5, 6, 7};
     point.shape_uv = {0.25, 0.75};

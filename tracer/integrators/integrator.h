@@ -34,6 +34,7 @@ struct Tracing {
     double bailout;           ///< rays whose weight is below it in all channels are not followed (POV-Ray's adc_bailout)
     RenderStats& stats;
     std::vector<Hit> passed{};   ///< scratch of shadow rays
+    Secondaries secondaries{};   ///< scratch of an integrator
     std::vector<PendingRay> pending{};   ///< scratch of an integrator: empty between camera rays
 };
 

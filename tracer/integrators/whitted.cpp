@@ -2,6 +2,7 @@
 /// Whitted's ray tracing: light from every light that is seen, mirror and refracted rays to a depth limit.
 /// Source   Whitted, "An Improved Illumination Model for Shaded Display", CACM 23(6), 1980.
 #include "tracer/integrators/direct_light.h"
+#include "tracer/pov_sky.h"
 #include "tracer/segment.h"
 
 namespace alidade {
@@ -41,7 +42,9 @@ template <unsigned F> struct Whitted {
         Ray ray = start;
         for (;;) {
             Hit hit;
-            if (!tracing.scene.top->intersect(ray, hit, tracing.stats.work)) {
+            const bool found = tracing.scene.top->intersect(ray, hit, tracing.stats.work);
+            if (!tracing.scene.scene.atmosphere.fogs.empty() && state.inside.empty()) pass_fogs(ray, found ? hit.t * length(ray.dir) : kInf, state);
+            if (!found) {
                 sum += state.weight * tracing.scene.sky->radiance(normalized(ray.dir));
                 return;
             }
@@ -53,7 +56,7 @@ template <unsigned F> struct Whitted {
             if (state.kind == RayKind::camera) see(point, surface, distance);
             sum += state.weight * local_light<F>(tracing, point, surface, state, Shadows::cast);
             if constexpr ((F & (kTransmission | kMirrors)) != 0) {
-                if (surface.mirrors_or_refracts()) follow(point, surface.secondary(tracing.scene, state), state);
+                if (surface.mirrors_or_refracts()) follow(point, surface, state);
             }
             if ((F & kAlpha) == 0 || surface.coverage() >= 1) return;
             state.weight *= 1 - surface.coverage();
@@ -64,6 +67,13 @@ template <unsigned F> struct Whitted {
         }
     }
 
+    // Out of line: scenes without fog pay for a comparison alone.
+    [[gnu::noinline]] void pass_fogs(const Ray& ray, double distance, RayState& state) {
+        const Haze fog = haze(tracing.scene, ray.origin, normalized(ray.dir), distance);
+        sum += state.weight * fog.added;
+        state.weight *= fog.kept;
+    }
+
     /// A surface on the camera ray itself.
     void see(const ShadePoint& point, const Surface& surface, double distance) {
         length_so_far += distance;
@@ -71,9 +81,12 @@ template <unsigned F> struct Whitted {
         first.coverage += (1 - first.coverage) * surface.coverage();
     }
 
-    void follow(const ShadePoint& point, const Secondaries& secondaries, const RayState& state) {
-        for (int i = secondaries.count - 1; i >= 0; --i) {   // the first is followed first
-            const Secondary& s = secondaries.at[i];
+    void follow(const ShadePoint& point, const Surface& surface, const RayState& state) {
+        Secondaries& secondaries = tracing.secondaries;
+        secondaries.clear();
+        surface.secondary(tracing.scene, state, secondaries);
+        for (size_t i = secondaries.size(); i-- > 0;) {   // the first is followed first
+            const Secondary& s = secondaries[i];
             RayState next = state;
             next.weight = state.weight * s.weight;
             next.importance = s.importance < 0 ? max_component(next.weight) : state.importance * s.importance;

@@ -26,6 +26,12 @@ struct Build {
     std::vector<PovFinish> default_textures;            ///< what holds after each of them; the first: before all
     std::map<uint32_t, MaterialId> default_materials;   ///< by the number of #default before
 
+    std::map<std::pair<const Block*, SignalId>, SignalId> pigments;                                 ///< what a block made of a pigment
+    std::map<std::pair<const Block*, std::optional<SignalId>>, std::optional<SignalId>> normals;    ///< of a normal
+    std::map<const Block*, MaterialId> parts;           ///< textures of maps
+    NoiseGenerator noise = NoiseGenerator::range_corrected;   ///< of patterns that give none
+    int number_of_waves = 10;                           ///< of waves and ripples
+
     int copying = 0;                                    ///< references that are being built anew because their texture changes
     size_t copies_of_copies = 0;                        ///< those among them that stood in another: each level can double them
 
@@ -37,7 +43,8 @@ struct Build {
 /// Reads the items of a block one after the other. All `take` functions fail, with the place, where something else stands.
 class Cursor {
   public:
-    Cursor(Build& build, const Block& block) : build_(build), block_(block) {}
+    /// Begins behind the first `skipped` items.
+    Cursor(Build& build, const Block& block, size_t skipped = 0) : build_(build), block_(block), i_(skipped) {}
 
     bool done() const { return i_ >= block_.items.size(); }
     const Item& peek() const { return block_.items[i_]; }
@@ -75,7 +82,7 @@ class Cursor {
   private:
     Build& build_;
     const Block& block_;
-    size_t i_ = 0;
+    size_t i_;
 };
 
 }  // namespace alidade::pov

@@ -30,6 +30,7 @@ void begin_settings(Build& build, const Program& program) {
     const bool old = !program.version_given || program.version < 3.7 - 1e-9;
     s.srgb_coded = old;               // without assumed_gamma an old scene's numbers are what the file holds: no correction at all
     s.filter_dims_by_colour = old;
+    if (program.version_given && program.version < 3.5 - 1e-9) build.noise = NoiseGenerator::original;
     s.generator = "POV-Ray";
 }
 
@@ -40,14 +41,9 @@ void read_globals(Build& build, const Block& block) {
         else if (at.accept("max_trace_level"_w)) s.max_depth = at.integer("the most levels", 1, 256) - 1;
         else if (at.accept("adc_bailout"_w)) s.adc_bailout = at.number("adc_bailout");
         else if (at.accept("ambient_light"_w)) s.ambient_light = at.rgb("the ambient light");
+        else if (at.accept("noise_generator"_w)) build.noise = NoiseGenerator(at.integer("the noise generator", 1, 3));
+        else if (at.accept("number_of_waves"_w)) build.number_of_waves = at.integer("the number of waves", 1, 1000);
         else if (is_silent(at)) at.skip();
-        else at.skip_unmodelled();
-    }
-}
-
-void read_background(Build& build, const Block& block) {
-    for (Cursor at(build, block); !at.done();) {
-        if (at.at_numeric()) build.scene.atmosphere.background = at.rgb("the background");
         else at.skip_unmodelled();
     }
 }

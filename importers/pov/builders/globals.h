@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// global_settings, background: what holds for the whole scene.
+/// global_settings: what holds for the whole scene.
 #pragma once
 
 #include "importers/pov/builders/build.h"
@@ -10,6 +10,5 @@ namespace alidade::pov {
 /// What POV-Ray takes where the scene says nothing, which depends on its version.
 void begin_settings(Build& build, const Program& program);
 void read_globals(Build& build, const Block& block);
-void read_background(Build& build, const Block& block);
 
 }  // namespace alidade::pov

@@ -46,11 +46,13 @@ void begin_texture(Draft& d, Place at) {
     d.texture_place = at;
 }
 
-/// The top layer, to be changed by `pigment` or `finish` beside the object: the default texture if there is none.
-PovFinish& own_layer(Build& build, Draft& d, const Block& block) {
-    begin_texture(d, block.place);
-    if (d.layers.empty()) d.layers.push_back(default_texture(build, block.defaults));
-    return d.layers.back();
+/// `pigment`, `normal` or `finish` beside the object changes the layer on top: the default texture if there is none.
+bool take_layer(Build& build, Draft& d, Cursor& at) {
+    const Block* block = at.any_block();
+    if (!block || (block->word != "pigment"_w && block->word != "normal"_w && block->word != "finish"_w)) return false;
+    begin_texture(d, block->place);
+    if (d.layers.empty()) d.layers.push_back(default_texture(build, block->defaults));
+    return take_layer_part(build, at, d.layers);
 }
 
 void add_layers(Build& build, Draft& d, const Block& texture) {
@@ -71,9 +73,8 @@ void apply_material(Build& build, Draft& d, const Block& block) {
 }
 
 bool take_surface(Build& build, Draft& d, Cursor& at) {
+    if (take_layer(build, d, at)) return true;
     if (const Block* texture = at.block_at("texture"_w)) add_layers(build, d, *texture);
-    else if (const Block* pigment = at.block_at("pigment"_w)) build_pigment(build, *pigment, own_layer(build, d, *pigment));
-    else if (const Block* finish = at.block_at("finish"_w)) build_finish(build, *finish, own_layer(build, d, *finish));
     else if (const Block* material = at.block_at("material"_w)) apply_material(build, d, *material);
     else if (const Block* interior = at.block_at("interior"_w)) d.node.interior = add_interior(build, *interior);
     else return false;

@@ -2,6 +2,7 @@
 #include "importers/pov/builders/scenes.h"
 
 #include "importers/pov/builders/cameras.h"
+#include "importers/pov/builders/atmosphere.h"
 #include "importers/pov/builders/globals.h"
 #include "importers/pov/builders/objects.h"
 #include "importers/pov/builders/textures.h"
@@ -34,6 +35,8 @@ void build_item(Build& build, const Item& item, std::optional<Camera>& camera) {
         case "camera"_w: camera = build_camera(build, block); return;
         case "global_settings"_w: return read_globals(build, block);
         case "background"_w: return read_background(build, block);
+        case "sky_sphere"_w: return read_sky_sphere(build, block);
+        case "fog"_w: return read_fog(build, block);
         default: break;
     }
     if (is_object(block.word)) return add_root(build, block);

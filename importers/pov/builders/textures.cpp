@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "importers/pov/builders/textures.h"
 
+#include "importers/pov/builders/patterns.h"
+#include "importers/pov/builders/pigments.h"
+
 #include <algorithm>
 #include <fmt/format.h>
 
@@ -10,53 +13,131 @@ namespace {
 
 constexpr size_t kMostLayers = 1000;
 
-void set_colour(Build& build, const std::array<double, 5>& c, Place at, PovFinish& layer) {
-    Signal& signal = build.scene.signals.emplace_back();
-    signal.what = ConstantSignal{Vec4(c[0], c[1], c[2], 1), c[3], c[4]};
-    signal.from = build.position(at);
-    layer.pigment = {uint32_t(build.scene.signals.size() - 1)};
+/// A texture while its block is read.
+struct Draft {
+    TextureLayers layers;
+    PatternSignal pattern;               ///< of the map; without a name as long as there is none
+    std::vector<MaterialId> textures;
+};
+
+/// A texture of a map, made once however often maps have it.
+MaterialId part(Build& build, const Block& block, size_t skipped) {
+    const Block* key = &block;
+    if (block.items.size() == skipped + 1)
+        if (const Block* only = Cursor(build, block, skipped).block_at("texture"_w)) key = only;
+    const auto known = build.parts.find(key);
+    if (known != build.parts.end()) return known->second;
+    const MaterialId id = add_material(build, build_texture(build, block, skipped), block.place);
+    build.parts.emplace(key, id);
+    return id;
 }
 
-/// Until patterns are built: middle grey, opaque.
-void stand_in(Build& build, const Item& item, const char* what, PovFinish& layer) {
-    const std::string_view word = item.kind == Item::Kind::word || item.value.kind == Kind::block ? kWords[item.value.kind == Kind::block ? item.block().word : item.word] : "a function";
-    build.p.tally(item.place, fmt::format("the pattern {} of a {} is not modelled yet: middle grey stands for it", word, what));
-    set_colour(build, {0.5, 0.5, 0.5, 0, 0}, item.place, layer);
+void add_entry(Draft& d, double value, MaterialId texture, SignalId unused) {
+    d.pattern.map.push_back({value, unused});
+    d.textures.push_back(texture);
 }
 
-/// The layer of a `texture` block that is not layered: as its parts say.
-void apply_texture(Build& build, const Block& block, TextureLayers& layers) {
+void read_texture_map(Build& build, const Block& block, Draft& d) {
+    const Nested nested(build.p, block.place);
     for (Cursor at(build, block); !at.done();) {
-        if (const Block* base = at.block_at("texture"_w)) at.next(), layers = build_texture(build, *base);
-        else if (const Block* pigment = at.block_at("pigment"_w)) at.next(), build_pigment(build, *pigment, layers.back());
-        else if (const Block* finish = at.block_at("finish"_w)) at.next(), build_finish(build, *finish, layers.back());
-        else if (at.at_transform()) at.transform();                  // moves patterns alone
-        else if (at.at_block("normal"_w) || at.at_word("uv_mapping"_w) || at.at_word("no_bump_scale"_w)) at.skip_unmodelled();
-        else if (at.peek().kind == Item::Kind::word || at.any_block()) {
-            stand_in(build, at.peek(), "texture", layers.back());
-            return;
+        if (const Block* base = at.any_block()) at.next(), read_texture_map(build, *base, d);
+        else if (at.peek().kind == Item::Kind::entry) {
+            const Block& entry = at.next().block();
+            const double value = Cursor(build, entry).number("the place of a texture");
+            add_entry(d, value, part(build, entry, 1), default_texture(build, 0).pigment);
         } else at.skip_unmodelled();
     }
 }
 
-/// What `#default { ... }` makes of the default texture.
-PovFinish changed_default(Build& build, const Block& block, PovFinish layer) {
-    for (Cursor at(build, block); !at.done();) {
-        if (const Block* texture = at.block_at("texture"_w)) at.next(), layer = build_texture(build, *texture).back();
-        else if (const Block* pigment = at.block_at("pigment"_w)) at.next(), build_pigment(build, *pigment, layer);
-        else if (const Block* finish = at.block_at("finish"_w)) at.next(), build_finish(build, *finish, layer);
+void read_list(Build& build, Cursor& at, Draft& d) {
+    const size_t length = list_length(d.pattern);
+    while (d.textures.size() < length) {
+        const Block* texture = at.block_at("texture"_w);
+        if (!texture) break;
+        at.next();
+        add_entry(d, double(d.textures.size()), part(build, *texture, 0), default_texture(build, 0).pigment);
+    }
+}
+
+/// The pattern of a map, its entries and modifiers; false where none of them stands.
+bool take_map(Build& build, Cursor& at, Draft& d) {
+    if (take_pattern(build, at, d.pattern)) {
+        d.pattern.map.clear(), d.textures.clear();
+        read_list(build, at, d);
+    } else if (const Block* map = at.block_at("texture_map"_w)) {
+        at.next();
+        d.pattern.map.clear(), d.textures.clear();
+        read_texture_map(build, *map, d);
+    } else {
+        return !d.pattern.pattern.empty() && take_pattern_modifier(build, at, d.pattern);
+    }
+    return true;
+}
+
+void move_layers(Build& build, TextureLayers& layers, const Transform& t) {
+    for (auto& layer : layers) {
+        if (auto* map = std::get_if<PovTextureMap>(&layer)) map->pattern = moved(build, map->pattern, t);
+        auto* finish = std::get_if<PovFinish>(&layer);
+        if (!finish) continue;
+        finish->pigment = moved(build, finish->pigment, t);
+        if (finish->normal) finish->normal = moved(build, *finish->normal, t);
+    }
+}
+
+void stand_in(Build& build, const Item& item, Draft& d) {
+    tally_pattern(build, item, "texture");
+    PovFinish grey = default_texture(build, 0);
+    grey.pigment = add_colour(build, {0.5, 0.5, 0.5, 0, 0}, item.place);
+    d.layers = {grey};
+}
+
+/// The layers of a `texture` block, without the further textures of a declared one.
+void read_texture(Build& build, Cursor& at, Draft& d) {
+    while (!at.done()) {
+        if (const Block* base = at.block_at("texture"_w)) at.next(), d.layers = build_texture(build, *base);
+        else if (take_layer_part(build, at, d.layers) || take_map(build, at, d)) continue;
+        else if (at.at_transform()) move_layers(build, d.layers, at.transform());
+        else if (at.at_word("uv_mapping"_w)) at.skip_unmodelled();
+        else if (at.peek().kind == Item::Kind::word || at.any_block()) return stand_in(build, at.peek(), d);
         else at.skip_unmodelled();
     }
-    return layer;
+    if (d.textures.empty()) return;
+    Signal& signal = build.scene.signals.emplace_back();
+    signal.what = std::move(d.pattern);
+    d.layers = {PovTextureMap{SignalId{uint32_t(build.scene.signals.size() - 1)}, std::move(d.textures)}};
+}
+
+/// What `#default { ... }` makes of the default texture.
+PovFinish changed_default(Build& build, const Block& block, const PovFinish& before) {
+    TextureLayers layers{before};
+    for (Cursor at(build, block); !at.done();) {
+        if (const Block* texture = at.block_at("texture"_w)) at.next(), layers = build_texture(build, *texture);
+        else if (!take_layer_part(build, at, layers)) at.skip_unmodelled();
+    }
+    const auto* top = std::get_if<PovFinish>(&layers.back());
+    if (!top) build.p.tally(block.place, "a map of textures as the default texture is not modelled yet: it is left out");
+    return top ? *top : before;
 }
 
 }  // namespace
+
+bool take_layer_part(Build& build, Cursor& at, TextureLayers& layers) {
+    const Block* block = at.any_block();
+    if (!block || (block->word != "pigment"_w && block->word != "normal"_w && block->word != "finish"_w)) return false;
+    auto* layer = std::get_if<PovFinish>(&layers.back());
+    if (!layer) return at.skip_unmodelled(), true;                   // a map of textures has none of these
+    at.next();
+    if (block->word == "pigment"_w) layer->pigment = build_pigment(build, *block, layer->pigment);
+    else if (block->word == "normal"_w) layer->normal = build_normal(build, *block, layer->normal);
+    else build_finish(build, *block, *layer);
+    return true;
+}
 
 PovFinish default_texture(Build& build, uint32_t count) {
     std::vector<PovFinish>& known = build.default_textures;
     if (known.empty()) {
         PovFinish first;
-        set_colour(build, {0, 0, 0, 0, 0}, {}, first);
+        first.pigment = add_colour(build, {0, 0, 0, 0, 0}, {});
         known.push_back(first);
     }
     count = uint32_t(std::min<size_t>(count, build.defaults.size()));
@@ -67,37 +148,31 @@ PovFinish default_texture(Build& build, uint32_t count) {
     return known[count];
 }
 
-TextureLayers build_texture(Build& build, const Block& block) {
+TextureLayers build_texture(Build& build, const Block& block, size_t skipped) {
     const Nested nested(build.p, block.place);
-    TextureLayers layers{default_texture(build, block.defaults)};
-    apply_texture(build, block, layers);
+    Draft d;
+    d.layers = {default_texture(build, block.defaults)};
+    Cursor at(build, block, skipped);
+    read_texture(build, at, d);
     for (const Ref<Block>& layer : block.layers) {
         const TextureLayers more = build_texture(build, *layer);
-        if (layers.size() + more.size() > kMostLayers) build.p.fail_limit(block.place, fmt::format("the texture has more than {} layers", kMostLayers));
-        layers.insert(layers.end(), more.begin(), more.end());
+        if (d.layers.size() + more.size() > kMostLayers) build.p.fail_limit(block.place, fmt::format("the texture has more than {} layers", kMostLayers));
+        d.layers.insert(d.layers.end(), more.begin(), more.end());
     }
-    return layers;
-}
-
-void build_pigment(Build& build, const Block& block, PovFinish& layer) {
-    const Nested nested(build.p, block.place);
-    for (Cursor at(build, block); !at.done();) {
-        if (const Block* base = at.block_at("pigment"_w)) at.next(), build_pigment(build, *base, layer);
-        else if (at.at_numeric()) {
-            const Place place = at.place();
-            set_colour(build, at.colour("a pigment"), place, layer);
-        } else if (at.accept("quick_color"_w) || at.accept("quick_colour"_w)) {
-            if (at.at_numeric()) at.next();
-        } else if (at.at_transform()) at.transform();                // one colour everywhere: nothing moves
-        else return stand_in(build, at.peek(), "pigment", layer);
-    }
+    return std::move(d.layers);
 }
 
 MaterialId add_material(Build& build, TextureLayers layers, Place at) {
+    const auto is_map = [](const auto& layer) { return std::holds_alternative<PovTextureMap>(layer); };
+    const auto map = std::find_if(layers.begin(), layers.end(), is_map);
+    if (layers.size() > 1 && map != layers.end()) {
+        build.p.tally(at, "a map of textures as one of several layers is not modelled yet: it stands alone");
+        layers = TextureLayers{*map};
+    }
     Material material;
     material.from = build.position(at);
     material.name = fmt::format("texture {}", build.scene.materials.size());
-    for (PovFinish& layer : layers) material.layers.emplace_back(std::move(layer));
+    material.layers = std::move(layers);
     build.scene.materials.push_back(std::move(material));
     return {uint32_t(build.scene.materials.size() - 1)};
 }

@@ -1,20 +1,20 @@
 // SPDX-License-Identifier: Apache-2.0
-/// texture, pigment, finish -> PovFinish layers.
+/// texture, finish -> the layers of a material.
 #pragma once
 
 #include "importers/pov/builders/build.h"
 
 namespace alidade::pov {
 
-/// A texture's layers from the bottom up.
-using TextureLayers = std::vector<PovFinish>;
+/// A texture's layers from the bottom up: of one with a texture_map, a single one.
+using TextureLayers = decltype(Material::layers);
 
 /// What stands where a scene says nothing: POV-Ray's own values, changed by the first `count` blocks of #default.
 PovFinish default_texture(Build& build, uint32_t count);
-/// `texture { ... }`.
-TextureLayers build_texture(Build& build, const Block& block);
-/// `pigment { ... }` over what `layer` has.
-void build_pigment(Build& build, const Block& block, PovFinish& layer);
+/// `texture { ... }`: its items behind the first `skipped`.
+TextureLayers build_texture(Build& build, const Block& block, size_t skipped = 0);
+/// Takes a pigment, a normal or a finish that comes next into the layer on top; false where none of them stands.
+bool take_layer_part(Build& build, Cursor& at, TextureLayers& layers);
 /// `finish { ... }` over what `layer` has. Source   POV-Ray 3.7 reference, 3.4.3.3 "Finish".
 void build_finish(Build& build, const Block& block, PovFinish& layer);
 

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "eval/patterns/relief.h"
+
+#include "eval/noise/single.h"
+
+namespace alidade {
+
+double height_at(std::span<const SlopeEntry> slopes, double value) {
+    const MapBlend at = look_up<SlopeEntry>(slopes, value);
+    const SlopeEntry &a = slopes[at.low], &b = slopes[at.high];
+    if (!(at.t > 0)) return a.height;
+    const double t = at.t, rise = a.height - b.height;
+    return ((t * (a.slope + b.slope + 2 * rise) - (2 * a.slope + b.slope + 3 * rise)) * t + a.slope) * t + a.height;
+}
+
+tl::expected<Relief, std::string> Relief::make(const ReliefSignal& signal) {
+    auto pattern = Pattern::make(signal.pattern);
+    if (!pattern) return tl::unexpected(pattern.error());
+    Relief out;
+    out.pattern_ = std::move(*pattern);
+    out.amount_ = single(signal.amount);
+    out.accuracy_ = single(signal.accuracy);
+    out.scaled_ = signal.scaled;
+    out.slopes_ = signal.slopes;
+    return out;
+}
+
+double Relief::height(const Vec3& place) const {
+    const double value = pattern_.value_at(place);
+    return slopes_.empty() ? value : height_at(slopes_, value);
+}
+
+Vec3 Relief::bent(const Vec3& place, const Vec3& n) const {
+    if (slopes_.empty() && pattern_.row().relief) return pattern_.relief(place, n, amount_);
+    static constexpr Vec3 kTowards[] = {{0.942809041, -0.333333333, 0}, {-0.471404521, -0.333333333, 0.816496581}, {-0.471404521, -0.333333333, -0.816496581}, {0, 1, 0}};
+    const double k = -5 * amount_ * (0.02 / accuracy_);
+    Vec3 out = n;
+    for (const Vec3& towards : kTowards) out += towards * (k * height(place + accuracy_ * towards));
+    return out;
+}
+
+}  // namespace alidade

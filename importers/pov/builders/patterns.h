@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: Apache-2.0
+/// What pigments, normals and maps of textures share: a pattern and its modifiers.
+#pragma once
+
+#include "importers/pov/builders/build.h"
+
+namespace alidade::pov {
+
+/// Reads the pattern that comes next, its name and the values that belong to the name, into `s`, whose modifiers stay. False, and nothing read, where no
+/// pattern stands that eval/patterns knows.
+bool take_pattern(Build& build, Cursor& at, PatternSignal& s);
+
+/// Reads what changes a pattern: turbulence, warps, waves, its own parameters, transformations. False, and nothing read, where nothing of it stands.
+bool take_pattern_modifier(Build& build, Cursor& at, PatternSignal& s);
+
+/// Moves a pattern, behind all that it has.
+void move(PatternSignal& s, const Transform& transform);
+
+/// How many entries stand in the list of a pattern of blocks (checker, brick ...); 0 for a pattern that takes a map.
+size_t list_length(const PatternSignal& s);
+
+}  // namespace alidade::pov

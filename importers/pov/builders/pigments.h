@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: Apache-2.0
+/// pigment, normal -> signals.
+#pragma once
+
+#include "importers/pov/builders/build.h"
+
+namespace alidade::pov {
+
+/// What the items of `block` behind the first `skipped` make of the pigment `start`.
+/// Source   POV-Ray 3.7 reference, 3.4.6.1 "Pigment".
+SignalId build_pigment(Build& build, const Block& block, SignalId start, size_t skipped = 0);
+
+/// The same for a normal; nothing where the block names no pattern.
+/// Source   POV-Ray 3.7 reference, 3.4.6.4 "Normal".
+std::optional<SignalId> build_normal(Build& build, const Block& block, std::optional<SignalId> start, size_t skipped = 0);
+
+/// A colour: red, green, blue, filter, transmit.
+SignalId add_colour(Build& build, const std::array<double, 5>& c, Place at);
+
+/// The same signal, moved behind all that it has: another one, unless it is the same everywhere.
+SignalId moved(Build& build, SignalId signal, const Transform& transform);
+
+/// The pattern that comes next is none that is modelled: says so.
+void tally_pattern(Build& build, const Item& item, const char* what);
+
+}  // namespace alidade::pov
