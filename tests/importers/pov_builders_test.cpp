@@ -113,13 +113,36 @@ TEST_F(PovBuilders, SettingsDependOnTheVersion) {
 }
 
 TEST_F(PovBuilders, WhatIsNotModelledIsSaidOnceWithItsCount) {
-    const std::string text = "#version 3.7;\n#for(I, 1, 3) isosurface { function { x } } #end\nrainbow { angle 3 }\nsphere { 0, 1 photons { target } pigment { agate } uv_mapping }";
+    const std::string text = "#version 3.7;\n#for(I, 1, 3) isosurface { function { x } } #end\nrainbow { angle 3 }\nsphere { 0, 1 photons { target } pigment { aoi } uv_mapping }";
     const std::string messages = said(text);
     EXPECT_THAT(messages, HasSubstr("s.pov:2:15: warning: isosurface is not modelled yet: it is left out (3 times)"));
     EXPECT_THAT(messages, HasSubstr("rainbow is not modelled yet"));
-    EXPECT_THAT(messages, HasSubstr("the pattern agate of a pigment is not modelled yet: middle grey stands for it"));
+    EXPECT_THAT(messages, HasSubstr("the pattern aoi of a pigment is not modelled yet: middle grey stands for it"));
     EXPECT_THAT(messages, HasSubstr("uv_mapping in sphere is not modelled yet"));
     EXPECT_EQ(scene(text).shapes.size(), 1u) << "the rest is there";
+}
+
+TEST_F(PovBuilders, MapsOfColours) {
+    const Scene s = scene("#declare M = color_map { [.5 rgb x] }\nsphere { 0, 1 pigment { bozo color_map { [0 .25 color rgb 0 color rgb 1] M } scale 2 translate x } }");
+    const auto& pattern = std::get<PatternSignal>(s.signals.at(std::get<PovFinish>(s.materials.at(0).layers.at(0)).pigment.index).what);
+    ASSERT_EQ(pattern.map.size(), 3u);
+    EXPECT_EQ(pattern.map[1].value, .25);
+    EXPECT_EQ(std::get<ConstantSignal>(s.signals.at(pattern.map[2].signal.index).what).value, Vec4(1, 0, 0, 1));
+    ASSERT_EQ(pattern.warps.size(), 1u) << "one map for both transformations";
+    expect_near(pattern.warps[0].transform.point(Vec3(0, 1, 0)), {1, 2, 0});
+}
+
+/// Each declaration has the one before it twice: as many paths as no machine has room for.
+TEST_F(PovBuilders, MapsOfMapsAreStoredOnce) {
+    std::string pigments = "#declare P0 = pigment { rgb 1 }\n", textures = "#declare T0 = texture { pigment { rgb 1 } }\n", normals = "#declare N0 = normal { bumps 1 }\n";
+    for (int i = 1; i <= 60; ++i) {
+        pigments += fmt::format("#declare P{0} = pigment {{ bozo pigment_map {{ [0 P{1}] [1 P{1}] }} }}\n", i, i - 1);
+        textures += fmt::format("#declare T{0} = texture {{ bozo texture_map {{ [0 T{1}] [1 T{1}] }} }}\n", i, i - 1);
+        normals += fmt::format("#declare N{0} = normal {{ bozo normal_map {{ [0 N{1}] [1 N{1}] }} }}\n", i, i - 1);
+    }
+    const Scene s = scene(pigments + textures + normals + "sphere { 0, 1 pigment { P60 } normal { N60 } } sphere { 0, 1 texture { T60 } }");
+    EXPECT_LT(s.signals.size(), 1000u);
+    EXPECT_LT(s.materials.size(), 200u);
 }
 
 TEST_F(PovBuilders, ErrorsHaveTheirPlaceAndMoreThanOneIsTold) {

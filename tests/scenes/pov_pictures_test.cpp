@@ -34,6 +34,43 @@ std::string around(const std::string& camera) {
     return scene;
 }
 
+/// Twelve things in three rows, seen from the front: `thing` with the I-th of the declared list T.
+std::string twelve(const std::string& type, const std::string& list, const std::string& thing) {
+    return kHead + "camera { orthographic location -10*z look_at 0 right 8*x up 6*y } light_source { <10,20,-30> rgb 1 }\n#declare T = array[12] { " + list + " }\n#for (I, 0, 11) " + thing +
+           " { T[I] } finish { phong .3 } translate <mod(I,4)*2-3, 2-2*int(I/4), 0> } #end" + (type.empty() ? "" : "\n" + type);
+}
+
+std::vector<PovPicture> patterned_pictures() {
+    const std::string head = kHead + "camera { location -10*z+y*3 look_at 0 right 8/6*x up y angle 45 } light_source { <10,20,-30> rgb 1 }\n";
+    const std::string textures = "#declare A = texture { pigment { rgb <1,.5,.2> } finish { phong 1 } }\n#declare B = texture { pigment { granite scale .3 } normal { bumps 1 scale .1 } finish { specular .4 } }\n"
+                                 "#declare G = texture { pigment { rgbt <1,1,1,.8> } finish { reflection .1 } }\n"
+                                 "#declare L = texture { pigment { rgb z } normal { bumps .4 scale .3 } finish { reflection .3 } } texture { pigment { checker rgbt <1,0,0,.7> rgbt <0,1,0,.3> scale .3 } normal { waves "
+                                 ".5 scale .2 } finish { phong .5 reflection .2 } scale 1.5 }\n";
+    return {
+        {"Pigments", twelve("", "pigment { bozo scale .3 }, pigment { marble turbulence 1 scale .5 }, pigment { granite color_map { [0 rgb x] [1 rgb y] } }, pigment { wood turbulence .1 scale .2 }, pigment { agate scale .3 "
+                                "}, pigment { checker rgb 1, rgb <1,0,0> scale .25 }, pigment { brick scale .1 }, pigment { hexagon rotate x*90 scale .2 }, pigment { gradient <1,1,0> triangle_wave color_map { [0 .5 color "
+                                "rgb 0 color rgb <1,1,0>] [.5 1 color rgb 1 color rgb z] } }, pigment { crackle scale .3 }, pigment { radial frequency 6 }, pigment { leopard scale .1 pigment_map { [0 bozo scale .1] [.5 rgb "
+                                "1] } warp { turbulence .3 } }", "box { -.9, .9 pigment")},
+        {"MorePigments", twelve("", "pigment { spiral1 3 scale .4 }, pigment { spiral2 5 turbulence .2 scale .3 poly_wave 2 }, pigment { mandel 20 translate x*.3 }, pigment { julia <.35,.28>, 30 exterior 2, 3 interior 1, 4 }, "
+                                    "pigment { magnet 2 mandel 12 scale .4 }, pigment { quilted control0 .3 control1 .2 scale .4 }, pigment { square scale .3 }, pigment { cubic rotate 20 }, pigment { cells scale .3 noise_generator 1 }, "
+                                    "pigment { average pigment_map { [1 bozo scale .2] [2 rgb x] [1 checker scale .3] } }, pigment { wrinkles noise_generator 3 scale .2 sine_wave frequency 2 phase .3 }, pigment { onion warp { "
+                                    "black_hole <.3,.2,-.9>, .6 strength .7 falloff 1.5 } warp { repeat x*.5 flip x } scale .6 }", "box { -.9, .9 pigment")},
+        {"Normals", twelve("sky_sphere { pigment { gradient y color_map { [0 rgb <.6,.7,1>] [1 rgb <.1,.2,.8>] } } pigment { bozo turbulence .6 color_map { [.4 rgbt 1] [.8 rgbt <1,1,1,.2>] } scale .3 } rotate x*20 }",
+                           "normal { bumps .6 scale .2 }, normal { dents 1 scale .3 }, normal { wrinkles .8 scale .5 }, normal { ripples .7 frequency 4 }, normal { quilted 1 scale .5 }, normal { granite .3 scale 2 }, normal { "
+                           "facets coords .4 size .3 }, normal { gradient x .8 slope_map { [0 <0,1>] [.5 <1,0>] [1 <0,-1>] } scale .3 }, normal { checker normal { bumps 1 scale .1 } normal { ripples 1 frequency 20 } scale .5 "
+                           "}, normal { bozo normal_map { [.3 bumps 1 scale .1] [.6 dents 2 scale .2] } scale .5 }, normal { average normal_map { [1 bumps 1 scale .1] [2 waves 1 scale .1] } }, normal { crackle -.5 scale "
+                           "<.5,1,.3> no_bump_scale bump_size 1.5 accuracy .01 }", "sphere { 0, .9 pigment { rgb <1,.8,.6> } finish { reflection .2 } rotate y*20 normal")},
+        {"TextureMaps", head + textures + "plane { y, -4 texture { checker texture { A } texture { B } scale 2 rotate y*20 } } sphere { <-3,1,0>, 1.2 texture { gradient y texture_map { [.2 A] [.8 B scale .3] } scale .5 } } "
+                        "sphere { <0,1,0>, 1.2 texture { bozo texture_map { [.3 A] [.5 G] [.7 L] } scale .4 turbulence .4 } } sphere { <3,1,0>, 1.2 texture { L } } sphere { <-2,-2,0>, 1.2 texture { average texture_map "
+                        "{ [1 A] [2 B] [.5 L] } rotate 30 scale <1,.5,2> } } box { <1,-3,-1>, <3,-1,1> texture { brick texture { A } texture { B } scale .2 } rotate y*30 }"},
+        {"Fog", head + "fog { distance 60 color rgbft <.7,.7,.7,.3,.2> } fog { fog_type 2 distance 20 color rgb <.9,.8,.7> fog_offset -3 fog_alt 1 turbulence .5 } plane { y, -4 pigment { checker rgb 1 rgb .3 } finish { reflection .3 } } "
+                       "sphere { 0, 2 pigment { rgb x } } sphere { <3,0,4>, 2 pigment { rgb y } }"},
+        {"OldSky", "#version 3.6; global_settings { assumed_gamma 1 } background { rgb <.2,.4,.6> } camera { location 0 look_at <.3,.4,1> }\nsky_sphere { pigment { gradient y color_map { [0 rgbft <.5,.6,.7,.2,.3>] [1 rgb 1] } } "
+                   "pigment { granite color_map { [0 rgbft <.9,.8,.3,.4,.1>] [1 rgbt <1,.2,.2,.5>] } } scale .7 }"},
+        {"DefaultPigment", head + "#default { pigment { checker rgb 1, rgb z scale .5 } normal { bumps .5 scale .3 } } sphere { 0, 2 } sphere { x*3, 1 pigment { rgb x } } box { <-4,-1,-1>, <-2,1,1> texture { pigment { rotate y*30 } } }"},
+    };
+}
+
 std::vector<PovPicture> pictures() {
     const std::string usual = kHead + kView + kSun, sphere = "sphere { <0,.5,0>, 2 ";
     return {
@@ -127,6 +164,7 @@ TEST_P(PovPictures, AreThoseOfPovRay) {
     EXPECT_LE(differ, kWidth * kHeight / 200) << "pixels that differ by more than one step of 255";
 }
 
+INSTANTIATE_TEST_SUITE_P(Patterned, PovPictures, testing::ValuesIn(patterned_pictures()), [](const auto& info) { return std::string(info.param.name); });
 INSTANTIATE_TEST_SUITE_P(All, PovPictures, testing::ValuesIn(pictures()), [](const auto& info) { return std::string(info.param.name); });
 
 }  // namespace

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 /// Texture lookups against hand-made tables: wrap modes, filters, encodings, coordinate transforms, tangent frames.
 #include "tests/tracer/scene_builder.h"
+#include "tracer/textures.h"
 #include "tracer/shade_point.h"
 #include "tracer/surface.h"
 
