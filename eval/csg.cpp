@@ -37,6 +37,8 @@ Scratch& scratch() {
     return one;
 }
 
+bool meets(const CsgNode& node) { return node.op == CsgOp::intersection || node.op == CsgOp::clip; }
+
 class Walk {
   public:
     Walk(std::span<const CsgNode> nodes, const Ray& ray, const CsgLeaves& leaves) : nodes_(nodes), ray_(ray), leaves_(leaves), s_(scratch()), speed_(length(ray.dir)) {
@@ -74,6 +76,7 @@ class Walk {
     bool gather(uint32_t n, const LineInterval& range) {
         const CsgNode& node = nodes_[n];
         State& state = s_.states[n] = {};
+        if (!(node.mask & ray_.mask)) return state.inside = n != 0 && meets(nodes_[node.parent]), false;
         const LineInterval box = within(node.box), both{std::max(box.entry, range.entry), std::min(box.exit, range.exit)};
         const LineInterval wide = widened(both);
         if (box.empty() || wide.empty()) return state.inside = node.far, false;
@@ -93,7 +96,7 @@ class Walk {
     bool gather_parts(uint32_t n, const LineInterval& range) {
         const CsgNode& node = nodes_[n];
         const size_t had = s_.crossings.size(), points = s_.at_points.size();
-        const bool meets = node.op == CsgOp::intersection || node.op == CsgOp::clip;
+        const bool is_meet = meets(node);
         bool varies = false;
         uint32_t count = 0;
         for (uint32_t part = n + 1; part != node.end; part = nodes_[part].end) {
@@ -101,12 +104,12 @@ class Walk {
             varies = varies || part_varies;
             count += inside;
             // One part that is outside all along empties an intersection, one that is inside fills a merge.
-            if (part_varies || inside == meets || node.op == CsgOp::union_) continue;
+            if (part_varies || inside == is_meet || node.op == CsgOp::union_) continue;
             s_.crossings.resize(had), s_.at_points.resize(points);
             return s_.states[n].inside = inside, false;
         }
         s_.states[n].count = count;
-        s_.states[n].inside = meets ? count == node.children : count > 0;
+        s_.states[n].inside = is_meet ? count == node.children : count > 0;
         return varies;
     }
 
@@ -152,14 +155,12 @@ class Walk {
             keep_before(parent);
             uint32_t& count = s_.states[parent].count;
             count = inside ? count + 1 : count - 1;
-            const bool meets = nodes_[parent].op == CsgOp::intersection || nodes_[parent].op == CsgOp::clip;
-            inside = meets ? count == nodes_[parent].children : count > 0;
+            inside = meets(nodes_[parent]) ? count == nodes_[parent].children : count > 0;
             n = parent;
         }
     }
 
     bool shown(const CsgCrossing& c) const {
-        if (!(nodes_[c.node].mask & ray_.mask)) return false;
         for (uint32_t n = c.node; n != 0; n = nodes_[n].parent)
             if (!survives(n)) return false;
         return true;

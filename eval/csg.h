@@ -37,7 +37,7 @@ struct CsgExpression {
     CsgOp op = CsgOp::leaf;
     bool inverse = false;           ///< of a clip: turns the first part inside out, and not what clips it, as POV-Ray does
     CsgLeaf leaf;
-    Mask mask = kMaskAll;           ///< the rays that see the surfaces below
+    Mask mask = kMaskAll;           ///< the rays for which it is there at all
     std::vector<CsgExpression> parts;
 };
 

@@ -125,7 +125,7 @@ class Placer {
         for (const NodeId child : node.children) {
             const Mask below = seen & mask_of(out_.scene.nodes[child.index].flags);
             auto part = part_at(visit, child, below);
-            // POV-Ray looks at these flags of a solid as a whole, and of the parts of merges.
+            // POV-Ray looks at the flags of a solid as a whole, and at these two of the parts of merges: for a camera ray, one without image is not there.
             if (part && node.csg == CsgKind::merge) part->mask = below | ~(kMaskCamera | kMaskReflection);
             if (part) e.parts.push_back(std::move(*part));
             else if (node.csg == CsgKind::difference && e.parts.empty()) e.parts.emplace_back();   // nothing, from which something is taken
@@ -170,7 +170,6 @@ class Placer {
             instance.mask &= mask_of(flags);
             instance.double_illuminate = instance.double_illuminate || flags.double_illuminate;
         }
-        instance.inverted = node.inverse;
         instance.node = visit.node;
         const uint32_t slots = slot_count(out_.scene.shapes[shape.index].geometry);
         const size_t carrier = interior_carrier(out_.scene, visit.path);
@@ -232,14 +231,15 @@ void describe_leaves(const CompiledScene& scene, CsgExpression& e) {
     for (CsgExpression& part : e.parts) describe_leaves(scene, part);
 }
 
-/// From here on, their parts are not met by themselves.
+/// From here on, their parts are not met by themselves. What goes on for ever, as the inverse of a sphere does, is for POV-Ray what it was before it was
+/// inverted: a ray that comes from far away enters it.
 void build_solids(CompiledScene& out, std::vector<CsgExpression> solids) {
     for (CsgExpression& e : solids) describe_leaves(out, e), out.solids.push_back({CsgTree(e), e.mask});
     for (const Solid& solid : out.solids)
         for (const CsgNode& node : solid.tree.nodes()) {
             if (node.op != CsgOp::leaf || node.leaf == kNoId) continue;
             out.instances[node.leaf].bounds = Bounds();
-            out.instances[node.leaf].inverted = node.inverted;
+            out.instances[node.leaf].inverted = node.inverted != solid.tree.nodes()[0].far;
         }
 }
 

@@ -45,7 +45,7 @@ struct Instance {
     uint32_t first_slot = 0;       ///< into CompiledScene::slots, as many as the shape has
     Mask mask = kMaskAll;
     bool double_illuminate = false;   ///< POV: lit from both sides
-    bool inverted = false;         ///< turned inside out: its normals point inwards
+    bool inverted = false;         ///< taken away from a solid: its normals point inwards
     uint32_t carrier = 0;          ///< of its interior: parts of one object that carries it have the same
     NodeId node;
 };
