@@ -99,7 +99,8 @@ class Placer {
     std::optional<CsgExpression> expression(Visit& visit, Mask seen) {
         const Node& node = out_.scene.nodes[visit.node.index];
         if (visit.path.size() > kDeepestSolid) {
-            said_.error(node.from, fmt::format("set operations stand more than {} levels deep in one another", kDeepestSolid));
+            if (!too_deep_) said_.error(node.from, fmt::format("set operations stand more than {} levels deep in one another", kDeepestSolid));
+            too_deep_ = true;
             return std::nullopt;
         }
         const size_t before = out_.instances.size();
@@ -214,6 +215,7 @@ class Placer {
     std::vector<uint32_t> geometry_of_;   // by shape
     size_t solid_depth_ = std::numeric_limits<size_t>::max();   // of the solid whose parts are being passed over
     std::vector<CsgExpression> solids_;
+    bool too_deep_ = false;
     std::map<std::vector<uint32_t>, uint32_t> carrier_of_;
     uint32_t carriers_ = 0;
     MaterialTable materials_;
