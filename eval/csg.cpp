@@ -14,8 +14,10 @@ constexpr double kSameWithin = 32;
 /// At grazing incidence the error along the line grows beyond all bounds; not here.
 constexpr double kLeastCosine = 1e-4;
 
-/// What a range is widened by: far more than any rounding, so that what is left out is surely not in it.
-double slack(const Ray& ray, double t) { return 1e-9 * (std::abs(t) + max_abs(ray.origin) / max_abs(ray.dir)); }
+/// What a range is widened by, in parts of its distance: far more than any rounding, so that what is left out is surely not in it.
+constexpr double kSlack = 1e-9;
+/// Crossings farther from each other than this, in parts of their distance, are not asked for their errors.
+constexpr double kNear = 1e-6;
 
 /// A node on the line, as far as it has been walked; `before` is in front of the crossings that are looked at.
 struct State {
@@ -41,14 +43,15 @@ bool meets(const CsgNode& node) { return node.op == CsgOp::intersection || node.
 
 class Walk {
   public:
-    Walk(std::span<const CsgNode> nodes, const Ray& ray, const CsgLeaves& leaves) : nodes_(nodes), ray_(ray), leaves_(leaves), s_(scratch()), speed_(length(ray.dir)) {
+    Walk(std::span<const CsgNode> nodes, const Ray& ray, const CsgLeaves& leaves) : nodes_(nodes), ray_(ray), leaves_(leaves), s_(scratch()), speed_(length(ray.dir)), reach_(max_abs(ray.origin) / max_abs(ray.dir)), over_dir_(1.0 / ray.dir) {
         s_.crossings.clear(), s_.at_points.clear();
         if (s_.states.size() < nodes.size()) s_.states.resize(nodes.size());
     }
 
     /// Calls visit(hit) for the surfaces of the whole, in order of t; `one_place`: those of the first place that has any.
     template <class Visit> void run(bool one_place, const Visit& visit) {
-        const LineInterval box = within(nodes_[0].box);
+        if (nodes_[0].box.empty()) return;
+        const LineInterval box = inside_bounds(ray_, nodes_[0].box);   // as accelerators compute it
         range_ = {std::max(ray_.tmin, box.entry), std::min(ray_.tmax, box.exit)};
         if (box.empty() || range_.empty()) return;
         range_ = widened(range_);
@@ -67,20 +70,29 @@ class Walk {
     }
 
   private:
-    /// The part of the line in a box, which may be empty.
-    LineInterval within(const Bounds& box) const { return box.empty() ? LineInterval{kInf, -kInf} : inside_bounds(ray_, box); }
+    /// The part of `range` in a box, widened. What is not a number, where a line lies in a plane of the box, shortens nothing.
+    LineInterval within(const Bounds& box, LineInterval range) const {
+        if (box.empty()) return {kInf, -kInf};
+        for (int axis = 0; axis < 3; ++axis) {
+            const double a = (box.min[axis] - ray_.origin[axis]) * over_dir_[axis], b = (box.max[axis] - ray_.origin[axis]) * over_dir_[axis];
+            const double entry = b < a ? b : a, exit = b < a ? a : b;
+            if (entry > range.entry) range.entry = entry;
+            if (exit < range.exit) range.exit = exit;
+        }
+        return widened(range);
+    }
     bool in_range(double t) const { return t >= ray_.tmin && t <= ray_.tmax && t >= range_.entry && t <= range_.exit; }
-    LineInterval widened(const LineInterval& r) const { return {r.entry - slack(ray_, r.entry), r.exit + slack(ray_, r.exit)}; }
+    double slack(double t) const { return kSlack * (std::abs(t) + reach_); }
+    LineInterval widened(const LineInterval& r) const { return {r.entry - slack(r.entry), r.exit + slack(r.exit)}; }
 
     /// Asks the leaves that can matter within `range` for their crossings; false if the node is all inside or all outside there and has no surface.
     bool gather(uint32_t n, const LineInterval& range) {
         const CsgNode& node = nodes_[n];
         State& state = s_.states[n] = {};
         if (!(node.mask & ray_.mask)) return state.inside = n != 0 && meets(nodes_[node.parent]), false;
-        const LineInterval box = within(node.box), both{std::max(box.entry, range.entry), std::min(box.exit, range.exit)};
-        const LineInterval wide = widened(both);
-        if (box.empty() || wide.empty()) return state.inside = node.far, false;
-        return node.op == CsgOp::leaf ? gather_leaf(n) : gather_parts(n, wide);
+        const LineInterval narrow = within(node.box, range);
+        if (narrow.empty()) return state.inside = node.far, false;
+        return node.op == CsgOp::leaf ? gather_leaf(n) : gather_parts(n, narrow);
     }
 
     bool gather_leaf(uint32_t n) {
@@ -114,11 +126,14 @@ class Walk {
     }
 
     bool coincide(const CsgCrossing& a, const CsgCrossing& b) const {
-        const double gap = (b.hit.t - a.hit.t) * speed_;
+        const double gap = b.hit.t - a.hit.t;
         if (gap == 0) return true;
-        if (gap * kLeastCosine > kSameWithin * (a.error + b.error)) return false;
-        const auto along = [&](const CsgCrossing& c) { return c.error / std::max(leaves_.cosine(ray_, c.hit), kLeastCosine); };
-        return gap <= kSameWithin * (along(a) + along(b));
+        if (gap > kNear * (std::abs(b.hit.t) + reach_)) return false;
+        const auto along = [&](const CsgCrossing& c) {
+            const CsgLeaves::Sharpness s = leaves_.sharpness(ray_, c.hit);
+            return s.error / std::max(s.cosine, kLeastCosine);
+        };
+        return gap * speed_ <= kSameWithin * (along(a) + along(b));
     }
 
     /// Walks over the crossings of one place.
@@ -186,7 +201,8 @@ class Walk {
     const Ray& ray_;
     const CsgLeaves& leaves_;
     Scratch& s_;
-    double speed_;
+    double speed_, reach_;   ///< of the ray: the length of its direction; the size of its origin, in t
+    Vec3 over_dir_;
     LineInterval range_;
     uint32_t place_ = 0;   ///< counts the places on the line, from 1
 };

@@ -44,7 +44,6 @@ struct CsgExpression {
 /// A crossing of the line with a leaf.
 struct CsgCrossing {
     Hit hit;
-    double error = 0;               ///< how far the true surface may be from the hit, along its normal, in the space of the ray
     uint32_t node = 0;              ///< filled in by the tree
 };
 
@@ -55,8 +54,12 @@ class CsgLeaves {
     /// Appends all crossings of the whole line with a leaf. True if the line comes from inside of it (asked of leaves that are inside by crossings).
     virtual bool crossings(uint32_t leaf, const Ray& ray, std::vector<CsgCrossing>& out) const = 0;
     virtual bool inside(uint32_t leaf, const Vec3& point) const = 0;
-    /// Of the angle between the surface's normal and the ray, without its sign.
-    virtual double cosine(const Ray& ray, const Hit& hit) const = 0;
+    /// How far the true surface may be from the hit, along its normal, and the cosine of the angle between that and the ray, without its sign. Asked only
+    /// where crossings are near each other.
+    struct Sharpness {
+        double error, cosine;
+    };
+    virtual Sharpness sharpness(const Ray& ray, const Hit& hit) const = 0;
 };
 
 /// A node with its subtree behind it.

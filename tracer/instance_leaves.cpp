@@ -5,13 +5,6 @@
 #include "tracer/shade_point.h"
 
 namespace alidade {
-namespace {
-
-void add(const Instance& instance, const Ray& ray, const Hit& hit, std::vector<CsgCrossing>& out) {
-    out.push_back({hit, world_error(instance, ray, hit, ray.at(hit.t)), 0});
-}
-
-}  // namespace
 
 bool InstanceLeaves::crossings(uint32_t id, const Ray& ray, std::vector<CsgCrossing>& out) const {
     const Instance& instance = scene_.instances[id];
@@ -21,12 +14,12 @@ bool InstanceLeaves::crossings(uint32_t id, const Ray& ray, std::vector<CsgCross
         thread_local std::vector<Hit> hits;
         hits.clear();
         geometry.triangles->all_hits(local, hits, work_, id);
-        for (const Hit& hit : hits) add(instance, ray, hit, out);
+        for (const Hit& hit : hits) out.push_back({hit, 0});
         return false;
     }
     ++work_.primitives;
     const Crossings crossings = geometry.ops->crossings(*geometry.source, local);
-    for (int i = 0; i < crossings.count; ++i) add(instance, ray, hit_of(crossings.at[i], id), out);
+    for (int i = 0; i < crossings.count; ++i) out.push_back({hit_of(crossings.at[i], id), 0});
     return !geometry.bounds.finite() && begins_inside(*geometry.ops, *geometry.source, local, crossings);
 }
 
@@ -36,7 +29,10 @@ bool InstanceLeaves::inside(uint32_t id, const Vec3& point) const {
     return !geometry.mesh && geometry.ops->inside(*geometry.source, instance.to_local.point(point));
 }
 
-double InstanceLeaves::cosine(const Ray& ray, const Hit& hit) const { return std::abs(dot(geometric_normal(scene_, ray, hit), ray.dir)) / length(ray.dir); }
+CsgLeaves::Sharpness InstanceLeaves::sharpness(const Ray& ray, const Hit& hit) const {
+    const double cosine = std::abs(dot(geometric_normal(scene_, ray, hit), ray.dir)) / length(ray.dir);
+    return {world_error(scene_.instances[hit.instance], ray, hit, ray.at(hit.t)), cosine};
+}
 
 CsgLeaf csg_leaf(const CompiledScene& scene, uint32_t id) {
     const Instance& instance = scene.instances[id];

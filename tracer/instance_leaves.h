@@ -12,7 +12,7 @@ class InstanceLeaves final : public CsgLeaves {
     InstanceLeaves(const CompiledScene& scene, WorkCounters& work) : scene_(scene), work_(work) {}
     bool crossings(uint32_t instance, const Ray& ray, std::vector<CsgCrossing>& out) const override;
     bool inside(uint32_t instance, const Vec3& point) const override;
-    double cosine(const Ray& ray, const Hit& hit) const override;
+    Sharpness sharpness(const Ray& ray, const Hit& hit) const override;
 
   private:
     const CompiledScene& scene_;

@@ -32,14 +32,14 @@ class ShapeLeaves final : public CsgLeaves {
         for (int i = 0; i < found.count; ++i) {
             Hit hit;
             hit.t = found.at[i].t, hit.instance = id, hit.primitive = 0, hit.part = found.at[i].part, hit.error = found.at[i].error;
-            out.push_back({hit, hit.error.along_normal, 0});
+            out.push_back({hit, 0});
         }
         return begins_inside(ops, shapes[id], ray, found);
     }
     bool inside(uint32_t id, const Vec3& p) const override { return find_shape(shapes[id])->inside(shapes[id], p); }
-    double cosine(const Ray& ray, const Hit& hit) const override {
+    Sharpness sharpness(const Ray& ray, const Hit& hit) const override {
         const ShapeGeometry& shape = shapes[hit.instance];
-        return std::abs(dot(find_shape(shape)->surface(shape, ray.at(hit.t), hit.part).normal, normalized(ray.dir)));
+        return {hit.error.along_normal, std::abs(dot(find_shape(shape)->surface(shape, ray.at(hit.t), hit.part).normal, normalized(ray.dir)))};
     }
 };
 
