@@ -51,8 +51,8 @@ struct Visit {
 /// The scene must have passed validate().
 void visit_paths(const Scene& scene, const std::function<bool(const Visit&)>& visitor);
 
-/// How many paths visit_paths() would walk, in time linear in the graph: thirty levels of two references each are already a billion. The scene must have
-/// passed validate().
+/// How many paths visit_paths() would walk, and those through what clips a node, in time linear in the graph: thirty levels of two references each are
+/// already a billion. The scene must have passed validate().
 double path_count(const Scene& scene);
 
 /// All signals reachable from `root`, itself included, appended to `out`.

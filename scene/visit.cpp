@@ -52,13 +52,14 @@ void visit_paths(const Scene& scene, const std::function<bool(const Visit&)>& vi
 double path_count(const Scene& scene) {
     const auto children = [&](uint32_t i, const auto& f) {
         for (const NodeId child : scene.nodes[i].children) f(child.index);
+        for (const NodeId clip : scene.nodes[i].clips) f(clip.index);
     };
     std::vector<double> below(scene.nodes.size(), 0);   // paths that begin at the node
     const std::vector<uint32_t> order = topological_order(scene.nodes.size(), children).sequence;
     for (auto i = order.rbegin(); i != order.rend(); ++i) {
         if (!scene.nodes[*i].flags.visible) continue;
         below[*i] = 1;
-        for (const NodeId child : scene.nodes[*i].children) below[*i] += below[child.index];
+        children(*i, [&](uint32_t child) { below[*i] += below[child]; });
     }
     double all = 0;
     for (const NodeId root : scene.roots) all += below[root.index];

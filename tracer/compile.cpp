@@ -3,6 +3,7 @@
 #include "core/parallel.h"
 #include "scene/queries.h"
 #include "tracer/cameras.h"
+#include "tracer/instance_leaves.h"
 #include "tracer/instance_set.h"
 #include "tracer/materials.h"
 #include "tracer/normal_maps.h"
@@ -13,6 +14,7 @@
 #include <algorithm>
 #include <fmt/format.h>
 #include <limits>
+#include <map>
 
 namespace alidade {
 namespace {
@@ -27,10 +29,14 @@ bool check_path_count(const Scene& scene, Diagnostics& said) {
     return false;
 }
 
-std::optional<InteriorId> inherited_interior(const Scene& scene, const std::vector<NodeId>& path) {
-    for (size_t i = path.size(); i-- > 0;)
-        if (scene.nodes[path[i].index].interior) return scene.nodes[path[i].index].interior;
-    return std::nullopt;
+/// Set operations deeper in one another than this are a mistake of the file.
+constexpr size_t kDeepestSolid = 1000;
+
+/// The length of the part of the path up to the node that carries the interior; 0 if none does.
+size_t interior_carrier(const Scene& scene, const std::vector<NodeId>& path) {
+    size_t length = path.size();
+    while (length > 0 && !scene.nodes[path[length - 1].index].interior) --length;
+    return length;
 }
 
 Mask mask_of(const NodeFlags& flags) {
@@ -41,26 +47,114 @@ Mask mask_of(const NodeFlags& flags) {
     return mask;
 }
 
+/// Is the node with all below it one solid? A union is its parts; but turned inside out or clipped, it is more than they.
+bool is_solid(const Node& node) {
+    const bool operation = node.csg == CsgKind::intersection || node.csg == CsgKind::difference || node.csg == CsgKind::merge;
+    return operation || !node.clips.empty() || (node.inverse && !node.children.empty());
+}
+
+CsgOp csg_op(CsgKind kind) {
+    switch (kind) {
+        case CsgKind::merge: return CsgOp::merge;
+        case CsgKind::intersection: return CsgOp::intersection;
+        case CsgKind::difference: return CsgOp::difference;
+        case CsgKind::none:
+        case CsgKind::union_: break;
+    }
+    return CsgOp::union_;
+}
+
 /// Walks the graph once and fills a CompiledScene with instances, lights and cameras.
 class Placer {
   public:
     Placer(CompiledScene& out, Diagnostics& said) : out_(out), said_(said), geometry_of_(out.scene.shapes.size(), kNoId), materials_(out) {}
 
     void visit(const Visit& visit) {
+        if (visit.path.size() > solid_depth_) return;   // it has been placed with the solid that it is a part of
         const Node& node = out_.scene.nodes[visit.node.index];
-        if (left_out(node, visit.path.size())) return;
+        solid_depth_ = is_solid(node) ? visit.path.size() : std::numeric_limits<size_t>::max();
+        if (is_solid(node)) place_solid(visit);
+        else place(visit, node);
+    }
+
+    /// The solids, each with instances as leaves.
+    std::vector<CsgExpression> take_solids() { return std::move(solids_); }
+
+  private:
+    void place(const Visit& visit, const Node& node) {
         if (const auto* shape = std::get_if<ShapeId>(&node.what)) place_shape(visit, node, *shape);
         else if (const auto* light = std::get_if<LightId>(&node.what)) place_light(visit, *light);
         else if (const auto* camera = std::get_if<CameraId>(&node.what)) out_.cameras.push_back({placed(out_.scene.cameras[camera->index], visit.to_world)});
     }
 
-  private:
-    /// Parts of intersections and differences: those are not rendered yet (report_unrendered says so).
-    bool left_out(const Node& node, size_t depth) {
-        if (depth > left_out_below_) return true;
-        const bool begins = node.csg == CsgKind::intersection || node.csg == CsgKind::difference;
-        left_out_below_ = begins ? depth : std::numeric_limits<size_t>::max();
-        return begins;
+    /// What rays see a solid is said by the nodes down to it.
+    void place_solid(Visit visit) {
+        Mask mask = kMaskAll;
+        for (const NodeId above : visit.path) mask &= mask_of(out_.scene.nodes[above.index].flags);
+        auto solid = expression(visit, mask);
+        if (!solid) return;
+        solid->mask = mask;
+        solids_.push_back(std::move(*solid));
+    }
+
+    /// The node as a part of a solid, its shapes placed as instances. Nothing if it has none: lights may stand among the parts.
+    std::optional<CsgExpression> expression(Visit& visit, Mask seen) {
+        const Node& node = out_.scene.nodes[visit.node.index];
+        if (visit.path.size() > kDeepestSolid) {
+            if (!too_deep_) said_.error(node.from, fmt::format("set operations stand more than {} levels deep in one another", kDeepestSolid));
+            too_deep_ = true;
+            return std::nullopt;
+        }
+        const size_t before = out_.instances.size();
+        place(visit, node);
+        CsgExpression e;
+        const bool has_shape = std::holds_alternative<ShapeId>(node.what);
+        if (has_shape && out_.instances.size() > before) e.leaf.id = uint32_t(before);   // else it is flat, and nothing
+        if (!node.children.empty()) {
+            CsgExpression parts = operation(visit, node, seen);
+            if (has_shape) parts.parts.push_back(std::move(e));
+            else if (parts.parts.empty()) return std::nullopt;
+            e = std::move(parts);
+        } else if (!has_shape) {
+            return std::nullopt;
+        }
+        e.inverse = node.inverse;
+        return node.clips.empty() ? std::move(e) : clipped(visit, node, std::move(e));
+    }
+
+    CsgExpression operation(Visit& visit, const Node& node, Mask seen) {
+        CsgExpression e;
+        e.op = csg_op(node.csg);
+        for (const NodeId child : node.children) {
+            const Mask below = seen & mask_of(out_.scene.nodes[child.index].flags);
+            auto part = part_at(visit, child, below);
+            // POV-Ray looks at the flags of a solid as a whole, and at these two of the parts of merges: for a camera ray, one without image is not there.
+            if (part && node.csg == CsgKind::merge) part->mask = below | ~(kMaskCamera | kMaskReflection);
+            if (part) e.parts.push_back(std::move(*part));
+            else if (node.csg == CsgKind::difference && e.parts.empty()) e.parts.emplace_back();   // nothing, from which something is taken
+        }
+        return e;
+    }
+
+    CsgExpression clipped(Visit& visit, const Node& node, CsgExpression of) {
+        CsgExpression e;
+        e.op = CsgOp::clip;
+        e.parts.push_back(std::move(of));
+        for (const NodeId clip : node.clips)
+            if (auto part = part_at(visit, clip, kMaskAll)) e.parts.push_back(std::move(*part));
+        return e;
+    }
+
+    std::optional<CsgExpression> part_at(Visit& visit, NodeId id, Mask seen) {
+        const Node& node = out_.scene.nodes[id.index];
+        if (!node.flags.visible) return std::nullopt;
+        const NodeId above = std::exchange(visit.node, id);
+        const Transform to_world = std::exchange(visit.to_world, visit.to_world * node.to_parent);
+        visit.path.push_back(id);
+        auto part = expression(visit, seen);
+        visit.path.pop_back();
+        visit.node = above, visit.to_world = to_world;
+        return part;
     }
 
     void place_shape(const Visit& visit, const Node& node, ShapeId shape) {
@@ -81,7 +175,9 @@ class Placer {
         }
         instance.node = visit.node;
         const uint32_t slots = slot_count(out_.scene.shapes[shape.index].geometry);
-        const auto interior = inherited_interior(out_.scene, visit.path);
+        const size_t carrier = interior_carrier(out_.scene, visit.path);
+        const auto interior = carrier ? out_.scene.nodes[visit.path[carrier - 1].index].interior : std::nullopt;
+        instance.carrier = carrier ? carrier_at({visit.path.begin(), visit.path.begin() + std::ptrdiff_t(carrier)}) : carriers_++;
         for (uint32_t slot = 0; slot < slots; ++slot) {
             const auto carried = carried_material(out_.scene, visit.path, slot);
             SlotMaterial material = materials_.slot(carried ? std::optional(carried->material) : std::nullopt, interior);
@@ -89,6 +185,15 @@ class Placer {
             out_.slots.push_back(material);
         }
         out_.instances.push_back(instance);
+    }
+
+    /// One number for each path to a node that carries an interior.
+    uint32_t carrier_at(const std::vector<NodeId>& path) {
+        std::vector<uint32_t> key;
+        for (const NodeId id : path) key.push_back(id.index);
+        const auto [at, added] = carrier_of_.try_emplace(std::move(key), carriers_);
+        carriers_ += added;
+        return at->second;
     }
 
     void place_light(const Visit& visit, LightId id) { out_.lights.emplace_back(out_.scene.lights[id.index], visit.to_world); }
@@ -110,7 +215,11 @@ class Placer {
     CompiledScene& out_;
     Diagnostics& said_;
     std::vector<uint32_t> geometry_of_;   // by shape
-    size_t left_out_below_ = std::numeric_limits<size_t>::max();   // the depth of the operation whose parts are being left out
+    size_t solid_depth_ = std::numeric_limits<size_t>::max();   // of the solid whose parts are being passed over
+    std::vector<CsgExpression> solids_;
+    bool too_deep_ = false;
+    std::map<std::vector<uint32_t>, uint32_t> carrier_of_;
+    uint32_t carriers_ = 0;
     MaterialTable materials_;
 };
 
@@ -121,8 +230,25 @@ void report_removed(const CompiledScene& scene, const Geometry& g, Diagnostics& 
     said.note(shape.from, fmt::format("mesh '{}': {} of {} triangles have no area or no finite corners and cannot be hit", shape.name, removed, g.mesh->triangles.size()));
 }
 
+void describe_leaves(const CompiledScene& scene, CsgExpression& e) {
+    if (e.op == CsgOp::leaf && e.leaf.id != kNoId) e.leaf = csg_leaf(scene, e.leaf.id);
+    for (CsgExpression& part : e.parts) describe_leaves(scene, part);
+}
+
+/// From here on, their parts are not met by themselves. What goes on for ever, as the inverse of a sphere does, is for POV-Ray what it was before it was
+/// inverted: a ray that comes from far away enters it.
+void build_solids(CompiledScene& out, std::vector<CsgExpression> solids) {
+    for (CsgExpression& e : solids) describe_leaves(out, e), out.solids.push_back({CsgTree(e), e.mask});
+    for (const Solid& solid : out.solids)
+        for (const CsgNode& node : solid.tree.nodes()) {
+            if (node.op != CsgOp::leaf || node.leaf == kNoId) continue;
+            out.instances[node.leaf].bounds = Bounds();
+            out.instances[node.leaf].inverted = node.inverted != solid.tree.nodes()[0].far;
+        }
+}
+
 /// Meshes get their accelerators, in parallel; only those that an instance shows.
-void build_structures(CompiledScene& out, const AcceleratorEntry& accel, const CompileOptions& options, Diagnostics& said) {
+void build_structures(CompiledScene& out, const AcceleratorEntry& accel, std::vector<CsgExpression> solids, const CompileOptions& options, Diagnostics& said) {
     const AccelOptions build{options.precision, options.isa, 1};
     parallel_for(out.geometries.size(), options.threads, [&](size_t i) {
         Geometry& g = out.geometries[i];
@@ -133,6 +259,7 @@ void build_structures(CompiledScene& out, const AcceleratorEntry& accel, const C
     for (const Geometry& g : out.geometries)
         if (g.mesh) report_removed(out, g, said);
     for (Instance& instance : out.instances) instance.bounds = instance.to_world.bounds(out.geometries[instance.geometry].bounds);
+    build_solids(out, std::move(solids));
     out.top = accel.over_set(std::make_shared<InstanceSet>(out), build);
 }
 
@@ -178,6 +305,8 @@ void default_camera(CompiledScene& out, Diagnostics& said) {
     Bounds bounds;
     for (const Instance& instance : out.instances)
         if (instance.bounds.finite()) bounds.extend(instance.bounds);
+    for (const Solid& solid : out.solids)
+        if (solid.tree.bounds().finite()) bounds.extend(solid.tree.bounds());
     said.note({}, "the scene has no camera: one is placed that frames everything");
     out.cameras.push_back({framing_camera(bounds)});
 }
@@ -223,7 +352,7 @@ std::shared_ptr<const CompiledScene> compile(Scene scene, const CompileOptions& 
     make_missing_tangents(*out, options.threads);
     make_sky(*out, options, said);
     if (said.has_errors()) return nullptr;
-    build_structures(*out, *accel, options, said);
+    build_structures(*out, *accel, placer.take_solids(), options, said);
     default_camera(*out, said);
     default_light(*out, options, said);
     choose_kernel(*out, options, reasons);

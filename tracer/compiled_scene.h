@@ -3,6 +3,7 @@
 #pragma once
 
 #include "accel/accelerator.h"
+#include "eval/csg.h"
 #include "eval/shapes/shape_ops.h"
 #include "tracer/lights.h"
 #include "tracer/render.h"
@@ -40,12 +41,20 @@ struct PatternSpace {
 /// One path from a root to a node with a shape.
 struct Instance {
     Transform to_world, to_local;
-    Bounds bounds;                 ///< in world space
+    Bounds bounds;                 ///< in world space; empty for parts of a solid, which are not met by themselves
     uint32_t geometry = 0;
     uint32_t first_slot = 0;       ///< into CompiledScene::slots, as many as the shape has
     Mask mask = kMaskAll;
     bool double_illuminate = false;   ///< POV: lit from both sides
+    bool inverted = false;         ///< taken away from a solid: its normals point inwards
+    uint32_t carrier = 0;          ///< of its interior: parts of one object that carries it have the same
     NodeId node;
+};
+
+/// Solids made of instances by set operations.
+struct Solid {
+    CsgTree tree;                  ///< its leaves are instances, in world space
+    Mask mask = kMaskAll;          ///< of all leaves
 };
 
 /// A camera with its node's transform applied: all in world space.
@@ -67,10 +76,11 @@ struct CompiledScene {
     Scene scene;
     std::vector<Geometry> geometries;
     std::vector<Instance> instances;
+    std::vector<Solid> solids;
     std::vector<SlotMaterial> slots;
     std::vector<PatternSpace> pattern_spaces;
     std::vector<Interior> interiors;
-    std::unique_ptr<Accelerator> top;      ///< over the instances
+    std::unique_ptr<Accelerator> top;      ///< over the instances and solids
     std::unique_ptr<Textures> textures;
     std::vector<PlacedLight> lights;
     std::vector<PlacedCamera> cameras;     ///< at least one

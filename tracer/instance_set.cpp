@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tracer/instance_set.h"
 
+#include "tracer/instance_leaves.h"
+
 namespace alidade {
-namespace {
 
 Hit hit_of(const Crossing& crossing, uint32_t instance) {
     Hit hit;
@@ -13,6 +14,8 @@ Hit hit_of(const Crossing& crossing, uint32_t instance) {
     hit.error = crossing.error;
     return hit;
 }
+
+namespace {
 
 /// The first crossing of a closed form with the local ray, as a hit.
 bool first_crossing(const Geometry& geometry, const Ray& local, uint32_t instance, Hit& hit, WorkCounters& work) {
@@ -33,9 +36,27 @@ double slack(const Ray& ray, double t) { return 1e-9 * (std::abs(t) + max_abs(ra
 
 }  // namespace
 
+/// Out of line: scenes without solids pay for a comparison alone.
+[[gnu::noinline]] bool InstanceSet::intersect_solid(uint32_t id, const Ray& ray, Hit& hit, WorkCounters& work) const {
+    const Solid& s = solid(id);
+    if (!(s.mask & ray.mask)) return false;
+    Ray shortened = ray;
+    if (hit.t < ray.tmax) shortened.tmax = std::min(ray.tmax, hit.t + slack(ray, hit.t));
+    Hit candidate;
+    if (!s.tree.first(shortened, InstanceLeaves(scene_, work), candidate)) return false;
+    candidate.t = clamp_to_bounds(candidate.t, ray, s.tree.bounds());
+    if (!comes_before(candidate.t, candidate.instance, candidate.primitive, hit)) return false;
+    hit = candidate;
+    return true;
+}
+
 bool InstanceSet::intersect(std::span<const uint32_t> ids, const Ray& ray, Hit& hit, WorkCounters& work) const {
     bool found = false;
     for (const uint32_t id : ids) {
+        if (is_solid(id)) {
+            found |= intersect_solid(id, ray, hit, work);
+            continue;
+        }
         const Instance& instance = scene_.instances[id];
         if (!(instance.mask & ray.mask)) continue;
         const Geometry& geometry = scene_.geometries[instance.geometry];
@@ -54,11 +75,15 @@ bool InstanceSet::intersect(std::span<const uint32_t> ids, const Ray& ray, Hit& 
 
 bool InstanceSet::occluded(std::span<const uint32_t> ids, const Ray& ray, WorkCounters& work) const {
     for (const uint32_t id : ids) {
+        Hit unused;
+        if (is_solid(id)) {
+            if (intersect_solid(id, ray, unused, work)) return true;
+            continue;
+        }
         const Instance& instance = scene_.instances[id];
         if (!(instance.mask & ray.mask)) continue;
         const Geometry& geometry = scene_.geometries[instance.geometry];
         const Ray local = instance.to_local.ray(ray);
-        Hit unused;
         if (geometry.mesh ? geometry.triangles->occluded(local, work) : first_crossing(geometry, local, id, unused, work)) return true;
     }
     return false;
@@ -66,11 +91,17 @@ bool InstanceSet::occluded(std::span<const uint32_t> ids, const Ray& ray, WorkCo
 
 void InstanceSet::all_hits(std::span<const uint32_t> ids, const Ray& ray, std::vector<Hit>& hits, WorkCounters& work) const {
     for (const uint32_t id : ids) {
+        const size_t first = hits.size();
+        if (is_solid(id)) {
+            const Solid& s = solid(id);
+            if (s.mask & ray.mask) s.tree.all(ray, InstanceLeaves(scene_, work), hits);
+            for (size_t i = first; i < hits.size(); ++i) hits[i].t = clamp_to_bounds(hits[i].t, ray, s.tree.bounds());
+            continue;
+        }
         const Instance& instance = scene_.instances[id];
         if (!(instance.mask & ray.mask)) continue;
         const Geometry& geometry = scene_.geometries[instance.geometry];
         const Ray local = instance.to_local.ray(ray);
-        const size_t first = hits.size();
         if (geometry.mesh) {
             geometry.triangles->all_hits(local, hits, work, id);
         } else {

@@ -5,20 +5,28 @@
 
 namespace alidade {
 
-/// The instances of a compiled scene, as primitives of the top-level accelerator. Rays are world-space; each is mapped into an instance's own space,
-/// where t means the same. Hit::instance is the instance, Hit::primitive the triangle (0 for closed forms).
+/// The instances of a compiled scene, and behind them its solids, as primitives of the top-level accelerator. Rays are world-space; each is mapped into
+/// an instance's own space, where t means the same. Hit::instance is the instance, of a solid the part that is hit; Hit::primitive the triangle (0 for
+/// closed forms). Parts of solids have no box, so that nothing asks for them.
 class InstanceSet final : public PrimitiveSet {
   public:
     /// `scene` must outlive the set.
     explicit InstanceSet(const CompiledScene& scene) : scene_(scene) {}
-    size_t size() const override { return scene_.instances.size(); }
-    Bounds bounds(uint32_t id) const override { return scene_.instances[id].bounds; }
+    size_t size() const override { return scene_.instances.size() + scene_.solids.size(); }
+    Bounds bounds(uint32_t id) const override { return is_solid(id) ? solid(id).tree.bounds() : scene_.instances[id].bounds; }
     bool intersect(std::span<const uint32_t> ids, const Ray& ray, Hit& hit, WorkCounters& work) const override;
     bool occluded(std::span<const uint32_t> ids, const Ray& ray, WorkCounters& work) const override;
     void all_hits(std::span<const uint32_t> ids, const Ray& ray, std::vector<Hit>& hits, WorkCounters& work) const override;
 
   private:
+    bool is_solid(uint32_t id) const { return id >= scene_.instances.size(); }
+    const Solid& solid(uint32_t id) const { return scene_.solids[id - scene_.instances.size()]; }
+    bool intersect_solid(uint32_t id, const Ray& ray, Hit& hit, WorkCounters& work) const;
+
     const CompiledScene& scene_;
 };
+
+/// A crossing of a closed form, as a hit.
+Hit hit_of(const Crossing& crossing, uint32_t instance);
 
 }  // namespace alidade

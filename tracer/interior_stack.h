@@ -6,14 +6,14 @@
 
 namespace alidade {
 
-/// The solids that a point is in, in the order in which the ray entered them: (instance, index of refraction, attenuation) by index of a compiled
-/// interior. Solids may overlap: leaving one takes out its own entry, wherever it stands.
+/// The solids that a point is in, in the order in which the ray entered them: what carries the interior (Instance::carrier), and the index of the
+/// compiled interior. Solids may overlap: leaving one takes out its own entry, wherever it stands.
 class InteriorStack {
   public:
     /// Deeper nesting keeps the innermost entries.
     static constexpr int kDepth = 64;
     struct Entry {
-        uint32_t instance, interior;
+        uint32_t carrier, interior;
     };
 
     InteriorStack() = default;
@@ -31,10 +31,10 @@ class InteriorStack {
         if (count_ == kDepth) std::copy(entries_ + 1, entries_ + count_--, entries_);
         entries_[count_++] = e;
     }
-    /// Takes out the last entry of `instance`; false if there is none (the camera stood inside it).
-    bool leave(uint32_t instance) {
+    /// Takes out the last entry of `carrier`; false if there is none (the camera stood inside it).
+    bool leave(uint32_t carrier) {
         for (int i = count_ - 1; i >= 0; --i) {
-            if (entries_[i].instance != instance) continue;
+            if (entries_[i].carrier != carrier) continue;
             std::copy(entries_ + i + 1, entries_ + count_, entries_ + i);
             --count_;
             return true;

@@ -61,22 +61,22 @@ struct PovSurface::Passage {
 
 /// A solid is left by a ray that has entered it, whatever side is hit.
 PovSurface::Passage PovSurface::passage(const CompiledScene& scene, const ShadePoint& point, const RayState& state) const {
-    const uint32_t interior = slot_at(scene, point).interior;
+    const uint32_t interior = slot_at(scene, point).interior, carrier = scene.instances[point.instance].carrier;
     Passage out;
     out.beyond = state.inside;
     if (interior == kNoId) return out;
     const double own = scene.interiors[interior].ior, here = ior_in(scene, state.inside);
-    const bool last = !state.inside.empty() && state.inside.top().instance == point.instance;
+    const bool last = !state.inside.empty() && state.inside.top().carrier == carrier;
     // A camera inside of a solid has not entered it.
     const bool began_inside = state.inside.empty() && !point.front && !point.mesh && state.kind == RayKind::camera;
-    if (out.beyond.leave(point.instance)) {
+    if (out.beyond.leave(carrier)) {
         out.ratio = last ? own / ior_in(scene, out.beyond) : 1;
         out.faded = pov_fade(scene.interiors[interior], state.travelled);
     } else if (began_inside) {
         out.ratio = own;
         out.faded = pov_fade(scene.interiors[interior], state.travelled);
     } else {
-        out.beyond.enter({point.instance, interior});
+        out.beyond.enter({carrier, interior});
         out.ratio = here / own;
     }
     return out;

@@ -50,8 +50,17 @@ void place_on_shape(const Geometry& geometry, const Instance& instance, const Hi
     p.shape_uv = s.uv;
 }
 
-/// The error of a hit found with a transformed ray, seen in world space. The local ray is the exact image of the world ray up to gamma_4 of each
-/// product and sum in the transform; mapped back, that and the hit's own bound grow by at most the norm of to_world. at() adds gamma_3.
+void place(const CompiledScene& scene, const Instance& instance, const Hit& hit, ShadePoint& p) {
+    const Geometry& geometry = scene.geometries[instance.geometry];
+    if (geometry.mesh) place_on_mesh(*geometry.mesh, instance, hit, p);
+    else place_on_shape(geometry, instance, hit, p);
+    if (instance.inverted) p.geometric_normal = -p.geometric_normal, p.shading_normal = -p.shading_normal;
+}
+
+}  // namespace
+
+/// The local ray is the exact image of the world ray up to gamma_4 of each product and sum in the transform; mapped back, that and the hit's own bound
+/// grow by at most the norm of to_world. at() adds gamma_3.
 double world_error(const Instance& instance, const Ray& ray, const Hit& hit, const Vec3& position) {
     const double reach = length(ray.origin) + std::abs(hit.t) * length(ray.dir);
     const double local_size = instance.to_local.norm() * reach + length(instance.to_local.translation);
@@ -59,7 +68,13 @@ double world_error(const Instance& instance, const Ray& ray, const Hit& hit, con
     return stretch * (hit.error.along_normal + gamma_bound(5) * local_size) + gamma_bound(5) * (reach + length(position));
 }
 
-}  // namespace
+Vec3 geometric_normal(const CompiledScene& scene, const Ray& ray, const Hit& hit) {
+    const Instance& instance = scene.instances[hit.instance];
+    ShadePoint p;
+    p.position = ray.at(hit.t);
+    place(scene, instance, hit, p);
+    return p.geometric_normal;
+}
 
 Vec2 ShadePoint::uv(uint32_t set) const {
     if (!mesh) return shape_uv;
@@ -79,13 +94,11 @@ Vec4 ShadePoint::vertex_color() const {
 
 ShadePoint shade_point(const CompiledScene& scene, const Ray& ray, const Hit& hit) {
     const Instance& instance = scene.instances[hit.instance];
-    const Geometry& geometry = scene.geometries[instance.geometry];
     ShadePoint p;
     p.instance = hit.instance;
     p.position = ray.at(hit.t);
     p.error = world_error(instance, ray, hit, p.position);
-    if (geometry.mesh) place_on_mesh(*geometry.mesh, instance, hit, p);
-    else place_on_shape(geometry, instance, hit, p);
+    place(scene, instance, hit, p);
     p.front = dot(ray.dir, p.geometric_normal) <= 0;
     const uint32_t space = slot_at(scene, p).space;
     if (space != kNoId) p.space = &scene.pattern_spaces[space];

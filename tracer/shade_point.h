@@ -31,6 +31,12 @@ struct ShadePoint {
 /// `ray` is the world-space ray that found `hit`.
 ShadePoint shade_point(const CompiledScene& scene, const Ray& ray, const Hit& hit);
 
+/// How far the true surface may be from a hit that was found with a transformed ray, in world space.
+double world_error(const Instance& instance, const Ray& ray, const Hit& hit, const Vec3& position);
+
+/// The unit normal of what was hit, in world space, on its outside.
+Vec3 geometric_normal(const CompiledScene& scene, const Ray& ray, const Hit& hit);
+
 /// The material, and what else the surface at `point` has of its slot.
 inline const SlotMaterial& slot_at(const CompiledScene& scene, const ShadePoint& point) { return scene.slots[scene.instances[point.instance].first_slot + point.slot]; }
 inline const Material& material_at(const CompiledScene& scene, const ShadePoint& point) { return scene.scene.materials[slot_at(scene, point).material]; }

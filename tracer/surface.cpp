@@ -139,9 +139,9 @@ void Surface::add_coat(const RayState& state, Secondaries& out) const {
 /// Glass: what is not mirrored is refracted and coloured. The outside is whatever the ray was in before.
 void Surface::add_transmission(const CompiledScene& scene, const RayState& state, Secondaries& out) const {
     InteriorStack beyond = state.inside;
-    const uint32_t interior = slot_at(scene, *point_).interior;
-    if (point_->front) beyond.enter({point_->instance, interior});
-    else beyond.leave(point_->instance);
+    const uint32_t interior = slot_at(scene, *point_).interior, carrier = scene.instances[point_->instance].carrier;
+    if (point_->front) beyond.enter({carrier, interior});
+    else beyond.leave(carrier);
     // A camera inside the glass has no entry to leave: it is in this interior all the same.
     const double n1 = !point_->front && state.inside.empty() ? ior_ : ior_in(scene, state.inside), n2 = ior_in(scene, beyond);
     // A bent normal can face away from the eye: then the true one mirrors and refracts.

@@ -3,9 +3,6 @@
 
 #include "scene/queries.h"
 
-#include <algorithm>
-#include <fmt/format.h>
-
 namespace alidade {
 namespace {
 
@@ -16,22 +13,11 @@ struct Unrendered {
 };
 
 constexpr Unrendered kTable[] = {
-    {Requirement::clipping, Severity::warning, "clipped_by is not rendered yet: all of the object is drawn"},
     {Requirement::functions, Severity::error, "functions are not rendered yet"},
     {Requirement::media, Severity::warning, "media are not rendered yet: they are left out"},
 };
 
-/// One message a kind, with how many nodes are of it.
-void report_csg(const Scene& scene, CsgKind kind, const char* sentence, Diagnostics& said) {
-    const auto is_kind = [kind](const Node& node) { return node.csg == kind; };
-    const auto first = std::find_if(scene.nodes.begin(), scene.nodes.end(), is_kind);
-    if (first != scene.nodes.end()) said.warning(first->from, fmt::format("{} ({} of them)", sentence, std::count_if(first, scene.nodes.end(), is_kind)));
-}
-
 void report_nodes(const Scene& scene, Diagnostics& said) {
-    report_csg(scene, CsgKind::intersection, "intersections are not rendered yet: they are left out", said);
-    report_csg(scene, CsgKind::difference, "differences are not rendered yet: they are left out", said);
-    report_csg(scene, CsgKind::merge, "merges are not rendered yet: they are drawn as unions", said);
     for (const Node& node : scene.nodes) {
         if (!node.light_group.empty() || !node.global_lights) said.warning(node.from, "light groups are not rendered yet: their lights are left out, all others shine");
     }

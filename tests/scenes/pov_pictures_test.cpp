@@ -105,6 +105,38 @@ std::vector<PovPicture> pictures() {
                          "pigment { rgb <0,1,1> } finish { phong 1 } } } face_indices { 2, <0,1,2>, 0, <0,2,3>, 1 } }"},
         {"Visibility", usual + "plane { y, -1 pigment { rgb .5 } finish { reflection .5 } } union { sphere { <-1,.5,0>, .7 } sphere { <1,.5,0>, .7 no_reflection } pigment { rgb <1,.5,.2> } no_image } box { <-.3,-.5,-.3>, .3 no_reflection pigment { rgb 1 } }"},
         {"OpaqueFresnel", usual + "plane { y, -1 pigment { rgb <.8,.7,.5> } finish { reflection { .05, .4 fresnel } } interior { ior 1.4 } } sphere { y*.5, .8 pigment { rgb <.2,.5,1> } finish { reflection { .9 fresnel } } interior { ior 1.6 } }"},
+        {"Difference", usual + "difference { sphere { 0, 1.5 pigment { rgb <1,.3,.2> } } box { <-2,0,-2>, <0,2,0> pigment { rgb <.3,1,.2> } } cylinder "
+         "{ -2*z, 2*z, .5 pigment { rgb <.3,.3,1> } } rotate y*20 translate y*.5 }"},
+        {"Intersection", usual + "intersection { sphere { 0, 1.2 } box { -1, 1 pigment { rgb <0,1,0> } } plane { <1,1,-1>, .6 pigment { rgb <1,1,0> } "
+         "finish { phong 1 } } pigment { rgb <1,.5,.5> } rotate y*30 translate y*.5 }"},
+        {"MergeOfGlass", usual + "plane { y, -1 pigment { rgb <.7,.8,.3> } } merge { sphere { <-.6,.5,0>, 1 } sphere { <.6,.5,0>, 1 } pigment { rgbf "
+         "<.9,1,.9,.9> } finish { specular .5 reflection .1 } interior { ior 1.3 } }"},
+        {"UnionOfGlass", usual + "plane { y, -1 pigment { rgb <.7,.8,.3> } } union { sphere { <-.6,.5,0>, 1 } sphere { <.6,.5,0>, 1 } pigment { rgbf "
+         "<.9,1,.9,.9> } finish { specular .5 reflection .1 } interior { ior 1.3 } }"},
+        {"DifferenceOfGlass", usual + "plane { y, -1 pigment { rgb <.7,.8,.3> } } difference { sphere { <0,.5,0>, 1.4 } sphere { <.4,.5,-.5>, .8 } pigment { "
+         "rgbf <.9,1,.9,.9> } finish { specular .5 } interior { ior 1.5 fade_distance 1 fade_power 2 fade_color <.9,.3,.2> } }"},
+        {"ClippedBy", usual + "sphere { 0, 1.5 pigment { rgb <1,.5,.2> } clipped_by { plane { <-1,1,-1>, .4 } } translate y*.5 } torus { 1.7 .2 "
+         "pigment { rgb 1 } clipped_by { cylinder { <-3,0,-.6>, <3,0,-.6>, .9 open } } }"},
+        {"Inverse", usual + "plane { y, -1 pigment { rgb <.7,.8,.3> } } intersection { box { -1.2, 1.2 } sphere { <.3,0,-1>, 1 inverse } union { "
+         "sphere { <-.8,.8,-1>, .8 } sphere { <-.2,.8,-1>, .7 } inverse } pigment { rgb <.5,.7,1> } rotate y*25 translate y*.5 }"},
+        {"InverseGlass", usual + "plane { y, -1 pigment { rgb <.7,.8,.3> } } sphere { <0,.5,0>, 1.4 inverse pigment { rgbf <.9,1,.9,.9> } finish { "
+         "reflection {0,1 fresnel} specular .5 conserve_energy } interior { ior 1.5 } }"},
+        {"NestedOperations", usual + "difference { merge { intersection { sphere { 0, 1.5 } box { -1.1, 1.1 } pigment { rgb <1,.2,.2> } } cylinder { -1.8*x, "
+         "1.8*x, .4 pigment { rgb 1 } } } union { cylinder { -2*y, 2*y, .6 } cylinder { -2*z, 2*z, .6 } pigment { rgb <.2,.2,1> } "
+         "} intersection { box { <0,0,-2>, 2 } plane { x, .8 } inverse inverse pigment { rgb <0,1,0> } } rotate <20,30,0> "
+         "translate y*.5 }"},
+        {"FlagsOfParts", usual + "plane { y, -1 pigment { rgb .6 } finish { reflection .4 } } merge { sphere { 0, .8 no_image } box { <0,-.5,-.5>, "
+         "<1.4,.5,.5> pigment { rgb <1,0,0> } } pigment { rgb 1 } translate <-1,.5,0> } difference { box { -.6, .6 no_image "
+         "no_shadow } sphere { <0,.3,-.6>, .5 no_image } pigment { rgb <0,1,1> } translate <1.5,.5,-1> no_reflection }"},
+        {"ShadowsOfSolids", usual + "plane { y, -1 pigment { rgb 1 } } difference { sphere { 0, 1.2 } cylinder { -2*y, 2*y, .6 } pigment { rgbf <1,.4,.3,.7> "
+         "} translate y*.8 } difference { box { -.5, .5 } cylinder { -y, y, .3 } pigment { rgb 1 } translate <2,0,0> }"},
+        {"SurfacesInSolids", usual + "intersection { sphere { 0, 1.5 } triangle { <-2,-1,0>, <2,-1,0>, <0,2,.5> pigment { rgb <1,1,0> } } pigment { rgb 1 } } "
+         "difference { mesh { triangle { <-2,0,.5>, <2,0,.5>, <0,2,1> } } cylinder { -2*z, 2*z, .5 } pigment { rgb <1,0,1> } }"},
+        {"OpenSolids", usual + "difference { box { -1, 1 } cylinder { -2*z, 2*z, .6 open } cone { -2*y, .8, 2*y, .2 open pigment { rgb <1,1,0> } } disc "
+         "{ <.9,0,0>, <-1,0,0>, 2 pigment { rgb <0,1,1> } } pigment { rgb <1,.6,.3> } rotate <-20,30,0> translate y*.5 }"},
+        {"ClipsAndTransforms", usual + "sphere { 0, 1 translate x clipped_by { plane { <1,0,.5>, 1 } } pigment { rgb <1,.6,.2> } translate <-2,.6,0> } sphere { 0, 1.2 bounded_by "
+         "{ box { <-2,-2,-2>, <.3,2,2> } } scale <1,.8,1> clipped_by { bounded_by } pigment { rgb <.3,1,.5> } rotate y*70 translate <1.2,.8,0> } union { sphere { 0, .6 } box { "
+         "<0,-.4,-.4>, <1,.4,.4> } clipped_by { plane { z, .1 inverse } plane { -y, .2 } } bounded_by { clipped_by } pigment { rgb <.5,.4,1> } translate <0,.5,-2.5> }"},
         {"DoubleIlluminate", usual + "disc { 0, z, 2 pigment { rgb 1 } rotate y*70 double_illuminate } disc { <2,0,0>, z, 1 pigment { rgb <1,1,0> } finish { diffuse .6, .3 } rotate y*60 }"},
     };
 }

@@ -20,8 +20,9 @@ Color filtered_light(Tracing& tracing, const Ray& ray, const InteriorStack& star
         t = hit.t;
         const uint32_t interior = slot_at(tracing.scene, p).interior;
         if (interior == kNoId) continue;
-        if (p.front) inside.enter({p.instance, interior});
-        else if (inside.leave(p.instance)) through *= pov_fade(tracing.scene.interiors[interior], hit.t - before);
+        const uint32_t carrier = tracing.scene.instances[p.instance].carrier;
+        if (p.front) inside.enter({carrier, interior});
+        else if (inside.leave(carrier)) through *= pov_fade(tracing.scene.interiors[interior], hit.t - before);
     }
     return std::isfinite(ray.tmax) ? through * transmittance(tracing.scene, inside, ray.tmax - t) : through;
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "importers/pov/builders/objects.h"
 
+#include "core/transform.h"
 #include "importers/pov/builders/interiors.h"
 #include "importers/pov/builders/lights.h"
 #include "importers/pov/builders/shapes.h"
@@ -8,6 +9,7 @@
 
 #include <algorithm>
 #include <fmt/format.h>
+#include <utility>
 
 namespace alidade::pov {
 
@@ -22,6 +24,8 @@ struct Draft {
     TextureLayers layers;
     Place texture_place;
     bool parts_textured = false;          ///< a referenced object brings its own
+    const Block* bound = nullptr;         ///< bounded_by, which clipped_by may name
+    Transform bound_transform;            ///< of the object, where it stands
 };
 
 CsgKind csg_of(WordId word) {
@@ -97,28 +101,49 @@ bool take_flag(Draft& d, Cursor& at) {
 /// Words that change how POV-Ray finds a surface, and not where it is.
 bool is_hint(const Cursor& at) {
     const Item& item = at.peek();
-    if (at.at_block("bounded_by"_w) || at.at_block("photons"_w)) return true;
+    if (at.at_block("photons"_w)) return true;
     if (item.kind != Item::Kind::word) return false;
     return item.word == "sturm"_w || item.word == "hierarchy"_w || item.word == "split_union"_w || item.word == "no_radiosity"_w;
 }
 
-void take_clips(Build& build, Draft& d, const Block& block) {
+/// What clips an object is moved by the transformations behind it alone; `moved` are those before it.
+void add_clip(Build& build, Draft& d, const Block& clip, const Transform& moved) {
+    const auto built = build_object(build, clip);
+    if (!built) return;
+    NodeId node = built->node;
+    if (!moved.is_identity()) {
+        const auto back = inverse(moved);
+        if (!back) return build.p.warn(clip.place, "the object is flat or infinitely large here and cannot be clipped");
+        Node placed;
+        placed.from = build.position(clip.place);
+        placed.to_parent = *back;
+        placed.children.push_back(node);
+        node = build.add_node(std::move(placed));
+    }
+    d.node.clips.push_back(node);
+}
+
+void take_clips(Build& build, Draft& d, const Block& block, const Transform& moved) {
     for (Cursor at(build, block); !at.done(); ) {
         const Block* clip = at.any_block();
-        if (!clip || !is_object(clip->word)) {
-            at.skip_unmodelled();
-            continue;
-        }
-        at.next();
-        if (const auto built = build_object(build, *clip)) d.node.clips.push_back(built->node);
+        if (clip && is_object(clip->word)) at.next(), add_clip(build, d, *clip, moved);
+        else if (d.bound && at.accept("bounded_by"_w)) take_clips(build, d, *std::exchange(d.bound, nullptr), d.bound_transform);
+        else at.skip_unmodelled();
     }
+}
+
+/// What bounds an object is trusted by POV-Ray and not needed here, unless it clips as well; `bounded_by { clipped_by }` says nothing new.
+void take_bound(Draft& d, const Block& block) {
+    const bool names_clips = !block.items.empty() && block.items[0].kind == Item::Kind::word;
+    if (!names_clips) d.bound = &block, d.bound_transform = d.transform * d.before;
 }
 
 void take_modifiers(Build& build, Draft& d, Cursor& at) {
     while (!at.done()) {
         if (at.at_transform()) d.transform = at.transform() * d.transform;
         else if (take_surface(build, d, at) || take_flag(d, at)) continue;
-        else if (const Block* clip = at.block_at("clipped_by"_w)) at.next(), take_clips(build, d, *clip);
+        else if (const Block* clip = at.block_at("clipped_by"_w)) at.next(), take_clips(build, d, *clip, d.transform * d.before);
+        else if (const Block* bound = at.block_at("bounded_by"_w)) at.next(), take_bound(d, *bound);
         else if (is_hint(at)) at.skip();
         else at.skip_unmodelled();
     }
@@ -165,6 +190,7 @@ void take_children(Build& build, Draft& d, Cursor& at) {
         if (!is_object(child->word)) return;
         at.next();
         if (const auto built = build_object(build, *child)) d.node.children.push_back(built->node);
+        else if (d.node.csg == CsgKind::difference && d.node.children.empty()) d.node.children.push_back(build.add_node({}));   // what is left out has no parts
     }
 }
 

@@ -1,0 +1,231 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "eval/csg.h"
+
+#include "eval/shapes/rows.h"
+
+#include <algorithm>
+
+namespace alidade {
+
+namespace {
+
+/// Crossings this many error bounds apart are still one place: files give numbers that are rounded themselves, and so are products of transforms.
+constexpr double kSameWithin = 32;
+/// At grazing incidence the error along the line grows beyond all bounds; not here.
+constexpr double kLeastCosine = 1e-4;
+
+/// What a range is widened by, in parts of its distance: far more than any rounding, so that what is left out is surely not in it.
+constexpr double kSlack = 1e-9;
+/// Crossings farther from each other than this, in parts of their distance, are not asked for their errors.
+constexpr double kNear = 1e-6;
+
+/// A node on the line, as far as it has been walked; `before` is in front of the crossings that are looked at.
+struct State {
+    uint32_t count = 0, count_before = 0;      ///< children that are inside
+    uint32_t place = 0;                        ///< the number of the place whose `before` is kept here
+    uint32_t first_in = 0, first_out = 0;      ///< the first child that the line enters or leaves at this place
+    bool inside = false, inside_before = false;
+};
+
+struct Scratch {
+    std::vector<CsgCrossing> crossings;
+    std::vector<State> states;
+    std::vector<uint32_t> at_points, changed;
+};
+
+/// Each thread walks one line at a time.
+Scratch& scratch() {
+    thread_local Scratch one;
+    return one;
+}
+
+bool meets(const CsgNode& node) { return node.op == CsgOp::intersection || node.op == CsgOp::clip; }
+
+class Walk {
+  public:
+    Walk(std::span<const CsgNode> nodes, const Ray& ray, const CsgLeaves& leaves) : nodes_(nodes), ray_(ray), leaves_(leaves), s_(scratch()), speed_(length(ray.dir)), reach_(max_abs(ray.origin) / max_abs(ray.dir)), over_dir_(1.0 / ray.dir) {
+        s_.crossings.clear(), s_.at_points.clear();
+        if (s_.states.size() < nodes.size()) s_.states.resize(nodes.size());
+    }
+
+    /// Calls visit(hit) for the surfaces of the whole, in order of t; `one_place`: those of the first place that has any.
+    template <class Visit> void run(bool one_place, const Visit& visit) {
+        if (nodes_[0].box.empty()) return;
+        const LineInterval box = inside_bounds(ray_, nodes_[0].box);   // as accelerators compute it
+        range_ = {std::max(ray_.tmin, box.entry), std::min(ray_.tmax, box.exit)};
+        if (box.empty() || range_.empty()) return;
+        range_ = widened(range_);
+        if (!gather(0, range_)) return;
+        auto& all = s_.crossings;
+        std::sort(all.begin(), all.end(), [](const CsgCrossing& a, const CsgCrossing& b) { return a.hit.t != b.hit.t ? a.hit.t < b.hit.t : a.node < b.node; });
+        for (size_t first = 0, end; first < all.size() && all[first].hit.t <= range_.exit; first = end) {
+            for (end = first + 1; end < all.size() && coincide(all[end - 1], all[end]); ) ++end;
+            const std::span<const CsgCrossing> place(all.data() + first, end - first);
+            step(place);
+            bool any = false;
+            for (const CsgCrossing& c : place)
+                if (in_range(c.hit.t) && shown(c)) visit(c.hit), any = true;
+            if (any && one_place) return;
+        }
+    }
+
+  private:
+    /// The part of `range` in a box, widened. What is not a number, where a line lies in a plane of the box, shortens nothing.
+    LineInterval within(const Bounds& box, LineInterval range) const {
+        if (box.empty()) return {kInf, -kInf};
+        for (int axis = 0; axis < 3; ++axis) {
+            const double a = (box.min[axis] - ray_.origin[axis]) * over_dir_[axis], b = (box.max[axis] - ray_.origin[axis]) * over_dir_[axis];
+            const double entry = b < a ? b : a, exit = b < a ? a : b;
+            if (entry > range.entry) range.entry = entry;
+            if (exit < range.exit) range.exit = exit;
+        }
+        return widened(range);
+    }
+    bool in_range(double t) const { return t >= ray_.tmin && t <= ray_.tmax && t >= range_.entry && t <= range_.exit; }
+    double slack(double t) const { return kSlack * (std::abs(t) + reach_); }
+    LineInterval widened(const LineInterval& r) const { return {r.entry - slack(r.entry), r.exit + slack(r.exit)}; }
+
+    /// Asks the leaves that can matter within `range` for their crossings; false if the node is all inside or all outside there and has no surface.
+    bool gather(uint32_t n, const LineInterval& range) {
+        const CsgNode& node = nodes_[n];
+        State& state = s_.states[n] = {};
+        if (!(node.mask & ray_.mask)) return state.inside = n != 0 && meets(nodes_[node.parent]), false;
+        const LineInterval narrow = within(node.box, range);
+        if (narrow.empty()) return state.inside = node.far, false;
+        return node.op == CsgOp::leaf ? gather_leaf(n) : gather_parts(n, narrow);
+    }
+
+    bool gather_leaf(uint32_t n) {
+        const CsgNode& node = nodes_[n];
+        const size_t had = s_.crossings.size();
+        const bool comes_from_inside = leaves_.crossings(node.leaf, ray_, s_.crossings);
+        for (size_t i = had; i < s_.crossings.size(); ++i) s_.crossings[i].node = n;
+        s_.states[n].inside = node.inverted != (node.inside == CsgInside::by_crossings && comes_from_inside);
+        if (node.inside == CsgInside::at_points) s_.at_points.push_back(n);
+        return node.inside == CsgInside::at_points || s_.crossings.size() > had;
+    }
+
+    bool gather_parts(uint32_t n, const LineInterval& range) {
+        const CsgNode& node = nodes_[n];
+        const size_t had = s_.crossings.size(), points = s_.at_points.size();
+        const bool is_meet = meets(node);
+        bool varies = false;
+        uint32_t count = 0;
+        for (uint32_t part = n + 1; part != node.end; part = nodes_[part].end) {
+            const bool part_varies = gather(part, range), inside = s_.states[part].inside;
+            varies = varies || part_varies;
+            count += inside;
+            // One part that is outside all along empties an intersection, one that is inside fills a merge.
+            if (part_varies || inside == is_meet || node.op == CsgOp::union_) continue;
+            s_.crossings.resize(had), s_.at_points.resize(points);
+            return s_.states[n].inside = inside, false;
+        }
+        s_.states[n].count = count;
+        s_.states[n].inside = is_meet ? count == node.children : count > 0;
+        return varies;
+    }
+
+    bool coincide(const CsgCrossing& a, const CsgCrossing& b) const {
+        const double gap = b.hit.t - a.hit.t;
+        if (gap == 0) return true;
+        if (gap > kNear * (std::abs(b.hit.t) + reach_)) return false;
+        const auto along = [&](const CsgCrossing& c) {
+            const CsgLeaves::Sharpness s = leaves_.sharpness(ray_, c.hit);
+            return s.error / std::max(s.cosine, kLeastCosine);
+        };
+        return gap * speed_ <= kSameWithin * (along(a) + along(b));
+    }
+
+    /// Walks over the crossings of one place.
+    void step(std::span<const CsgCrossing> place) {
+        for (const uint32_t n : s_.at_points) set(n, nodes_[n].inverted != leaves_.inside(nodes_[n].leaf, ray_.at(place.front().hit.t)));
+        ++place_;
+        s_.changed.clear();
+        for (const CsgCrossing& c : place)
+            if (nodes_[c.node].inside == CsgInside::by_crossings) set(c.node, !s_.states[c.node].inside);
+        for (const uint32_t n : s_.changed) s_.states[n].first_in = s_.states[n].first_out = kNoId;
+        for (const uint32_t n : s_.changed) {
+            const State& state = s_.states[n];
+            if (n == 0 || state.inside == state.inside_before) continue;
+            State& parent = s_.states[nodes_[n].parent];
+            uint32_t& first = state.inside ? parent.first_in : parent.first_out;
+            first = std::min(first, nodes_[n].place);
+        }
+    }
+
+    void keep_before(uint32_t n) {
+        State& state = s_.states[n];
+        if (state.place == place_) return;
+        state.place = place_, state.count_before = state.count, state.inside_before = state.inside;
+        s_.changed.push_back(n);
+    }
+
+    /// What changes in a node changes the count of the one above, and by that perhaps the one above it.
+    void set(uint32_t n, bool inside) {
+        while (s_.states[n].inside != inside) {
+            keep_before(n);
+            s_.states[n].inside = inside;
+            if (n == 0) return;
+            const uint32_t parent = nodes_[n].parent;
+            keep_before(parent);
+            uint32_t& count = s_.states[parent].count;
+            count = inside ? count + 1 : count - 1;
+            inside = meets(nodes_[parent]) ? count == nodes_[parent].children : count > 0;
+            n = parent;
+        }
+    }
+
+    bool shown(const CsgCrossing& c) const {
+        for (uint32_t n = c.node; n != 0; n = nodes_[n].parent)
+            if (!survives(n)) return false;
+        return true;
+    }
+
+    /// Does a surface of the node survive the operation above it?
+    bool survives(uint32_t n) const {
+        const CsgNode &node = nodes_[n], &above = nodes_[node.parent];
+        if (above.op == CsgOp::union_) return true;
+        if (above.op == CsgOp::clip && node.place > 0) return false;
+        const State &own = s_.states[n], &all = s_.states[node.parent];
+        const bool after = own.inside, before = own.place == place_ ? own.inside_before : after;
+        const uint32_t others_after = all.count - after, others_before = (all.place == place_ ? all.count_before : all.count) - before;
+        // The side that counts is that on which the part is inside of an intersection, or outside of a merge; both, if it is the same on both.
+        const bool merge = above.op == CsgOp::merge;
+        const uint32_t wanted = merge ? 0 : above.children - 1;
+        if (before == after) return others_before == wanted && others_after == wanted;
+        const bool counts_before = before != merge;
+        return (counts_before ? others_before : others_after) == wanted && (after ? all.first_in : all.first_out) == node.place;
+    }
+
+    std::span<const CsgNode> nodes_;
+    const Ray& ray_;
+    const CsgLeaves& leaves_;
+    Scratch& s_;
+    double speed_, reach_;   ///< of the ray: the length of its direction; the size of its origin, in t
+    Vec3 over_dir_;
+    LineInterval range_;
+    uint32_t place_ = 0;   ///< counts the places on the line, from 1
+};
+
+}  // namespace
+
+bool CsgTree::first(const Ray& ray, const CsgLeaves& leaves, Hit& hit) const {
+    Hit best;
+    Walk(nodes_, ray, leaves).run(true, [&](const Hit& h) {
+        if (comes_before(h.t, h.instance, h.primitive, best)) best = h;
+    });
+    if (best.valid()) hit = best;
+    return best.valid();
+}
+
+void CsgTree::all(const Ray& ray, const CsgLeaves& leaves, std::vector<Hit>& hits) const {
+    Walk(nodes_, ray, leaves).run(false, [&](const Hit& h) { hits.push_back(h); });
+}
+
+bool begins_inside(const ShapeOps& ops, const ShapeGeometry& shape, const Ray& ray, const Crossings& crossings) {
+    if (crossings.count == 0) return ops.inside(shape, ray.origin);
+    const double first = crossings.at[0].t;
+    return ops.inside(shape, ray.at(first - (1 + std::abs(first))));
+}
+
+}  // namespace alidade

@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: Apache-2.0
+/// Constructive solid geometry on one line: which crossings of the leaves are surfaces of the whole, and which are cut away.
+#pragma once
+
+#include "eval/shapes/shape_ops.h"
+
+#include <span>
+#include <vector>
+
+namespace alidade {
+
+enum class CsgOp : uint8_t {
+    leaf,
+    union_,         ///< all surfaces of the parts, also those inside of other parts
+    merge,          ///< the same set, and only its outer surface
+    intersection,
+    difference,     ///< the first part without the others
+    clip,           ///< the first part inside of the others, which show no surface of their own
+};
+
+/// How it is known where the line is inside of a leaf.
+enum class CsgInside : uint8_t {
+    by_crossings,   ///< by turns, from crossing to crossing
+    at_points,      ///< asked at each crossing of the line with anything: leaves whose surface does not bound what is inside
+    nowhere,        ///< a surface without inside
+};
+
+/// Leaves with equal ids are the same thing at several places.
+struct CsgLeaf {
+    uint32_t id = kNoId;
+    CsgInside inside = CsgInside::nowhere;
+    Bounds bounds;                  ///< of the surface and, unless it is asked at points, of what is inside
+};
+
+/// What a file says: operations on parts, any of them turned inside out. Without parts an intersection is everything, every other operation nothing.
+struct CsgExpression {
+    CsgOp op = CsgOp::leaf;
+    bool inverse = false;           ///< of a clip: turns the first part inside out, and not what clips it, as POV-Ray does
+    CsgLeaf leaf;
+    Mask mask = kMaskAll;           ///< the rays for which it is there at all
+    std::vector<CsgExpression> parts;
+};
+
+/// A crossing of the line with a leaf.
+struct CsgCrossing {
+    Hit hit;
+    uint32_t node = 0;              ///< filled in by the tree
+};
+
+/// What a tree asks of its leaves; all in the space of the ray.
+class CsgLeaves {
+  public:
+    virtual ~CsgLeaves() = default;
+    /// Appends all crossings of the whole line with a leaf. True if the line comes from inside of it (asked of leaves that are inside by crossings).
+    virtual bool crossings(uint32_t leaf, const Ray& ray, std::vector<CsgCrossing>& out) const = 0;
+    virtual bool inside(uint32_t leaf, const Vec3& point) const = 0;
+    /// How far the true surface may be from the hit, along its normal, and the cosine of the angle between that and the ray, without its sign. Asked only
+    /// where crossings are near each other.
+    struct Sharpness {
+        double error, cosine;
+    };
+    virtual Sharpness sharpness(const Ray& ray, const Hit& hit) const = 0;
+};
+
+/// A node with its subtree behind it.
+struct CsgNode {
+    CsgOp op = CsgOp::leaf;         ///< never difference
+    CsgInside inside = CsgInside::nowhere;
+    bool inverted = false;          ///< leaves alone
+    bool far = false;               ///< is it inside everywhere outside of `box`?
+    uint32_t leaf = kNoId;
+    uint32_t parent = 0, place = 0; ///< the number among its siblings
+    uint32_t end = 0;               ///< the first node behind the subtree
+    uint32_t children = 0;
+    Mask mask = kMaskAll;
+    Bounds box;                     ///< outside of it the node has no surface, and is all inside or all outside
+};
+
+/// An expression made ready for rays. Inversion stands at leaves alone (the inverse of a union is the intersection of the inverses, that of an
+/// intersection the merge of the inverses), operations in an equal operation are one, and many parts are sorted by place, so that a line meets few of them.
+///
+/// What is a surface of the whole is decided by the sides: a crossing of a part of an intersection stays if all other parts are inside on the side on
+/// which the part is; of a merge, if all others are outside on the side on which it is outside. Crossings within their error bounds of each other are
+/// one place: so A - A is nothing, A * A is A, and where faces coincide there is one of them, that of the first part.
+class CsgTree {
+  public:
+    explicit CsgTree(const CsgExpression& expression);
+
+    std::span<const CsgNode> nodes() const { return nodes_; }
+    /// Of the surfaces. Infinite where they are.
+    const Bounds& bounds() const { return nodes_[0].box; }
+    /// The first surface with tmin <= t <= tmax that the ray's mask sees; of several at one t the one that comes before.
+    bool first(const Ray& ray, const CsgLeaves& leaves, Hit& hit) const;
+    /// All of them, appended in order of t.
+    void all(const Ray& ray, const CsgLeaves& leaves, std::vector<Hit>& hits) const;
+
+  private:
+    std::vector<CsgNode> nodes_;    ///< each before its subtree
+};
+
+/// Does the line of `ray` come from inside of a solid? `crossings` are all of its crossings with it.
+bool begins_inside(const ShapeOps& ops, const ShapeGeometry& shape, const Ray& ray, const Crossings& crossings);
+
+}  // namespace alidade

@@ -1,0 +1,133 @@
+// SPDX-License-Identifier: Apache-2.0
+/// From an expression to the nodes of a tree.
+#include "eval/csg.h"
+
+#include <algorithm>
+
+namespace alidade {
+
+namespace {
+
+/// An expression without differences and without inverses but at leaves.
+struct Plain {
+    CsgOp op = CsgOp::leaf;
+    bool inverted = false;
+    CsgLeaf leaf;
+    Mask mask = kMaskAll;
+    std::vector<Plain> parts;
+    bool far = false;
+    Bounds box;
+};
+
+Bounds everywhere() { return {Vec3(-kInf), Vec3(kInf)}; }
+
+CsgOp plain_op(CsgOp op, bool inverse) {
+    switch (op) {
+        case CsgOp::union_: return inverse ? CsgOp::intersection : CsgOp::union_;
+        case CsgOp::merge: return inverse ? CsgOp::intersection : CsgOp::merge;
+        case CsgOp::intersection:
+        case CsgOp::difference: return inverse ? CsgOp::merge : CsgOp::intersection;
+        case CsgOp::leaf:
+        case CsgOp::clip: break;
+    }
+    return op;
+}
+
+/// Outside of its box a set is nothing, or everything. Of an intersection only that is left which is in the box of every part that is nothing outside
+/// of its own; where all parts go on for ever, it goes on outside of all boxes. For a merge the same holds of what is outside; a union shows the
+/// surfaces of all parts, wherever they are.
+void find_box(Plain& p) {
+    if (p.op == CsgOp::leaf) {
+        p.far = p.inverted;
+        p.box = p.leaf.inside == CsgInside::at_points ? everywhere() : p.leaf.bounds;
+        return;
+    }
+    const bool meets = p.op == CsgOp::intersection || p.op == CsgOp::clip;
+    const auto decides = [&](const Plain& part) { return part.far != meets; };
+    const bool decided = std::any_of(p.parts.begin(), p.parts.end(), decides);
+    p.far = decided != meets;
+    p.box = decided && p.op != CsgOp::union_ ? everywhere() : Bounds();
+    for (const Plain& part : p.parts) {
+        if (!decided || p.op == CsgOp::union_) p.box.extend(part.box);
+        else if (decides(part)) p.box = intersection(p.box, part.box);
+    }
+}
+
+/// Parts stay in order up to this many.
+constexpr size_t kMostParts = 8;
+
+void finish(Plain& p);
+
+/// Many parts become groups of parts that are near each other: halves by the middle of their boxes along the longest extent, and halves of those. What
+/// a line can miss without deciding anything is sorted, the holes of an intersection or the solids of a union; the rest comes first.
+void sort_by_place(Plain& p) {
+    if (p.parts.size() <= kMostParts) return;
+    const bool meets = p.op == CsgOp::intersection;
+    const auto bounded = std::stable_partition(p.parts.begin(), p.parts.end(), [meets](const Plain& part) { return !part.box.finite() || part.far != meets; });
+    const std::ptrdiff_t count = p.parts.end() - bounded;
+    if (count <= std::ptrdiff_t(kMostParts)) return;
+    Bounds middles;
+    for (auto i = bounded; i != p.parts.end(); ++i) middles.extend(i->box.center());
+    const Vec3 extent = middles.extent();
+    const int axis = extent.x >= extent.y && extent.x >= extent.z ? 0 : extent.y >= extent.z ? 1 : 2;
+    std::stable_sort(bounded, p.parts.end(), [axis](const Plain& a, const Plain& b) { return a.box.center()[axis] < b.box.center()[axis]; });
+    Plain halves[2];
+    for (std::ptrdiff_t i = 0; i < count; ++i) halves[2 * i >= count].parts.push_back(std::move(bounded[i]));
+    p.parts.erase(bounded, p.parts.end());
+    for (Plain& half : halves) {
+        half.op = p.op;
+        finish(half);
+        p.parts.push_back(std::move(half));
+    }
+}
+
+void finish(Plain& p) {
+    // What clips stands behind what is clipped.
+    if (p.op != CsgOp::leaf && p.op != CsgOp::clip) sort_by_place(p);
+    find_box(p);
+}
+
+Plain plain(const CsgExpression& e, bool inverse, Mask mask) {
+    Plain out;
+    inverse = inverse != e.inverse;
+    out.op = plain_op(e.op, inverse);
+    out.leaf = e.leaf;
+    out.mask = mask & e.mask;
+    out.inverted = e.op == CsgOp::leaf && inverse;
+    for (const CsgExpression& part : e.parts) {
+        const bool first = &part == &e.parts.front();
+        const bool turned = e.op == CsgOp::clip ? inverse && first : e.op == CsgOp::difference ? inverse != !first : inverse;
+        Plain made = plain(part, turned, out.mask);
+        if (made.op == out.op && out.op != CsgOp::clip) std::move(made.parts.begin(), made.parts.end(), std::back_inserter(out.parts));
+        else out.parts.push_back(std::move(made));
+    }
+    if (out.op == CsgOp::leaf) find_box(out);
+    if (out.parts.size() == 1) return Plain(std::move(out.parts.front()));
+    return out;
+}
+
+void finish_below(Plain& p) {
+    for (Plain& part : p.parts) finish_below(part);
+    finish(p);
+}
+
+void emit(const Plain& p, uint32_t parent, uint32_t place, std::vector<CsgNode>& out) {
+    const uint32_t self = uint32_t(out.size());
+    CsgNode node;
+    node.op = p.op, node.inside = p.leaf.inside, node.inverted = p.inverted, node.far = p.far, node.leaf = p.leaf.id;
+    node.parent = parent, node.place = place, node.children = uint32_t(p.parts.size());
+    node.mask = p.mask, node.box = p.box;
+    out.push_back(node);
+    for (uint32_t i = 0; i < node.children; ++i) emit(p.parts[i], self, i, out);
+    out[self].end = uint32_t(out.size());
+}
+
+}  // namespace
+
+CsgTree::CsgTree(const CsgExpression& expression) {
+    Plain p = plain(expression, false, kMaskAll);
+    finish_below(p);
+    emit(p, 0, 0, nodes_);
+}
+
+}  // namespace alidade

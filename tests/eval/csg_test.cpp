@@ -1,0 +1,314 @@
+// SPDX-License-Identifier: Apache-2.0
+/// Set operations on a line, against what is inside at every point of it.
+#include "eval/csg.h"
+#include "tests/eval/shape_samples.h"
+
+#include <algorithm>
+#include <gtest/gtest.h>
+
+namespace alidade {
+namespace {
+
+/// Shapes as leaves, by their index; counts how many are asked.
+class ShapeLeaves final : public CsgLeaves {
+  public:
+    std::vector<ShapeGeometry> shapes;
+    mutable int asked = 0;
+
+    CsgExpression add(ShapeGeometry shape) {
+        shapes.push_back(std::move(shape));
+        return leaf(uint32_t(shapes.size() - 1));
+    }
+    CsgExpression leaf(uint32_t id) const {
+        const ShapeOps& ops = *find_shape(shapes[id]);
+        CsgExpression e;
+        e.leaf = {id, ops.solid(shapes[id]) ? CsgInside::by_crossings : CsgInside::at_points, ops.bounds(shapes[id])};
+        return e;
+    }
+    bool crossings(uint32_t id, const Ray& ray, std::vector<CsgCrossing>& out) const override {
+        ++asked;
+        const ShapeOps& ops = *find_shape(shapes[id]);
+        const Crossings found = ops.crossings(shapes[id], ray);
+        for (int i = 0; i < found.count; ++i) {
+            Hit hit;
+            hit.t = found.at[i].t, hit.instance = id, hit.primitive = 0, hit.part = found.at[i].part, hit.error = found.at[i].error;
+            out.push_back({hit, 0});
+        }
+        return begins_inside(ops, shapes[id], ray, found);
+    }
+    bool inside(uint32_t id, const Vec3& p) const override { return find_shape(shapes[id])->inside(shapes[id], p); }
+    Sharpness sharpness(const Ray& ray, const Hit& hit) const override {
+        const ShapeGeometry& shape = shapes[hit.instance];
+        return {hit.error.along_normal, std::abs(dot(find_shape(shape)->surface(shape, ray.at(hit.t), hit.part).normal, normalized(ray.dir)))};
+    }
+};
+
+CsgExpression of(CsgOp op, std::vector<CsgExpression> parts, bool inverse = false) {
+    CsgExpression e;
+    e.op = op, e.parts = std::move(parts), e.inverse = inverse;
+    return e;
+}
+
+CsgExpression inverse(CsgExpression e) {
+    e.inverse = !e.inverse;
+    return e;
+}
+
+/// What a set operation is, at a point: the oracle.
+bool inside(const ShapeLeaves& leaves, const CsgExpression& e, const Vec3& p) {
+    std::vector<bool> parts;
+    for (const CsgExpression& part : e.parts) parts.push_back(inside(leaves, part, p));
+    const bool any = std::count(parts.begin(), parts.end(), true) > 0, all = std::count(parts.begin(), parts.end(), false) == 0;
+    const bool first = !parts.empty() && parts[0];
+    const bool others = std::count(parts.begin(), parts.end(), true) > int(first), clips = std::count(parts.begin(), parts.end(), false) == int(!first);
+    switch (e.op) {
+        case CsgOp::leaf: return leaves.inside(e.leaf.id, p) != e.inverse;
+        case CsgOp::union_:
+        case CsgOp::merge: return any != e.inverse;
+        case CsgOp::intersection: return all != e.inverse;
+        case CsgOp::difference: return (first && !others) != e.inverse;
+        case CsgOp::clip: return (first != e.inverse) && clips;
+    }
+    return false;
+}
+
+bool is_outline(const CsgExpression& e) {
+    return e.op != CsgOp::union_ && e.op != CsgOp::clip && std::all_of(e.parts.begin(), e.parts.end(), is_outline);
+}
+
+CsgExpression random_expression(ShapeLeaves& leaves, test::Draw& draw, int levels, bool outline) {
+    if (levels == 0 || draw.below(4) == 0) {
+        ShapeGeometry shape;
+        const ShapeOps* ops;
+        do {
+            ops = &shapes()[draw.below(uint32_t(shapes().size()))];
+            shape = test::sample_shape(*ops, 1, draw);
+        } while (!ops->solid(shape));
+        CsgExpression e = leaves.add(shape);
+        e.inverse = draw.below(5) == 0;
+        return e;
+    }
+    static constexpr CsgOp kOps[] = {CsgOp::merge, CsgOp::intersection, CsgOp::difference, CsgOp::union_, CsgOp::clip};
+    CsgExpression e = of(kOps[draw.below(outline ? 3 : 5)], {}, draw.below(5) == 0);
+    const uint32_t count = 2 + draw.below(3);
+    for (uint32_t i = 0; i < count; ++i) e.parts.push_back(random_expression(leaves, draw, levels - 1, outline));
+    return e;
+}
+
+Ray whole_line(Ray ray) {
+    ray.tmin = -kInf;
+    return ray;
+}
+
+std::vector<Hit> surfaces(const CsgExpression& e, const ShapeLeaves& leaves, const Ray& ray) {
+    std::vector<Hit> out;
+    CsgTree(e).all(ray, leaves, out);
+    return out;
+}
+
+/// All crossings with all leaves, in order; empty if two of them are too near to each other to have a point between them.
+std::vector<double> cuts(const ShapeLeaves& leaves, const Ray& ray) {
+    std::vector<CsgCrossing> crossings;
+    for (uint32_t id = 0; id < leaves.shapes.size(); ++id) leaves.crossings(id, ray, crossings);
+    std::vector<double> out;
+    for (const CsgCrossing& c : crossings) out.push_back(c.hit.t);
+    std::sort(out.begin(), out.end());
+    for (size_t i = 1; i < out.size(); ++i)
+        if ((out[i] - out[i - 1]) * length(ray.dir) < 1e-6) return {};
+    return out;
+}
+
+/// Between two neighbouring crossings nothing changes; at one of them either the whole does, and that is a surface of it, or it does not: then there is a
+/// surface only where a union shows its inner ones.
+TEST(Csg, SurfacesAreWhereTheWholeChanges) {
+    test::Draw draw(1);
+    int changes = 0, inner = 0;
+    for (int round = 0; round < 3000; ++round) {
+        ShapeLeaves leaves;
+        const bool outline = round % 2;
+        const CsgExpression e = random_expression(leaves, draw, 1 + round % 4, outline);
+        const Ray ray = whole_line(test::ray_from(6, draw));
+        const std::vector<double> at = cuts(leaves, ray);
+        if (at.empty()) continue;
+        std::vector<double> expected;
+        const auto between = [&](size_t i) { return i == 0 ? at[0] - 1 : i == at.size() ? at.back() + 1 : 0.5 * (at[i - 1] + at[i]); };
+        for (size_t i = 0; i < at.size(); ++i)
+            if (inside(leaves, e, ray.at(between(i))) != inside(leaves, e, ray.at(between(i + 1)))) expected.push_back(at[i]);
+        std::vector<double> found;
+        for (const Hit& hit : surfaces(e, leaves, ray)) found.push_back(hit.t);
+        if (outline) {
+            ASSERT_EQ(found, expected) << "round " << round;
+        }
+        changes += int(expected.size()), inner += int(found.size() - std::min(expected.size(), found.size()));
+    }
+    EXPECT_GT(changes, 2000);
+    EXPECT_GT(inner, 100) << "unions must be among them";
+}
+
+TEST(Csg, TheFirstSurfaceIsTheFirstOfAll) {
+    test::Draw draw(2);
+    int found = 0;
+    for (int round = 0; round < 3000; ++round) {
+        ShapeLeaves leaves;
+        const CsgExpression e = random_expression(leaves, draw, 1 + round % 4, false);
+        Ray ray = test::ray_from(draw(0, 6), draw);
+        ray.tmax = draw(0, 20);
+        const std::vector<Hit> all = surfaces(e, leaves, whole_line(ray));
+        const auto first = std::find_if(all.begin(), all.end(), [&](const Hit& h) { return h.t >= ray.tmin; });
+        Hit hit;
+        const bool any = CsgTree(e).first(ray, leaves, hit);
+        ASSERT_EQ(any, first != all.end() && first->t <= ray.tmax) << "round " << round;
+        if (!any) continue;
+        ++found;
+        ASSERT_EQ(hit.t, first->t);
+        ASSERT_EQ(hit.instance, first->instance);
+    }
+    EXPECT_GT(found, 500);
+}
+
+/// What the boxes leave out is not missed.
+TEST(Csg, BoundsHoldAllSurfaces) {
+    test::Draw draw(3);
+    int hits = 0;
+    for (int round = 0; round < 3000; ++round) {
+        ShapeLeaves leaves;
+        const CsgExpression e = random_expression(leaves, draw, 1 + round % 3, false);
+        const Ray ray = whole_line(test::ray_from(6, draw));
+        Bounds box = CsgTree(e).bounds();
+        box.min -= 1e-9, box.max += 1e-9;
+        for (const Hit& hit : surfaces(e, leaves, ray)) {
+            ++hits;
+            ASSERT_TRUE(box.contains(ray.at(hit.t)));
+        }
+    }
+    EXPECT_GT(hits, 1000);
+}
+
+/// Calls f(expression of one solid, leaves, ray) for all kinds of solids.
+template <class F> void for_solids(uint64_t seed, const F& f) {
+    test::Draw draw(seed);
+    for (const ShapeOps& ops : shapes())
+        for (int i = 0; i < 300; ++i) {
+            ShapeLeaves leaves;
+            const double scale = draw.decades(-4, 4);
+            const ShapeGeometry shape = test::placed(test::sample_shape(ops, i % 10, draw), scale, scale * draw.vector(draw.decades(-1, 3)));
+            if (!ops.solid(shape)) continue;
+            Ray ray = test::ray_from(draw.decades(0, 2), draw);
+            ray.origin *= scale;
+            if (ops.bounds(shape).finite()) ray.origin += ops.bounds(shape).center();
+            const CsgExpression e = leaves.add(shape);
+            f(e, leaves, whole_line(ray));
+        }
+}
+
+std::vector<double> distances(const std::vector<Hit>& hits) {
+    std::vector<double> out;
+    for (const Hit& hit : hits) out.push_back(hit.t);
+    return out;
+}
+
+TEST(Csg, ASolidWithoutItselfIsNothing) {
+    for_solids(4, [](const CsgExpression& a, const ShapeLeaves& leaves, const Ray& ray) {
+        ASSERT_TRUE(surfaces(of(CsgOp::difference, {a, a}), leaves, ray).empty());
+        ASSERT_TRUE(surfaces(of(CsgOp::intersection, {inverse(a), a}), leaves, ray).empty());
+        ASSERT_TRUE(surfaces(of(CsgOp::merge, {inverse(a), a}), leaves, ray).empty()) << "everything has no surface";
+    });
+}
+
+TEST(Csg, ASolidWithItselfIsItself) {
+    for_solids(5, [](const CsgExpression& a, const ShapeLeaves& leaves, const Ray& ray) {
+        const std::vector<double> alone = distances(surfaces(a, leaves, ray));
+        for (const CsgOp op : {CsgOp::intersection, CsgOp::merge, CsgOp::clip}) {
+            std::vector<double> twice = distances(surfaces(of(op, {a, a}), leaves, ray));
+            // A line that only touches the surface is at one place twice, and on neither side inside: whether that is a surface is open.
+            if (alone.size() == 2 && alone[1] - alone[0] < 1e-7 * std::abs(alone[0]) && twice.empty()) continue;
+            ASSERT_EQ(twice, alone);
+        }
+    });
+}
+
+/// The same numbers by other ways: faces that coincide but for roundings.
+TEST(Csg, FacesThatCoincideAreOne) {
+    test::Draw draw(6);
+    for (int round = 0; round < 2000; ++round) {
+        ShapeLeaves leaves;
+        const double scale = draw.decades(-3, 3), third = 0.1 * 3 * scale;   // 0.1 * 3 is not 0.3
+        const CsgExpression a = leaves.add(Box{Vec3(-1, -1, -1) * scale, Vec3(0.3 * scale, scale, scale)}), b = leaves.add(Box{Vec3(third, -scale, -scale), Vec3(2, 1, 1) * scale});
+        const CsgExpression cut = leaves.add(Plane{Vec3(-3, 0, 0), -third});   // inside: x >= 0.3
+        Ray ray;
+        ray.origin = Vec3(-8, draw(-0.9, 0.9), draw(-0.9, 0.9)) * scale;
+        ray.dir = normalized(Vec3(draw(0.5, 1.5), draw(-0.9, 0.9), draw(-0.9, 0.9)) * scale - ray.origin);
+        const double first = surfaces(a, leaves, ray).at(0).t;
+        ASSERT_EQ(surfaces(of(CsgOp::merge, {a, b}), leaves, ray).size(), 2u) << "no wall between them";
+        ASSERT_EQ(surfaces(of(CsgOp::union_, {a, b}), leaves, ray).size(), 4u) << "a union has both walls";
+        ASSERT_TRUE(surfaces(of(CsgOp::intersection, {a, b}), leaves, ray).empty());
+        ASSERT_TRUE(surfaces(of(CsgOp::intersection, {a, cut}), leaves, ray).empty());
+        ASSERT_EQ(surfaces(of(CsgOp::difference, {a, b}), leaves, ray).size(), 2u);
+        ASSERT_EQ(surfaces(of(CsgOp::difference, {a, b}), leaves, ray).at(0).t, first);
+        ASSERT_EQ(surfaces(of(CsgOp::difference, {of(CsgOp::union_, {a, b}), cut}), leaves, ray).size(), 2u) << "half of them is cut away, walls and all";
+        ASSERT_EQ(surfaces(of(CsgOp::intersection, {b, cut}), leaves, ray).size(), 2u) << "one of two equal faces";
+    }
+}
+
+TEST(Csg, DeMorgan) {
+    test::Draw draw(7);
+    int found = 0;
+    for (int round = 0; round < 2000; ++round) {
+        ShapeLeaves leaves;
+        const CsgExpression a = random_expression(leaves, draw, 1, true), b = random_expression(leaves, draw, 1, true);
+        const Ray ray = whole_line(test::ray_from(6, draw));
+        const auto same = [&](const CsgExpression& x, const CsgExpression& y) {
+            const std::vector<double> of_x = distances(surfaces(x, leaves, ray));
+            ASSERT_EQ(of_x, distances(surfaces(y, leaves, ray)));
+            found += int(of_x.size());
+        };
+        same(of(CsgOp::union_, {a, b}, true), of(CsgOp::intersection, {inverse(a), inverse(b)}));
+        same(of(CsgOp::intersection, {a, b}, true), of(CsgOp::merge, {inverse(a), inverse(b)}));
+        same(of(CsgOp::difference, {a, b}), of(CsgOp::intersection, {a, inverse(b)}));
+        same(inverse(inverse(a)), a);
+    }
+    EXPECT_GT(found, 1000);
+}
+
+/// An open cylinder has no caps, and is inside what it was: it drills a hole. A disc is a half space.
+TEST(Csg, WhatIsNotSolidIsAskedAtPoints) {
+    ShapeLeaves leaves;
+    const CsgExpression box = leaves.add(Box{Vec3(-5), Vec3(5)}), pipe = leaves.add(Cylinder{Vec3(-1, 0, 0), Vec3(1, 0, 0), 1, true}), disc = leaves.add(Disc{Vec3(0), Vec3(1, 0, 0), 3, 0});
+    Ray ray;
+    ray.origin = Vec3(-20, 0.01, 0.02), ray.dir = Vec3(1, 0, 0);
+    const auto at = [&](const CsgExpression& e) {
+        std::vector<double> x = distances(surfaces(e, leaves, ray));
+        for (double& t : x) t -= 20;
+        return x;
+    };
+    using List = std::vector<double>;
+    EXPECT_EQ(at(of(CsgOp::intersection, {box, disc})), (List{-5, 0}));
+    EXPECT_EQ(at(of(CsgOp::difference, {box, disc})), (List{0, 5}));
+    EXPECT_EQ(at(of(CsgOp::difference, {box, pipe})), (List{-5, 5}));
+    EXPECT_EQ(at(of(CsgOp::intersection, {box, pipe})), List());
+    ray.origin = Vec3(0, 0.01, -20), ray.dir = Vec3(0, 0, 1);
+    EXPECT_EQ(at(of(CsgOp::difference, {box, pipe})).size(), 4u);
+    EXPECT_EQ(at(of(CsgOp::clip, {box, pipe})), List());
+}
+
+/// A thousand holes: few of them are near a line, and only those are asked.
+TEST(Csg, ALineMeetsFewOfManyParts) {
+    test::Draw draw(8);
+    for (const CsgOp op : {CsgOp::union_, CsgOp::difference}) {
+        ShapeLeaves leaves;
+        CsgExpression e = of(op, {leaves.add(Box{Vec3(-10, -1, -10), Vec3(10, 1, 10)})});
+        for (int i = 0; i < 1000; ++i) e.parts.push_back(leaves.add(Sphere{Vec3(draw(-10, 10), draw(-1, 1), draw(-10, 10)), 0.1}));
+        const CsgTree tree(e);
+        leaves.asked = 0;
+        for (int i = 0; i < 100; ++i) {
+            Ray ray;
+            ray.origin = Vec3(draw(-10, 10), 20, draw(-10, 10)), ray.dir = Vec3(0.1, -1, 0.1);
+            Hit hit;
+            tree.first(ray, leaves, hit);
+        }
+        EXPECT_LT(leaves.asked, 100 * 6);
+    }
+}
+
+}  // namespace
+}  // namespace alidade

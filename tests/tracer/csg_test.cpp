@@ -1,0 +1,146 @@
+// SPDX-License-Identifier: Apache-2.0
+/// Solids in scenes: whatever accelerator finds them, rays meet the same surfaces.
+#include "tests/core/draw.h"
+#include "tests/tracer/scene_builder.h"
+#include "tracer/compiled_scene.h"
+
+namespace alidade {
+namespace {
+
+struct Solids : test::SceneBuilder {
+    explicit Solids(uint64_t seed) : draw(seed), plain(material(lambert(Color(0.5)))) {}
+    test::Draw draw;
+    MaterialId plain;
+
+    Transform anywhere() { return Transform::translate(draw.vector(4)) * Transform::from_quaternion(draw.quaternion()) * Transform::scale(Vec3(draw(0.5, 2))); }
+
+    NodeId random_shape() {
+        static const ShapeGeometry kShapes[] = {Sphere(), Box(), Cylinder{Vec3(0, -2, 0), Vec3(0, 2, 0), 0.6, true}, Cylinder{Vec3(-2, 0, 0), Vec3(2, 0, 0), 0.6}, Torus(), Plane{Vec3(0, 1, 0), 0.3}, Disc()};
+        Node n;
+        n.what = draw.below(10) == 0 ? shape(test::square()) : shape(kShapes[draw.below(std::size(kShapes))]);
+        n.materials = {plain};
+        n.to_parent = Transform::translate(draw.vector(0.7)) * Transform::from_quaternion(draw.quaternion());
+        n.inverse = draw.below(6) == 0;
+        return node(n, false);
+    }
+
+    NodeId random_node(int levels, bool root) {
+        if (levels == 0) return random_shape();
+        Node n;
+        n.csg = CsgKind(1 + draw.below(4));
+        n.inverse = !root && draw.below(6) == 0;
+        const uint32_t count = 2 + draw.below(3);
+        for (uint32_t i = 0; i < count; ++i) n.children.push_back(random_node(draw.below(2) ? levels - 1 : 0, false));
+        if (draw.below(4) == 0) n.clips.push_back(random_shape());
+        if (root) n.to_parent = anywhere();
+        return node(n, root);
+    }
+
+    Ray random_ray() {
+        Ray ray;
+        ray.origin = draw.vector(draw.below(3) ? 12 : 4);
+        ray.dir = (draw.vector(5) - ray.origin) * draw(0.1, 2);
+        if (draw.below(4) == 0) ray.tmax = draw(0, 3);
+        return ray;
+    }
+};
+
+void expect_equal(const Hit& a, const Hit& b, const std::string& who) {
+    ASSERT_EQ(a.t, b.t) << who;
+    ASSERT_EQ(a.instance, b.instance) << who;
+    ASSERT_EQ(a.primitive, b.primitive) << who;
+    ASSERT_EQ(a.part, b.part) << who;
+}
+
+TEST(Solids, EveryAcceleratorFindsTheSameSurfaces) {
+    Solids b(1);
+    for (int i = 0; i < 60; ++i) b.random_node(1 + i % 3, true);
+    for (int i = 0; i < 20; ++i) b.object(Sphere{b.draw.vector(5), 0.3}, b.plain);
+    std::vector<Ray> rays;
+    for (int i = 0; i < 2000; ++i) rays.push_back(b.random_ray());
+    CompileOptions options;
+    options.accel = accelerators()[0].name;
+    const auto oracle = test::compiled(b.scene, options);
+    ASSERT_GT(oracle->solids.size(), 40u);
+    for (const AcceleratorEntry& entry : accelerators()) {
+        options.accel = entry.name;
+        const auto scene = test::compiled(b.scene, options);
+        int found = 0;
+        for (const Ray& ray : rays) {
+            WorkCounters work;
+            Hit want, got;
+            const bool any = oracle->top->intersect(ray, want, work);
+            ASSERT_EQ(scene->top->intersect(ray, got, work), any) << entry.name;
+            ASSERT_EQ(scene->top->occluded(ray, work), any) << entry.name;
+            std::vector<Hit> all_want, all_got;
+            oracle->top->all_hits(ray, all_want, work), scene->top->all_hits(ray, all_got, work);
+            ASSERT_EQ(all_got.size(), all_want.size()) << entry.name;
+            for (size_t i = 0; i < all_got.size(); ++i) expect_equal(all_got[i], all_want[i], entry.name);
+            if (!any) continue;
+            ++found;
+            expect_equal(got, want, entry.name);
+            expect_equal(got, all_got.front(), "the first of all");
+        }
+        EXPECT_GT(found, 500) << entry.name;
+    }
+}
+
+/// A box with a bore: what the bore leaves has the bore's own material, and its normals point into the bore.
+TEST(Solids, ACutShowsTheCuttersMaterialTurnedOutwards) {
+    Solids b(2);
+    Node part;
+    part.what = b.shape(Box{Vec3(-1), Vec3(1)});
+    part.materials = {b.plain};
+    const NodeId box = b.node(part, false);
+    part.what = b.shape(Sphere{Vec3(0, 0, 1), 0.5});
+    part.materials = {b.material(b.lambert(Color(1, 0, 0)))};
+    const NodeId bore = b.node(part, false);
+    Node difference;
+    difference.csg = CsgKind::difference;
+    difference.children = {box, bore};
+    b.node(difference);
+    b.camera(Vec3(0, 0, 5), Vec3(0), 10);
+    RenderOptions options = test::centre_rays(1, {"normal", "albedo", "depth"});
+    const Film film = test::rendered(b.scene, options);
+    EXPECT_NEAR(test::value(film.picture, 0, 0, "depth.Z"), 4.5, 1e-6);
+    EXPECT_NEAR(test::value(film.picture, 0, 0, "normal.Z"), 1, 1e-6);
+    EXPECT_EQ(test::value(film.picture, 0, 0, "albedo.R"), 1);
+}
+
+/// A solid of glass lets light through by what is solid of it: its parts carry one interior.
+TEST(Solids, PartsOfAnObjectShareItsInterior) {
+    Solids b(3);
+    b.scene.interiors.emplace_back();
+    Node part;
+    part.materials = {b.plain};
+    part.what = b.shape(Sphere());
+    const NodeId one = b.node(part, false), two = b.node(part, false);
+    Node merge;
+    merge.csg = CsgKind::merge;
+    merge.interior = InteriorId{0};
+    merge.children = {one, two};
+    const NodeId whole = b.node(merge);
+    b.scene.roots.push_back(whole);   // twice: two objects
+    const auto scene = test::compiled(b.scene);
+    ASSERT_EQ(scene->instances.size(), 4u);
+    EXPECT_EQ(scene->instances[0].carrier, scene->instances[1].carrier);
+    EXPECT_EQ(scene->instances[2].carrier, scene->instances[3].carrier);
+}
+
+/// What stands too deep is refused, not followed down the stack.
+TEST(Solids, AreNotDeeperThanTheStack) {
+    Solids b(4);
+    NodeId below = b.random_shape();
+    for (int i = 0; i < 100000; ++i) {
+        Node n;
+        n.csg = CsgKind::difference;
+        n.children = {below};
+        below = b.node(n, i == 99999);
+    }
+    Diagnostics said;
+    compile(b.scene, {}, said);
+    EXPECT_NE(said.text().find("levels deep"), std::string::npos) << said.text();
+}
+
+}  // namespace
+}  // namespace alidade

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "tracer/instance_leaves.h"
+
+#include "tracer/instance_set.h"
+#include "tracer/shade_point.h"
+
+namespace alidade {
+
+bool InstanceLeaves::crossings(uint32_t id, const Ray& ray, std::vector<CsgCrossing>& out) const {
+    const Instance& instance = scene_.instances[id];
+    const Geometry& geometry = scene_.geometries[instance.geometry];
+    const Ray local = instance.to_local.ray(ray);
+    if (geometry.mesh) {
+        thread_local std::vector<Hit> hits;
+        hits.clear();
+        geometry.triangles->all_hits(local, hits, work_, id);
+        for (const Hit& hit : hits) out.push_back({hit, 0});
+        return false;
+    }
+    ++work_.primitives;
+    const Crossings crossings = geometry.ops->crossings(*geometry.source, local);
+    for (int i = 0; i < crossings.count; ++i) out.push_back({hit_of(crossings.at[i], id), 0});
+    return !geometry.bounds.finite() && begins_inside(*geometry.ops, *geometry.source, local, crossings);
+}
+
+bool InstanceLeaves::inside(uint32_t id, const Vec3& point) const {
+    const Instance& instance = scene_.instances[id];
+    const Geometry& geometry = scene_.geometries[instance.geometry];
+    return !geometry.mesh && geometry.ops->inside(*geometry.source, instance.to_local.point(point));
+}
+
+CsgLeaves::Sharpness InstanceLeaves::sharpness(const Ray& ray, const Hit& hit) const {
+    const double cosine = std::abs(dot(geometric_normal(scene_, ray, hit), ray.dir)) / length(ray.dir);
+    return {world_error(scene_.instances[hit.instance], ray, hit, ray.at(hit.t)), cosine};
+}
+
+CsgLeaf csg_leaf(const CompiledScene& scene, uint32_t id) {
+    const Instance& instance = scene.instances[id];
+    const Geometry& geometry = scene.geometries[instance.geometry];
+    CsgLeaf leaf;
+    leaf.id = id;
+    leaf.inside = geometry.mesh ? CsgInside::nowhere : geometry.ops->solid(*geometry.source) ? CsgInside::by_crossings : CsgInside::at_points;
+    leaf.bounds = instance.bounds;
+    return leaf;
+}
+
+}  // namespace alidade

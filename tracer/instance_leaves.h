@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "tracer/compiled_scene.h"
+
+namespace alidade {
+
+/// Instances as leaves of solids. Rays and points are world-space.
+class InstanceLeaves final : public CsgLeaves {
+  public:
+    /// Both must outlive the leaves.
+    InstanceLeaves(const CompiledScene& scene, WorkCounters& work) : scene_(scene), work_(work) {}
+    bool crossings(uint32_t instance, const Ray& ray, std::vector<CsgCrossing>& out) const override;
+    bool inside(uint32_t instance, const Vec3& point) const override;
+    Sharpness sharpness(const Ray& ray, const Hit& hit) const override;
+
+  private:
+    const CompiledScene& scene_;
+    WorkCounters& work_;
+};
+
+/// The instance as a leaf: what tells where it is inside, and its world-space box.
+CsgLeaf csg_leaf(const CompiledScene& scene, uint32_t instance);
+
+}  // namespace alidade
