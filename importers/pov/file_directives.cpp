@@ -11,19 +11,26 @@ namespace alidade::pov {
 namespace {
 
 Ref<TextFile> open_for_writing(Parser& p, const std::string& name, bool append, Place at) {
-    if (!p.options.write_folder) p.fail(at, fmt::format("the scene wants to write the file {}, and nothing has allowed it", name), "allow it with --allow-write DIR");
-    const std::optional<std::string> path = TextFiles::below(*p.options.write_folder, name);
-    if (!path) p.fail(at, fmt::format("the file {} lies outside of the folder that may be written to", name));
     Ref<TextFile> file(new TextFile);
-    file->path = *path, file->writing = true, file->append = append;
-    if (!TextFiles::write(*file)) p.fail(at, fmt::format("the file {} cannot be written", *path));
-    file->append = true;
+    file->path = name, file->writing = true, file->append = append, file->kept = !p.options.write_folder;
+    if (file->kept) {
+        p.tally(at, fmt::format("the file {} is not written, since --allow-write DIR has not allowed it: the scene alone can read it", name));
+        const auto found = append && !p.files.kept(name) ? p.finder.find(name) : std::nullopt;
+        if (found) file->text = read_whole(found->path, p.options.limits.file_bytes).value_or("");
+    } else {
+        const std::optional<std::string> path = TextFiles::below(*p.options.write_folder, name);
+        if (!path) p.fail(at, fmt::format("the file {} lies outside of the folder that may be written to", name));
+        file->path = *path;
+    }
+    if (!p.files.write(*file)) p.fail(at, fmt::format("the file {} cannot be written", file->path));
+    file->append = true, file->text.clear();
     return file;
 }
 
 Ref<TextFile> open_for_reading(Parser& p, const std::string& name, Place at) {
-    const std::optional<SourceFinder::Found> found = p.finder.find(name);
-    std::optional<std::string> text = found ? read_whole(found->path, p.options.limits.file_bytes) : std::nullopt;
+    const std::string* kept = p.files.kept(name);
+    const std::optional<SourceFinder::Found> found = kept ? std::nullopt : p.finder.find(name);
+    std::optional<std::string> text = kept ? std::optional(*kept) : found ? read_whole(found->path, p.options.limits.file_bytes) : std::nullopt;
     if (!text && p.options.write_folder)                          // what the scene itself has written
         if (const std::optional<std::string> path = TextFiles::below(*p.options.write_folder, name)) text = read_whole(*path, p.options.limits.file_bytes);
     if (!text) p.fail(at, fmt::format("the file {} is not found", name));
@@ -47,7 +54,7 @@ void open(Parser& p) {
 
 void flush(Parser& p, TextFile& file, Place at) {
     if (!file.writing || file.text.empty()) return;
-    if (!TextFiles::write(file)) p.fail(at, fmt::format("the file {} cannot be written", file.path));
+    if (!p.files.write(file)) p.fail(at, fmt::format("the file {} cannot be written", file.path));
     file.text.clear();
 }
 

@@ -16,7 +16,18 @@ std::optional<std::string> TextFiles::below(const std::string& folder, const std
     return path.string();
 }
 
+const std::string* TextFiles::kept(const std::string& name) const {
+    const auto at = kept_.find(name);
+    return at == kept_.end() ? nullptr : &at->second;
+}
+
 bool TextFiles::write(const TextFile& file) {
+    if (file.kept) {
+        std::string& text = kept_[file.path];
+        if (!file.append) text.clear();
+        text += file.text;
+        return true;
+    }
     std::ofstream out(file.path, std::ios::binary | (file.append ? std::ios::app : std::ios::trunc));
     out << file.text;
     return bool(out.flush());

@@ -156,6 +156,21 @@ TEST(PovFiles, WritingAndReadingBack) {
     fs::remove_all(folder);
 }
 
+/// Without leave to write, a scene's files are in memory alone.
+TEST(PovFiles, WhatMayNotBeWrittenIsKept) {
+    std::string printed;
+    ReadOptions options;
+    options.print = [&](TextStream, const std::string& text) { printed += text; };
+    Diagnostics said;
+    const std::string name = "alidade_kept_in_memory.txt";
+    const std::string open = "#fopen F \"" + name + "\" ";
+    read_program_text("scene.pov", open + "write #write(F, 1, \"\\n\") #fclose F\n" + open + "append #write(F, 2) #fclose F\n" + open + "read #read(F, A, B) #debug str(A + B, 0, 0)", options, said);
+    EXPECT_FALSE(said.has_errors()) << said.text();
+    EXPECT_EQ(printed, "3");
+    EXPECT_NE(said.text().find("is not written, since --allow-write DIR has not allowed it"), std::string::npos) << said.text();
+    EXPECT_FALSE(std::filesystem::exists(name));
+}
+
 /// Include names in another case are found with a warning, and not at all when the reader is strict.
 TEST(PovFiles, OtherCase) {
     namespace fs = std::filesystem;

@@ -40,8 +40,8 @@ void read_normal_map(Build& build, const Block& block, std::vector<MapEntry>& ma
         if (const Block* base = at.any_block()) at.next(), read_normal_map(build, *base, map);
         else if (at.peek().kind == Item::Kind::entry) {
             const Block& entry = at.next().block();
-            const double value = Cursor(build, entry).number("the place of a normal");
-            map.push_back({value, normal_or_flat(build, entry, 1)});
+            const MapPlace place = place_in_map(build, entry);
+            map.push_back({place.value, normal_or_flat(build, entry, place.skipped)});
         } else at.skip_unmodelled();
     }
 }

@@ -56,12 +56,13 @@ bool take_layer(Build& build, Draft& d, Cursor& at) {
     if (!block || (block->word != "pigment"_w && block->word != "normal"_w && block->word != "finish"_w)) return false;
     begin_texture(d, block->place);
     if (d.layers.empty()) d.layers.push_back(default_texture(build, block->defaults));
-    return take_layer_part(build, at, d.layers);
+    return take_layer_part(build, at, d.layers, d.transform);
 }
 
 void add_layers(Build& build, Draft& d, const Block& texture) {
     begin_texture(d, texture.place);
-    const TextureLayers more = build_texture(build, texture);
+    TextureLayers more = build_texture(build, texture);
+    move_layers(build, more, inverse(d.transform).value_or(Transform()));   // what stood between the layers moves those before it alone
     d.layers.insert(d.layers.end(), more.begin(), more.end());
 }
 

@@ -129,6 +129,12 @@ void move(PatternSignal& s, const Transform& transform) {
     else s.warps.push_back({WarpKind::transform, transform, {}});
 }
 
+MapPlace place_in_map(Build& build, const Block& entry) {
+    Cursor at(build, entry);
+    if (!at.at_number()) return {};
+    return {at.number("a place in a map"), 1};
+}
+
 size_t list_length(const PatternSignal& s) {
     static constexpr std::pair<std::string_view, size_t> kLists[] = {{"checker", 2}, {"brick", 2}, {"hexagon", 3}, {"square", 4}, {"triangular", 6}, {"cubic", 6}};
     for (const auto& [name, length] : kLists)

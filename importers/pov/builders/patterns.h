@@ -19,4 +19,11 @@ void move(PatternSignal& s, const Transform& transform);
 /// How many entries stand in the list of a pattern of blocks (checker, brick ...); 0 for a pattern that takes a map.
 size_t list_length(const PatternSignal& s);
 
+/// The number that an entry of a map begins with, and how many items it takes: without one (which `average` allows) it counts as 1.
+struct MapPlace {
+    double value = 1;
+    size_t skipped = 0;
+};
+MapPlace place_in_map(Build& build, const Block& entry);
+
 }  // namespace alidade::pov

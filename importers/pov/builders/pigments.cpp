@@ -43,8 +43,8 @@ void read_pigment_map(Build& build, const Block& block, std::vector<MapEntry>& m
         if (const Block* base = at.any_block()) at.next(), read_pigment_map(build, *base, map);
         else if (at.peek().kind == Item::Kind::entry) {
             const Block& entry = at.next().block();
-            const double value = Cursor(build, entry).number("the place of a pigment");
-            map.push_back({value, build_pigment(build, entry, usual_pigment(build, entry), 1)});
+            const MapPlace place = place_in_map(build, entry);
+            map.push_back({place.value, build_pigment(build, entry, usual_pigment(build, entry), place.skipped)});
         } else at.skip_unmodelled();
     }
 }

@@ -43,8 +43,8 @@ void read_texture_map(Build& build, const Block& block, Draft& d) {
         if (const Block* base = at.any_block()) at.next(), read_texture_map(build, *base, d);
         else if (at.peek().kind == Item::Kind::entry) {
             const Block& entry = at.next().block();
-            const double value = Cursor(build, entry).number("the place of a texture");
-            add_entry(d, value, part(build, entry, 1), default_texture(build, 0).pigment);
+            const MapPlace place = place_in_map(build, entry);
+            add_entry(d, place.value, part(build, entry, place.skipped), default_texture(build, 0).pigment);
         } else at.skip_unmodelled();
     }
 }
@@ -72,16 +72,6 @@ bool take_map(Build& build, Cursor& at, Draft& d) {
         return !d.pattern.pattern.empty() && take_pattern_modifier(build, at, d.pattern);
     }
     return true;
-}
-
-void move_layers(Build& build, TextureLayers& layers, const Transform& t) {
-    for (auto& layer : layers) {
-        if (auto* map = std::get_if<PovTextureMap>(&layer)) map->pattern = moved(build, map->pattern, t);
-        auto* finish = std::get_if<PovFinish>(&layer);
-        if (!finish) continue;
-        finish->pigment = moved(build, finish->pigment, t);
-        if (finish->normal) finish->normal = moved(build, *finish->normal, t);
-    }
 }
 
 void stand_in(Build& build, const Item& item, Draft& d) {
@@ -121,15 +111,33 @@ PovFinish changed_default(Build& build, const Block& block, const PovFinish& bef
 
 }  // namespace
 
-bool take_layer_part(Build& build, Cursor& at, TextureLayers& layers) {
+void move_layers(Build& build, TextureLayers& layers, const Transform& t) {
+    if (t.is_identity()) return;
+    for (auto& layer : layers) {
+        if (auto* map = std::get_if<PovTextureMap>(&layer)) map->pattern = moved(build, map->pattern, t);
+        auto* finish = std::get_if<PovFinish>(&layer);
+        if (!finish) continue;
+        finish->pigment = moved(build, finish->pigment, t);
+        if (finish->normal) finish->normal = moved(build, *finish->normal, t);
+    }
+}
+
+bool take_layer_part(Build& build, Cursor& at, TextureLayers& layers, const Transform& since) {
     const Block* block = at.any_block();
     if (!block || (block->word != "pigment"_w && block->word != "normal"_w && block->word != "finish"_w)) return false;
     auto* layer = std::get_if<PovFinish>(&layers.back());
     if (!layer) return at.skip_unmodelled(), true;                   // a map of textures has none of these
     at.next();
-    if (block->word == "pigment"_w) layer->pigment = build_pigment(build, *block, layer->pigment);
-    else if (block->word == "normal"_w) layer->normal = build_normal(build, *block, layer->normal);
-    else build_finish(build, *block, *layer);
+    if (block->word == "finish"_w) return build_finish(build, *block, *layer), true;
+    const Transform back = inverse(since).value_or(Transform());
+    const auto there = [&](SignalId id) { return since.is_identity() ? id : moved(build, id, since); };
+    const auto here = [&](SignalId id) { return since.is_identity() ? id : moved(build, id, back); };
+    if (block->word == "pigment"_w) {
+        layer->pigment = here(build_pigment(build, *block, there(layer->pigment)));
+    } else {
+        const auto normal = build_normal(build, *block, layer->normal ? std::optional(there(*layer->normal)) : std::nullopt);
+        layer->normal = normal ? std::optional(here(*normal)) : std::nullopt;
+    }
     return true;
 }
 

@@ -13,8 +13,11 @@ using TextureLayers = decltype(Material::layers);
 PovFinish default_texture(Build& build, uint32_t count);
 /// `texture { ... }`: its items behind the first `skipped`.
 TextureLayers build_texture(Build& build, const Block& block, size_t skipped = 0);
-/// Takes a pigment, a normal or a finish that comes next into the layer on top; false where none of them stands.
-bool take_layer_part(Build& build, Cursor& at, TextureLayers& layers);
+/// Takes a pigment, a normal or a finish that comes next into the layer on top; false where none of them stands. `since`: how the layers will be moved by what
+/// stood before, which does not move the new part.
+bool take_layer_part(Build& build, Cursor& at, TextureLayers& layers, const Transform& since = {});
+/// Moves layers behind all that they have.
+void move_layers(Build& build, TextureLayers& layers, const Transform& t);
 /// `finish { ... }` over what `layer` has. Source   POV-Ray 3.7 reference, 3.4.3.3 "Finish".
 void build_finish(Build& build, const Block& block, PovFinish& layer);
 

@@ -36,8 +36,6 @@ sphere { 0, 1           // expect error 1:1 sphere is not closed
 sphere { 0, B2 }        // expect error 3:13 B2 is not declared
 //---- roots and logarithms
 #debug str(sqrt(-1), 0, 3)   // expect error 1:12 the square root of -1 is not real
-//---- writing is not allowed
-#fopen F "x.txt" write  // expect error 1:10 nothing has allowed it
 //---- files outside of the scene's folder
 #include "/etc/hostname"   // expect error 1:1 the file /etc/hostname is not found
 //---- an endless macro
