@@ -67,6 +67,17 @@ int roots_between(const Univariate& f, const double* extremes, int count, double
     return found;
 }
 
+/// Those of a quadratic within -1 .. 1, by the formula that does not cancel.
+int quadratic_roots(const Univariate& f, double* roots) {
+    const double c = f.a[0], b = f.a[1], a = f.a[2], discriminant = b * b - 4 * a * c;
+    if (!(discriminant >= 0)) return 0;
+    const double sum = -0.5 * (b + std::copysign(std::sqrt(discriminant), b)), one = sum / a, other = sum != 0 ? c / sum : one;
+    int found = 0;
+    for (const double root : {std::min(one, other), std::max(one, other)})
+        if (std::abs(root) <= 1) roots[found++] = root;
+    return found;
+}
+
 }  // namespace
 
 int real_roots(std::span<const double> coefficients, double* roots) {
@@ -84,8 +95,9 @@ int real_roots(std::span<const double> coefficients, double* roots) {
     chain[degree] = scaled(coefficients, exponent);
     for (int i = degree; i > 1; --i) chain[i - 1] = derivative(chain[i]);
     double extremes[kMostRoots];
-    int count = 0;
-    for (int i = 1; i <= degree; ++i) {
+    int count = degree > 1 ? quadratic_roots(chain[2], roots) : 0;
+    std::copy(roots, roots + count, extremes);
+    for (int i = degree > 1 ? 3 : 1; i <= degree; ++i) {
         count = roots_between(chain[i], extremes, count, i < degree ? kOfExtremes : kOfRoots, roots);
         std::copy(roots, roots + count, extremes);
     }

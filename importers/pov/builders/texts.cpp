@@ -17,7 +17,10 @@ constexpr const char* kOwnFonts[] = {"timrom.ttf", "cyrvetic.ttf", "crystal.ttf"
 
 constexpr const char* kSystemFonts[] = {"/usr/share/fonts", "/usr/local/share/fonts"};
 
-std::optional<std::string> in_system_folders(const std::string& name) {
+/// Scenes name fonts by paths of other machines: the last part is what counts.
+std::optional<std::string> in_system_folders(const std::string& path) {
+    const fs::path name = fs::path(path).filename();
+    if (name.empty()) return std::nullopt;
     for (const char* folder : kSystemFonts) {
         std::error_code failed;
         for (fs::recursive_directory_iterator it(folder, failed), end; !failed && it != end; it.increment(failed))
