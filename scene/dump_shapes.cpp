@@ -37,6 +37,24 @@ void dump_shape(std::string& out, const std::string& head, const ShapeEntry& ent
         .field("from", entry.from);
 }
 
+void dump_shape(std::string& out, const std::string& head, const ShapeEntry& entry, const Quadric& q) {
+    Line(out, head).word("quadric").field("name", entry.name).always("squares", q.squares).field("products", q.products).field("linear", q.linear)
+        .always("constant", q.constant).field("from", entry.from);
+}
+
+void dump_shape(std::string& out, const std::string& head, const ShapeEntry& entry, const Polynomial& f) {
+    Line(out, head).word("polynomial").field("name", entry.name).always("order", f.order).always("coefficients", f.coefficients).field("from", entry.from);
+}
+
+void dump_shape(std::string& out, const std::string& head, const ShapeEntry& entry, const Polygon& polygon) {
+    Line(out, head).word("polygon").field("name", entry.name).always("loops", polygon.loops).field("from", entry.from);
+}
+
+void dump_shape(std::string& out, const std::string& head, const ShapeEntry& entry, const Extrusion& e) {
+    Line(out, head).word("extrusion").field("name", entry.name).always("bottom", e.bottom).always("top", e.top).field("even_odd", e.even_odd).field("from", entry.from);
+    for (size_t i = 0; i < e.outlines.size(); ++i) Line(out, fmt::format("  outline {}", i)).always("points", e.outlines[i].points);
+}
+
 template <class T> void dump_attribute(std::string& out, const std::string& name, const Attribute<T>& a) {
     if (a.values.empty() && a.corners.empty()) return;
     Line(out, "  " + name).always("values", a.values).field("corners", a.corners);

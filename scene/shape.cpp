@@ -7,6 +7,8 @@ namespace alidade {
 
 namespace {
 
+const Bounds kAllSpace{Vec3(-kInf), Vec3(kInf)};
+
 /// Widened by three roundings: those of centre +- radius and of the widening must not cut anything off.
 Bounds bounds_of(const Sphere& s) {
     const double r = std::abs(s.radius);
@@ -14,7 +16,7 @@ Bounds bounds_of(const Sphere& s) {
     return {s.center - r - rounding, s.center + r + rounding};
 }
 
-Bounds bounds_of(const Plane&) { return {Vec3(-kInf), Vec3(kInf)}; }
+Bounds bounds_of(const Plane&) { return kAllSpace; }
 
 Bounds bounds_of(const Box& box) { return {glm::min(box.a, box.b), glm::max(box.a, box.b)}; }
 
@@ -41,6 +43,45 @@ Bounds bounds_of(const Torus& t) {
     return {t.center - reach - rounding, t.center + reach + rounding};
 }
 
+/// An ellipsoid along the axes, or a cylinder along one of them: sum of squares_i (x_i - center_i)^2 = square, over the axes that have a square at all. Widened by the roundings
+/// of `square`, a difference, and of the sums.
+Bounds bounds_of(const Quadric& q) {
+    if (q.products != Vec3(0) || !is_finite(q.squares) || !is_finite(q.linear)) return kAllSpace;
+    double square = -q.constant, magnitude = std::abs(q.constant);
+    for (int i = 0; i < 3; ++i) {
+        if (q.squares[i] < 0 || (q.squares[i] == 0 && q.linear[i] != 0)) return kAllSpace;
+        if (q.squares[i] == 0) continue;
+        const double part = q.linear[i] * q.linear[i] / (4 * q.squares[i]);
+        square += part, magnitude += part;
+    }
+    square = std::max(0.0, square + gamma_bound(8) * magnitude);
+    Bounds out = kAllSpace;
+    for (int i = 0; i < 3; ++i) {
+        if (q.squares[i] == 0) continue;
+        const double center = -q.linear[i] / (2 * q.squares[i]), reach = std::sqrt(square / q.squares[i]), rounding = gamma_bound(4) * (std::abs(center) + reach);
+        if (!std::isfinite(center) || !std::isfinite(reach)) continue;
+        out.min[i] = center - reach - rounding, out.max[i] = center + reach + rounding;
+    }
+    return out;
+}
+
+Bounds bounds_of(const Polynomial&) { return kAllSpace; }
+
+Bounds bounds_of(const Polygon& polygon) {
+    Bounds b;
+    for (const auto& loop : polygon.loops)
+        for (const Vec3& p : loop) b.extend(p);
+    return b;
+}
+
+/// Of the control points, which hold the curves between them.
+Bounds bounds_of(const Extrusion& e) {
+    Bounds b;
+    for (const Outline& outline : e.outlines)
+        for (const Vec2& p : outline.points) b.extend(Vec3(p.x, p.y, e.bottom)), b.extend(Vec3(p.x, p.y, e.top));
+    return b;
+}
+
 /// Of the triangles that can be hit: a stray or non-finite vertex does not count.
 Bounds bounds_of(const Mesh& mesh) {
     Bounds b;
@@ -58,6 +99,21 @@ Bounds bounds_of(const Mesh& mesh) {
 
 Bounds bounds(const ShapeGeometry& geometry) {
     return std::visit([](const auto& shape) { return bounds_of(shape); }, geometry);
+}
+
+/// Along the area of the first loop, in the sense of its first corner; of the others, if it has none. Loops are relative to their first point.
+/// Source   M. E. Newell's method: the sum of the cross products of neighbours is the normal times twice the area.
+Vec3 normal_of(const Polygon& polygon) {
+    for (const auto& loop : polygon.loops) {
+        Vec3 area(0), corner(0);
+        for (size_t i = 2; i < loop.size(); ++i) {
+            const Vec3 triangle = cross(loop[i - 1] - loop[0], loop[i] - loop[0]);
+            area += triangle;
+            if (corner == Vec3(0)) corner = cross(loop[1] - loop[0], loop[i] - loop[0]);
+        }
+        if (area != Vec3(0)) return normalized(dot(area, corner) < 0 ? -area : area);
+    }
+    return Vec3(0);
 }
 
 uint32_t slot_count(const ShapeGeometry& geometry) {

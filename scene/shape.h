@@ -56,6 +56,45 @@ struct Torus {
     double major = 1, minor = 0.25;
 };
 
+/// All points with A x^2 + B y^2 + C z^2 + D xy + E xz + F yz + G x + H y + I z + J = 0; as a solid: where this is negative.
+struct Quadric {
+    Vec3 squares{1};    ///< A, B, C
+    Vec3 products{0};   ///< D, E, F
+    Vec3 linear{0};     ///< G, H, I
+    double constant = -1;
+};
+
+/// All points where a polynomial in x, y and z is 0; as a solid: where it is negative. The coefficients stand by falling powers of x, then of y, then of
+/// z: x^2, xy, xz, x, y^2, yz, y, z^2, z, 1 for order 2.
+struct Polynomial {
+    static constexpr int kMostOrder = 35;
+    int order = 2;
+    std::vector<double> coefficients{1, 0, 0, 0, 1, 0, 0, 1, 0, -1};
+
+    /// How many coefficients a polynomial of this order has.
+    static constexpr size_t terms(int order) { return size_t(order + 1) * size_t(order + 2) * size_t(order + 3) / 6; }
+};
+
+/// A flat face: the points of one plane that an odd number of loops surrounds. A loop ends where it began, without repeating the point.
+/// It has no inside. Its normal is the one about which its first corner turns counter-clockwise.
+struct Polygon {
+    std::vector<std::vector<Vec3>> loops{{Vec3(0), Vec3(1, 0, 0), Vec3(1, 1, 0), Vec3(0, 1, 0)}};
+};
+
+/// A closed chain of quadratic Bezier curves: point 2 i is on the curve, point 2 i + 1 is the control point between it and the next one (after the last:
+/// the first). A control point equal to the point before it makes a straight line.
+struct Outline {
+    std::vector<Vec2> points;
+};
+
+/// The solid above outlines in the plane z = 0, from z = `bottom` to z = `top`: a letter. Inside is what the outlines wind around, or, if `even_odd`, what an
+/// odd number of them surrounds.
+struct Extrusion {
+    std::vector<Outline> outlines{{{Vec2(0, 0), Vec2(0, 0), Vec2(1, 0), Vec2(1, 1), Vec2(0, 1), Vec2(0, 1)}}};
+    double bottom = 0, top = 1;
+    bool even_odd = false;
+};
+
 /// A vertex attribute: values, and for each corner of each triangle an index into them. `corners` empty: indexed as the positions are.
 template <class T> struct Attribute {
     std::vector<T> values;
@@ -95,7 +134,7 @@ struct Mesh {
     std::vector<JointSet> joint_sets;       ///< linear blend skinning, where a node has a skin
 };
 
-using ShapeGeometry = std::variant<Sphere, Plane, Box, Disc, Cylinder, Cone, Torus, Mesh>;
+using ShapeGeometry = std::variant<Sphere, Plane, Box, Disc, Cylinder, Cone, Torus, Quadric, Polynomial, Polygon, Extrusion, Mesh>;
 
 struct ShapeEntry {
     std::string name;
@@ -105,6 +144,9 @@ struct ShapeEntry {
 
 /// The box of a shape in its own space: infinite where the shape is, empty for a mesh without triangles. It holds every point of the shape.
 Bounds bounds(const ShapeGeometry& geometry);
+
+/// The unit normal of a polygon, or 0 if it has no area.
+Vec3 normal_of(const Polygon& polygon);
 
 /// A shape with more material slots is refused by validate().
 inline constexpr uint32_t kMostSlots = 1 << 24;

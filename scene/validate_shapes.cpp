@@ -55,6 +55,37 @@ class ShapeCheck {
         if (t.minor == 0) warning("is a torus of minor radius 0: it cannot be seen");
     }
 
+    void operator()(const Quadric& q) const {
+        if (!is_finite(q.squares) || !is_finite(q.products) || !is_finite(q.linear) || !std::isfinite(q.constant)) return not_finite();
+        if (q.squares == Vec3(0) && q.products == Vec3(0) && q.linear == Vec3(0)) warning("is a quadric that is the same everywhere: it cannot be seen");
+    }
+
+    void operator()(const Polynomial& f) const {
+        if (f.order < 1 || f.order > Polynomial::kMostOrder) return error(fmt::format("is a polynomial of order {}", f.order), fmt::format("the order is 1 to {}", Polynomial::kMostOrder));
+        const size_t terms = Polynomial::terms(f.order);
+        if (f.coefficients.size() != terms) return error(fmt::format("has {} coefficients for a polynomial of order {}, which has {}", f.coefficients.size(), f.order, terms));
+        if (!std::all_of(f.coefficients.begin(), f.coefficients.end(), [](double c) { return std::isfinite(c); })) not_finite();
+    }
+
+    void operator()(const Polygon& polygon) const {
+        for (const auto& loop : polygon.loops)
+            if (!std::all_of(loop.begin(), loop.end(), [](const Vec3& p) { return is_finite(p); })) return not_finite();
+        const Vec3 normal = normal_of(polygon);
+        if (normal == Vec3(0)) return warning("is a polygon without area: it cannot be seen");
+        double size = 0, off = 0;
+        for (const auto& loop : polygon.loops)
+            for (const Vec3& p : loop) size = std::max(size, length(p)), off = std::max(off, std::abs(dot(normal, p - polygon.loops.front().front())));
+        if (off > 1e-6 * size) warning(fmt::format("is a polygon with a point {} away from its plane: it is drawn as if it were flat", off));
+    }
+
+    void operator()(const Extrusion& e) const {
+        if (!std::isfinite(e.bottom) || !std::isfinite(e.top)) return not_finite();
+        for (const Outline& outline : e.outlines) {
+            if (outline.points.size() % 2 != 0) return error(fmt::format("has an outline of {} points", outline.points.size()), "points on the curve and control points stand by turns");
+            if (!std::all_of(outline.points.begin(), outline.points.end(), finite_components<Vec2>)) return not_finite();
+        }
+    }
+
     void operator()(const Mesh& mesh) const {
         if (!is_finite(mesh.origin)) return not_finite();
         if (!positions(mesh)) return;

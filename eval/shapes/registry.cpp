@@ -4,7 +4,7 @@
 namespace alidade {
 
 std::span<const ShapeOps> shapes() {
-    static const ShapeOps kTable[] = {kSphereOps, kPlaneOps, kBoxOps, kDiscOps, kCylinderOps, kConeOps, kTorusOps};
+    static const ShapeOps kTable[] = {kSphereOps, kPlaneOps, kBoxOps, kDiscOps, kCylinderOps, kConeOps, kTorusOps, kQuadricOps, kPolynomialOps, kPolygonOps, kExtrusionOps};
     return kTable;
 }
 

@@ -6,7 +6,7 @@
 
 namespace alidade {
 
-extern const ShapeOps kSphereOps, kPlaneOps, kBoxOps, kDiscOps, kCylinderOps, kConeOps, kTorusOps;
+extern const ShapeOps kSphereOps, kPlaneOps, kBoxOps, kDiscOps, kCylinderOps, kConeOps, kTorusOps, kQuadricOps, kPolynomialOps, kPolygonOps, kExtrusionOps;
 
 inline bool always_solid(const ShapeGeometry&) { return true; }
 

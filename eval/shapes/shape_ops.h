@@ -7,6 +7,7 @@
 #include "scene/shape.h"
 
 #include <span>
+#include <vector>
 
 namespace alidade {
 
@@ -17,12 +18,37 @@ struct Crossing {
     ErrorBound error;   ///< distance of ray.at(t) from the true surface along its normal, in the shape's space
 };
 
+/// A list that needs no memory of its own while it is short.
+class CrossingList {
+  public:
+    static constexpr int kShort = 8;
+    Crossing& operator[](int i) { return data()[i]; }
+    const Crossing& operator[](int i) const { return data()[i]; }
+    Crossing* data() { return long_.empty() ? short_ : long_.data(); }
+    const Crossing* data() const { return long_.empty() ? short_ : long_.data(); }
+
+    /// Makes `crossing` the last one, with the index `count`.
+    void put(int count, const Crossing& crossing) {
+        if (count < kShort && long_.empty()) short_[count] = crossing;
+        else put_long(count, crossing);
+    }
+
+  private:
+    void put_long(int count, const Crossing& crossing) {
+        if (long_.empty()) long_.assign(short_, short_ + kShort);
+        long_.resize(size_t(count));
+        long_.push_back(crossing);
+    }
+
+    Crossing short_[kShort];
+    std::vector<Crossing> long_;   ///< all of them, where they are more
+};
+
 /// The crossings of one line, in order of t.
 struct Crossings {
-    static constexpr int kMax = 4;
-    Crossing at[kMax];
+    CrossingList at;
     int count = 0;
-    void add(double t, uint32_t part, ErrorBound error) { at[count++] = {t, part, error}; }
+    void add(double t, uint32_t part, ErrorBound error) { at.put(count++, {t, part, error}); }
 };
 
 /// What shading needs of a point on a shape, in the shape's space.

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "eval/shapes/approach.h"
+#include "eval/shapes/bracketed_root.h"
 #include "eval/shapes/rows.h"
 
 namespace alidade {
@@ -8,38 +9,21 @@ namespace {
 
 Bounds torus_bounds(const ShapeGeometry& geometry) { return bounds(geometry); }
 
-/// The root of `f` between low and high, where f has different signs: Newton steps, and a halving where one would leave the bracket or gains too little.
-/// `f(x)` is a pair: the value and the derivative. Ends with a step that is below
-/// one rounding of the bracket's ends: `f` itself is not known better.
-/// Source   the safeguard of W. H. Press et al., "Numerical Recipes", 3rd ed. (2007), section 9.4.
-template <class F> double bracketed_root(const F& f, double low, double high, bool low_is_positive) {
-    const double least_step = std::numeric_limits<double>::epsilon() / 2 * std::max(std::abs(low), std::abs(high));
-    double x = 0.5 * (low + high), last_step = high - low;
-    for (int i = 0; i < 200; ++i) {
-        const auto [value, slope] = f(x);
-        if (value == 0) return x;
-        ((value > 0) == low_is_positive ? low : high) = x;
-        double next = x - value / slope;
-        if (!(next > low && next < high) || std::abs(next - x) > 0.5 * last_step) next = 0.5 * (low + high);
-        last_step = std::abs(next - x);
-        if (last_step <= least_step) return next;
-        x = next;
-    }
-    return x;
-}
-
 /// Points of a line in order, between which a function has at most one root.
 struct Brackets {
     double at[5];
     int count = 0;
     void add(double x) { at[count++] = x; }
 
+    /// The distance from the surface is not known better than this.
+    static double rounding(double low, double high) { return kUnitRoundoff<double> * std::max(std::abs(low), std::abs(high)); }
+
     /// The roots between them, as the inner points of new brackets; `f` as above.
     template <class F, class Found> void roots(const F& f, const Found& found) const {
         bool positive = f(at[0]).first > 0;
         for (int i = 1; i < count; ++i) {
             const bool next = f(at[i]).first > 0;
-            if (next != positive) found(bracketed_root(f, at[i - 1], at[i], positive));
+            if (next != positive) found(bracketed_root(f, at[i - 1], at[i], positive, rounding(at[i - 1], at[i]), kUnitRoundoff<double>));
             positive = next;
         }
     }

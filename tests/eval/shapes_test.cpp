@@ -95,7 +95,7 @@ TEST_P(EveryShape, ScaleByPowersOfTwoIsExact) {
 /// Shape and ray moved together: the same hits, within their errors.
 TEST_P(EveryShape, TranslationMovesTheHits) {
     for_samples(4, 43, [&](const ShapeGeometry& shape, const Ray& ray, const Crossings& crossings) {
-        const Vec3 offset(1000, -500, 0.25);
+        const Vec3 offset = test::mobility(shape) * Vec3(1000, -500, 0.25);
         Ray moved = ray;
         moved.origin += offset;
         const Crossings there = row.crossings(test::placed(shape, 1, offset), moved);
@@ -114,9 +114,10 @@ TEST_P(EveryShape, InsideAgreesWithTheCrossings) {
     for (const double distance : {0.5, 4.0, 1e4}) {
         for_samples(distance, 44, [&](const ShapeGeometry& shape, const Ray& ray, const Crossings& crossings) {
             if (!row.solid(shape)) return;
-            std::vector<double> cuts = {-1e6};
+            std::vector<double> cuts;
             for (int i = 0; i < crossings.count; ++i) cuts.push_back(crossings.at[i].t);
-            cuts.push_back(1e6);
+            cuts.insert(cuts.begin(), cuts.empty() ? -1e6 : std::min(-1e6, 2 * cuts.front()));
+            cuts.push_back(std::max(1e6, 2 * cuts.back()));
             bool expected = row.inside(shape, ray.at(cuts.front()));
             ASSERT_FALSE(expected && row.bounds(shape).finite());
             for (size_t i = 0; i + 1 < cuts.size(); ++i, expected = !expected) {
@@ -134,6 +135,7 @@ TEST_P(EveryShape, NormalsAreUnitAndPointOutwards) {
             const SurfacePoint s = row.surface(shape, p, crossings.at[i].part);
             ASSERT_NEAR(length(s.normal), 1, 1e-15);
             ASSERT_FALSE(row.inside(shape, p + 1e-9 * s.normal));
+            if (!test::has_inside(shape)) continue;
             if (crossings.count < 2 || (crossings.at[1].t - crossings.at[0].t) * length(ray.dir) > 1e-3) {
                 ASSERT_TRUE(row.inside(shape, p - 1e-9 * s.normal));
             }
@@ -170,6 +172,7 @@ TEST_P(EveryShape, TangentsAreDerivativesOfTheTextureCoordinates) {
         ASSERT_LT(std::abs(dot(s.normal, normalized(s.dpdu))), 1e-12);
         ASSERT_LT(std::abs(dot(s.normal, normalized(s.dpdv))), 1e-12);
         const double h = 1e-6;
+        if (std::holds_alternative<Extrusion>(shape) && s.normal.z == 0) return;   // mapped by x and y, as POV-Ray does: constant along z
         if (length(s.dpdu) < 0.1 || length(s.dpdv) < 0.1) return;   // next to a pole the coordinates bend too much for differences
         const Vec2 du = (row.surface(shape, p + h * s.dpdu, part).uv - row.surface(shape, p - h * s.dpdu, part).uv) / (2 * h);
         const Vec2 dv = (row.surface(shape, p + h * s.dpdv, part).uv - row.surface(shape, p - h * s.dpdv, part).uv) / (2 * h);
@@ -211,7 +214,10 @@ TEST_P(EveryShape, ErrorBoundsHoldAgainst113Bits) {
     for (int i = 0; hits < 100000; ++i) {
         ASSERT_LT(i, 1000000);
         const double scale = draw.decades(-6, 6);
-        const ShapeGeometry shape = test::placed(test::sample_shape(row, i, draw), scale, scale * draw.vector(draw.decades(-1, 4)));
+        const ShapeGeometry shape = [&] {
+            const ShapeGeometry sample = test::sample_shape(row, i, draw);
+            return test::placed(sample, scale, test::mobility(sample) * scale * draw.vector(draw.decades(-1, 4)));
+        }();
         Ray ray = test::ray_from(draw.decades(-2, 8), draw);
         ray.origin *= scale;
         const Bounds box = row.bounds(shape);

@@ -64,6 +64,53 @@ TEST_F(PovBuilders, AnglesFillTheWindowAndLookAtKeepsItsHandedness) {
     expect_near(flat.right, {1.33 * 5, 0, 0});    // without right and up the window has the distance of what is looked at
 }
 
+TEST_F(PovBuilders, PolynomialsHaveAllTheirCoefficients) {
+    const Scene s = scene("quadric { <1,2,3>, <4,5,6>, <7,8,9>, 10 } poly { 2, <1,2,3,4,5,6,7,8,9,10> sturm } cubic { <1,2,3,4,5,6,7,8,9,10,11,12,13,14,15,16,17,18,19,20> }");
+    const Quadric& q = std::get<Quadric>(s.shapes.at(0).geometry);
+    EXPECT_EQ(q.products, Vec3(4, 5, 6));
+    EXPECT_EQ(q.constant, 10);
+    EXPECT_EQ(std::get<Polynomial>(s.shapes.at(1).geometry).coefficients.back(), 10);
+    EXPECT_EQ(std::get<Polynomial>(s.shapes.at(2).geometry).order, 3);
+    EXPECT_THAT(said("quartic { <1,2,3,4,5,6> }"), HasSubstr("s.pov:1:11: error: a polynomial of order 4 has 35 coefficients, and here are 6"));
+    EXPECT_THAT(said("poly { 36, <1,2,3,4,5,6> }"), HasSubstr("the order of a polynomial is 2 to 35, and here it is 36"));
+    EXPECT_THAT(said("cubic { 1 }"), HasSubstr("the 20 coefficients of a polynomial are expected"));
+}
+
+TEST_F(PovBuilders, PolygonsAreLoopsThatEndWhereTheyBegan) {
+    const Scene s = scene("polygon { 9, <0,0>, <3,0>, <0,3>, <0,0>, <.5,.5>, <1,.5>, <.5,1>, <.5,.5>, <0,0> }");
+    const Polygon& p = std::get<Polygon>(s.shapes.at(0).geometry);
+    ASSERT_EQ(p.loops.size(), 3u);
+    EXPECT_EQ(p.loops[0].size(), 3u);
+    EXPECT_EQ(p.loops[1].front(), Vec3(.5, .5, 0));
+    EXPECT_THAT(said("polygon { 3, <0,0>, <3,0>, <0,3> }"), HasSubstr("is not closed"));
+    EXPECT_THAT(said("polygon { 5, <0,0>, <1,0>, <1,1,1e-8>, <0,1>, <0,0> }"), HasSubstr("not in one plane"));
+    EXPECT_THAT(said("polygon { 2, <0,0>, <1,0> }"), HasSubstr("at least three points"));
+}
+
+/// Widths of timrom.ttf, whose em is 1000: A is 750 wide, of which 6 before its ink, a pair A V is 187 nearer.
+TEST_F(PovBuilders, LettersOfATextStandByWidthsAndKerning) {
+    const Scene s = scene("text { ttf \"timrom.ttf\" \"AVA\" .5, <.1,.2,.3> }");
+    ASSERT_EQ(s.shapes.size(), 2u) << "the two A are one";
+    const Extrusion& e = std::get<Extrusion>(s.shapes[0].geometry);
+    EXPECT_EQ(e.top, 0.5);
+    EXPECT_EQ(e.outlines.size(), 2u);
+    std::vector<Vec3> places;
+    for (const Node& node : s.nodes)
+        if (std::holds_alternative<ShapeId>(node.what)) places.push_back(node.to_parent.translation);
+    ASSERT_EQ(places.size(), 3u);
+    expect_near(places[0], {-0.006, 0, 0});
+    expect_near(places[1], {-0.006 + 0.75 - 0.187 + 0.1, 0.2, 0});
+    expect_near(places[2], {-0.006 + 0.75 - 0.187 + 0.724 - 0.15 + 0.2, 0.4, 0});
+    EXPECT_EQ(scene("text { internal 2 \"xx\" 1, 0 } text { ttf \"cyrvetic\" \" \" 1, 0 }").shapes.size(), 1u);
+}
+
+TEST_F(PovBuilders, AMissingFontIsAnErrorWithItsPlace) {
+    EXPECT_THAT(said("text { ttf \"no such font.ttf\" \"A\" 1, 0 }"), HasSubstr("s.pov:1:12: error: the font \"no such font.ttf\" is not found"));
+    write("broken.ttf", "this is no font");
+    EXPECT_THAT(said("text { ttf \"broken.ttf\" \"A\" 1, 0 }"), HasSubstr("broken.ttf is not a TrueType font"));
+    EXPECT_THAT(said("text { ttf \"timrom.ttf\" 7 }"), HasSubstr("a string is expected as the letters of a text"));
+}
+
 TEST_F(PovBuilders, DeclaredObjectsAreStoredOnce) {
     const Scene s = scene("#declare S = sphere { 0, 1 }\n#declare U = union { object { S translate x } object { S scale 2 } }\n#for(I, 1, 50) object { U translate I*y } #end");
     EXPECT_EQ(s.shapes.size(), 1u);
@@ -184,7 +231,8 @@ TEST_F(PovBuilders, WhatDoublesEndsInTime) {
 TEST_F(PovBuilders, HostileBlocksEndInMessages) {
     for (const char* text : {"sphere { }", "camera { angle }", "light_source { }", "mesh { }", "mesh2 { }", "union { }", "object { }", "texture { }", "finish { }", "global_settings { assumed_gamma }", "global_settings { assumed_gamma 0 }",
                              "sphere { 0, 1 finish { reflection { } roughness 0 } }", "box { \"a\", 2 }", "sphere { 0, 1e400 }", "camera { right 0 }", "mesh2 { vertex_vectors { 9, 0 } face_indices { 1, <0,-1,1e30> } }",
-                             "sphere { 0, 1 matrix <1,2,3> }", "light_source { 0 looks_like { } }", "sphere { 0, 1 interior { ior 0 } }", "#default { } sphere { 0, 1 }", "sphere { 0, 1 clipped_by { } }", "disc { 0, 0, 1 }"})
+                             "sphere { 0, 1 matrix <1,2,3> }", "light_source { 0 looks_like { } }", "sphere { 0, 1 interior { ior 0 } }", "#default { } sphere { 0, 1 }", "sphere { 0, 1 clipped_by { } }", "disc { 0, 0, 1 }", "quadric { 1 }", "poly { 1e9, <1,2,3,4,5,6> }", "poly { -3 }", "polygon { 1e300, 0 }", "polygon { 3, 0, 0, 0 }", "text { }",
+                             "text { ttf \"../../../etc/passwd\" \"x\" 1, 0 }", "text { ttf \"\" \"x\" 1, 0 }", "text { internal 1e9 \"\\0x\" -1, 0 }"})
         EXPECT_NO_THROW(said(text)) << text;
 }
 

@@ -68,4 +68,39 @@ std::vector<PovVector> pov_vectors() {
     return rows;
 }
 
+namespace {
+
+/// Fields between commas, in quotes where they hold any; a quote in quotes is doubled.
+std::vector<std::string> fields(const std::string& line) {
+    std::vector<std::string> out(1);
+    bool quoted = false;
+    for (size_t i = 0; i < line.size(); ++i) {
+        if (line[i] == '"' && quoted && i + 1 < line.size() && line[i + 1] == '"') out.back() += line[i++];
+        else if (line[i] == '"') quoted = !quoted;
+        else if (line[i] == ',' && !quoted) out.emplace_back();
+        else out.back() += line[i];
+    }
+    return out;
+}
+
+Vec3 vector_of(const std::string& text) {
+    Vec3 v(0);
+    EXPECT_EQ(std::sscanf(text.c_str(), "%lf,%lf,%lf", &v.x, &v.y, &v.z), 3) << text;
+    return v;
+}
+
+}  // namespace
+
+std::vector<PovObjectVector> pov_object_vectors() {
+    std::vector<PovObjectVector> rows;
+    std::ifstream file(std::filesystem::path(ALIDADE_SHARED_RESEARCH) / "pov-object-vectors.csv");
+    std::string line;
+    for (std::getline(file, line); std::getline(file, line);) {
+        const std::vector<std::string> f = fields(line);
+        EXPECT_EQ(f.size(), 6u) << line;
+        if (f.size() == 6) rows.push_back({f[0], f[1], vector_of(f[2]), vector_of(f[3]), vector_of(f[4]), vector_of(f[5])});
+    }
+    return rows;
+}
+
 }  // namespace alidade

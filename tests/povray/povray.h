@@ -31,4 +31,13 @@ struct PovVector {
 /// All rows; none where the shared research is not at hand.
 std::vector<PovVector> pov_vectors();
 
+/// One row of pov-object-vectors.csv: what trace() found on a declared object. Where nothing was hit, `normal` is 0.
+struct PovObjectVector {
+    std::string declaration, label;
+    Vec3 origin, dir, hit, normal;
+};
+
+/// All rows; none where the shared research is not at hand.
+std::vector<PovObjectVector> pov_object_vectors();
+
 }  // namespace alidade

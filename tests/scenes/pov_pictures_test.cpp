@@ -76,6 +76,15 @@ std::vector<PovPicture> pictures() {
     return {
         {"Solids", usual + "box { -1, 1 scale .6 rotate y*30 translate <2,.6,0> pigment { rgb 1 } } torus { 1.2 .15 translate <0,.15,-1.5> pigment { rgb .9 } } cone { <1,0,-2.5>, .4 <1,1,-2.5>, .1 open pigment { rgb "
                            "<.9,.9,.1> } } cylinder { <-1,0,-2.5>, <-1.5,.8,-2.2>, .2 pigment { rgb .5 } } disc { <0,2,0>, <0,1,-1>, .6, .3 pigment { rgb <.3,.3,1> } } plane { <0,2,0>, -1 pigment { rgb .4 } }"},
+        {"Quadrics", usual + "quadric { <4,1,4>, <0,0,0>, <0,0,0>, -1 translate <-2,.5,0> pigment { rgb <1,.6,.2> } } quadric { <1,-.5,1>, <0,.4,0>, <.1,0,0>, .4 scale .6 rotate z*40 translate <.2,.9,3> pigment { rgb <.3,.8,.4> } } "
+                             "quadric { <6,0,6>, <1,0,0>, <0,1,0>, -1.5 translate <2,0,0> pigment { rgb <.4,.4,1> } } quadric { <1,0,1>, <0,0,0>, <0,0,0>, -1 scale .15 rotate z*85 translate y*2.6 pigment { rgb .8 } }"},
+        {"QuarticCubic", usual + "quartic { <1,0,0,0,2,0,0,2,0,-1.45, 0,0,0,0,0,0,0,0,0,0, 1,0,0,2,0,1.05, 0,0,0,0, 1,0,-1.45,0,.275625> scale 1.2 rotate x*-50 translate <-.5,.7,0> pigment { rgb <.9,.8,.3> } finish { phong .6 } } "
+                                 "cubic { <1,0,0,0,0,0,0,-3,0,0, 0,0,0,-1,0,0,0,0,0,0> scale .8 rotate x*20 translate <0,-1.8,1> pigment { rgb <.3,.6,.9> } }"},
+        {"Poly6", usual + "poly { 6, <1,0,0,0,3,0,0,6.75,0,-3,0,0,0,0,0,0,0,0,0,0,3,0,-1,13.5,0,-6,0,0,0,0,15.1875,0,-13.5,0,3,0,0,0,0,0,0,"
+                          "0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,1,0,0,6.75,0,-3,0,-0.1125,0,0,15.1875,0,-13.5,0,3,0,0,0,0,0,0,11.390625,0,-15.1875,0,6.75,0,-1> scale 1.4 rotate y*-25 translate y*.5 pigment { rgb <1,.3,.35> } finish { specular .5 } }"},
+        {"Polygon", usual + "polygon { 15, <0,0>, <3,0>, <3,3>, <0,3>, <0,0>, <.5,.5>, <2.5,.5>, <1,2.5>, <.5,.5>, <2,2>, <2.8,2>, <2.8,2.8>, <2.5,2.2>, <2,2.8>, <2,2> translate <-1.5,-1,0> rotate <20,35,10> pigment { rgb <.9,.7,.2> } }"},
+        {"Texts", usual + "text { ttf \"timrom.ttf\" \"AVog&\" .4, 0 scale 1.2 translate <-2,1.2,0> pigment { rgb <1,.7,.2> } finish { phong .7 } } text { ttf \"cyrvetic.ttf\" \"Ray8\" 1, <.05,.03,0> rotate y*25 translate <-2,-.1,0> pigment { rgb <.3,.8,.4> } } "
+                          "text { ttf \"crystal.ttf\" \"a%B\" .02, .1*x rotate x*30 translate <-.5,-1.5,0> pigment { rgb .9 } } text { internal 4 \"P\" .3, 0 translate <1.2,-.6,0> pigment { rgb <.6,.6,1> } }"},
         {"Finish", usual + sphere + "texture { pigment { rgb <1,.2,.1> } finish { ambient .2 diffuse .5 brilliance 2.5 phong .8 phong_size 30 metallic .5 } } }"},
         {"Specular", usual + sphere + "pigment { rgb <.2,1,.1> } finish { specular .8 roughness .02 metallic emission .1 } }"},
         {"Albedo", usual + sphere + "pigment { rgb <.4,.6,.8> } finish { diffuse albedo .6 brilliance 3 specular albedo .2 roughness .1 } }"},

@@ -2,6 +2,7 @@
 /// What all builders share: the scene that is being built, and a walk over the items of a block.
 #pragma once
 
+#include "importers/pov/fonts.h"
 #include "importers/pov/parser.h"
 #include "scene/scene.h"
 
@@ -23,6 +24,7 @@ struct Build {
     Scene scene;
     std::vector<Value> defaults;                        ///< blocks of #default, in order
     std::map<const Block*, BuiltObject> declared;       ///< objects that were referred to, so that each is stored once
+    std::map<std::string, std::shared_ptr<Font>> fonts; ///< by the name in the scene
     std::vector<PovFinish> default_textures;            ///< what holds after each of them; the first: before all
     std::map<uint32_t, MaterialId> default_materials;   ///< by the number of #default before
 

@@ -5,6 +5,7 @@
 #include "importers/pov/builders/interiors.h"
 #include "importers/pov/builders/lights.h"
 #include "importers/pov/builders/shapes.h"
+#include "importers/pov/builders/texts.h"
 #include "importers/pov/builders/textures.h"
 
 #include <algorithm>
@@ -222,6 +223,10 @@ std::optional<Draft> draft(Build& build, const Block& block) {
         d.emplace();
         d->node.csg = csg;
         take_children(build, *d, at);
+    } else if (block.word == "text"_w) {
+        d.emplace();
+        d->node.csg = CsgKind::union_;
+        d->node.children = build_text(build, at);
     } else {
         d = shape(build, block, at);
     }

@@ -15,6 +15,14 @@ struct BuiltShape {
 /// Reads the parameters of the solid `word` from `at`, which is left at the first modifier; nothing if the word names no shape that is modelled.
 std::optional<BuiltShape> build_shape(Build& build, WordId word, Cursor& at);
 
+/// Polynomials of order 2, 3, 4, and any.
+BuiltShape build_quadric(Build& build, Cursor& at);
+BuiltShape build_cubic(Build& build, Cursor& at);
+BuiltShape build_quartic(Build& build, Cursor& at);
+BuiltShape build_poly(Build& build, Cursor& at);
+/// `polygon { number of points, points }`: a loop ends where its first point comes again.
+BuiltShape build_polygon(Build& build, Cursor& at);
+
 /// `mesh { triangle { } smooth_triangle { } ... }` and `mesh2 { vertex_vectors { } face_indices { } ... }`.
 BuiltShape build_mesh(Build& build, Cursor& at);
 BuiltShape build_mesh2(Build& build, Cursor& at);

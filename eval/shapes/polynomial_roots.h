@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <span>
+
+namespace alidade {
+
+inline constexpr int kMostRoots = 35;
+
+/// The real roots of coefficients[0] + coefficients[1] x + ... in order, into `roots`, which has room for as many as the degree. How many there are.
+///
+/// Method   All roots lie within a bound that is a power of two (M. Fujiwara, Tohoku Math. J. 10 (1916), rounded up), to which x is scaled without loss.
+///          Between two neighbouring roots of its derivative a polynomial has at most one root, with a change of sign; so the roots of the
+///          derivative of order 2 lead to those of the one before, and so on, each by bracketed Newton steps. After C. Yuksel, "High-Performance Polynomial
+///          Root Finding for Graphics", Proc. ACM Comput. Graph. Interact. Tech. 5 (2022).
+/// Error    a root is where the polynomial as computed changes its sign, or 2^-51 of it aside. None is lost but in pairs, where the polynomial
+///          between them is as small as its rounding; so the count is always even or odd as the signs at both ends say.
+int real_roots(std::span<const double> coefficients, double* roots);
+
+}  // namespace alidade

@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "eval/shapes/approach.h"
+#include "eval/shapes/implicit.h"
+
+namespace alidade {
+
+namespace {
+
+/// f by Horner's rule: x (A x + D y + E z + G) + y (B y + F z + H) + z (C z + I) + J. Five roundings in a row.
+constexpr int kRoundings = 8;
+
+ImplicitValue evaluate(const Quadric& q, const Vec3& p) {
+    const Vec3 &s = q.squares, &m = q.products, &l = q.linear;
+    const Vec3 row(s.x * p.x + m.x * p.y + m.y * p.z + l.x, s.y * p.y + m.z * p.z + l.y, s.z * p.z + l.z), a = glm::abs(p);
+    ImplicitValue f;
+    f.value = p.x * row.x + p.y * row.y + p.z * row.z + q.constant;
+    f.gradient = Vec3(row.x + s.x * p.x, row.y + s.y * p.y + m.x * p.x, row.z + s.z * p.z + m.y * p.x + m.z * p.y);
+    f.magnitude = dot(a * a, glm::abs(s)) + std::abs(m.x) * a.x * a.y + std::abs(m.y) * a.x * a.z + std::abs(m.z) * a.y * a.z + dot(a, glm::abs(l)) + std::abs(q.constant);
+    return f;
+}
+
+/// Those of an ellipsoid along the axes, or of a cylinder, which is endless along one of them; all space for every other quadric.
+Bounds quadric_bounds(const ShapeGeometry& geometry) { return bounds(geometry); }
+
+/// f(p + s u) = square s^2 + 2 half s + constant.
+struct OnLine {
+    double square, half, constant;
+    bool is_line = false;   ///< what is left of `square` is rounding
+
+    OnLine(const Quadric& q, const Vec3& p, const Vec3& u) {
+        const ImplicitValue at = evaluate(q, p);
+        const Vec3 products(u.x * u.y, u.x * u.z, u.y * u.z);
+        square = dot(q.squares, u * u) + dot(q.products, products);
+        half = 0.5 * dot(at.gradient, u);
+        constant = at.value;
+        is_line = std::abs(square) <= gamma_bound(8) * (dot(glm::abs(q.squares), u * u) + dot(glm::abs(q.products), glm::abs(products)));
+    }
+
+    /// The roots in order; a double one twice.
+    int roots(double (&out)[2]) const {
+        if (is_line) {
+            out[0] = -constant / (2 * half);
+            return std::isfinite(out[0]) ? 1 : 0;
+        }
+        const double both = half * half, products = square * constant;
+        const double discriminant = std::fma(half, half, -products) + std::fma(-square, constant, products);   // W. Kahan: as if of exact products
+        if (!(discriminant >= 0) || !std::isfinite(both)) return 0;
+        const double sum = -(half + std::copysign(std::sqrt(discriminant), half));
+        out[0] = sum / square, out[1] = sum != 0 ? constant / sum : out[0];
+        if (out[1] < out[0]) std::swap(out[0], out[1]);
+        return std::isfinite(out[0]) && std::isfinite(out[1]) ? 2 : 0;
+    }
+};
+
+/// A line p + s u, |u| = 1, and where it crosses the quadric.
+struct Line {
+    const Quadric& q;
+    Vec3 p, u;
+
+    /// Newton steps on f itself, at the point, as long as they lead nearer: the coefficients of the line's polynomial were rounded for all of it.
+    double polished(double s) const {
+        ImplicitValue f = evaluate(q, p + s * u);
+        for (int i = 0; i < 3; ++i) {
+            const double next = s - f.value / dot(f.gradient, u);
+            if (!std::isfinite(next)) return s;
+            const ImplicitValue there = evaluate(q, p + next * u);
+            if (!(std::abs(there.value) < std::abs(f.value))) return s;
+            s = next, f = there;
+        }
+        return s;
+    }
+
+    int crossings(double (&out)[2]) const {
+        const OnLine here(q, p, u);
+        const double shift = here.is_line ? 0 : -here.half / here.square;
+        const OnLine there(q, p + shift * u, u);   // where f has its extreme: nothing is left to cancel
+        const bool nearer = shift != 0 && std::abs(there.constant) < std::abs(here.constant);
+        const int count = (nearer ? there : here).roots(out);
+        for (int i = 0; i < count; ++i) out[i] = polished(nearer ? shift + out[i] : out[i]);
+        if (count == 2 && out[1] < out[0]) std::swap(out[0], out[1]);
+        return count;
+    }
+};
+
+/// Units    the shape's space; `t` counts multiples of |ray.dir|.
+/// Method   the ray is moved to its point nearest to the origin, from which a quadric's numbers are meant, and then to where f has its extreme along the
+///          line; of the two roots, the one without cancellation comes from the formula, the other from their product; then Newton steps on f.
+/// Error    of t: <= 4 units of 2^-52 (|t| + M / |f'|), M being the sum of the magnitudes of f's terms there and f' its derivative by t. Held by
+///          tests/eval/implicit_test.cpp against 113-bit arithmetic.
+/// A tangent is one crossing twice. A line on which the squares vanish, as the axis of a paraboloid, has one crossing.
+Crossings quadric_crossings(const ShapeGeometry& geometry, const Ray& ray) {
+    const Quadric& q = std::get<Quadric>(geometry);
+    Crossings out;
+    const Approach nearest = approach(Vec3(0), ray);
+    const double speed = std::sqrt(dot(ray.dir, ray.dir));
+    if (!is_finite(ray) || !std::isfinite(nearest.shift) || !(speed > 0)) return out;
+    const LineInterval inside = inside_bounds(ray, bounds(geometry));
+    if (inside.empty()) return out;
+    double roots[2];
+    const int count = Line{q, nearest.nearest, ray.dir / speed}.crossings(roots);
+    for (int i = 0; i < count; ++i) {
+        const double t = std::clamp(nearest.shift + (nearest.rest + roots[i] / speed), inside.entry, inside.exit);
+        const Vec3 p = ray.at(t);
+        if (std::isfinite(t) && is_finite(p)) out.add(t, 0, implicit_bound(evaluate(q, p), kRoundings, p, at_rounding(ray, t)));
+    }
+    return out;
+}
+
+SurfacePoint quadric_surface(const ShapeGeometry& geometry, const Vec3& point, uint32_t) {
+    return flat_mapped(normalized(evaluate(std::get<Quadric>(geometry), point).gradient), point);
+}
+
+bool quadric_inside(const ShapeGeometry& geometry, const Vec3& point) { return evaluate(std::get<Quadric>(geometry), point).value <= 0; }
+
+}  // namespace
+
+const ShapeOps kQuadricOps = {"quadric", "where a polynomial of order 2 is negative", kind_of<Quadric>(), quadric_bounds, quadric_crossings, quadric_surface, quadric_inside, always_solid};
+
+}  // namespace alidade

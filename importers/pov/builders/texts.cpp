@@ -1,0 +1,155 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "importers/pov/builders/texts.h"
+
+#include "importers/pov/fonts.h"
+
+#include <filesystem>
+#include <fmt/format.h>
+
+namespace alidade::pov {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+/// POV-Ray's own, in the order of `internal 1` to `internal 4`.
+constexpr const char* kOwnFonts[] = {"timrom.ttf", "cyrvetic.ttf", "crystal.ttf", "povlogo.ttf"};
+
+constexpr const char* kSystemFonts[] = {"/usr/share/fonts", "/usr/local/share/fonts"};
+
+/// Scenes name fonts by paths of other machines: the last part is what counts.
+std::optional<std::string> in_system_folders(const std::string& path) {
+    const fs::path name = fs::path(path).filename();
+    if (name.empty()) return std::nullopt;
+    for (const char* folder : kSystemFonts) {
+        std::error_code failed;
+        for (fs::recursive_directory_iterator it(folder, failed), end; !failed && it != end; it.increment(failed))
+            if (it->path().filename() == name) return it->path().string();
+    }
+    return std::nullopt;
+}
+
+bool is_own_font(const std::string& name) {
+    return std::find(std::begin(kOwnFonts), std::end(kOwnFonts), name) != std::end(kOwnFonts);
+}
+
+/// Where the scene's files are, then where the system has its fonts; without an ending it means ".ttf".
+std::optional<std::string> find_font(const Build& build, const std::string& name) {
+    for (const std::string& tried : {name, name + ".ttf"}) {
+        if (const auto found = build.p.finder.find(tried)) return found->path;
+        if (const auto found = in_system_folders(tried)) return found;
+    }
+    return std::nullopt;
+}
+
+const Font& font_named(Build& build, const std::string& name, Place place) {
+    const auto known = build.fonts.find(name);
+    if (known != build.fonts.end()) return *known->second;
+    constexpr uint64_t kMostBytes = 64 << 20;
+    const auto path = find_font(build, name);
+    if (!path) {
+        const bool own = is_own_font(name) || is_own_font(name + ".ttf");
+        build.p.fail(place, fmt::format("the font \"{}\" is not found", name), own ? "it is one of POV-Ray's own: install the package fonts-povray" : "fonts are looked for where includes are, then in /usr/share/fonts");
+    }
+    auto bytes = read_whole(*path, kMostBytes);
+    auto font = bytes ? Font::read(std::move(*bytes)) : std::nullopt;
+    if (!font) build.p.fail(place, fmt::format("{} is not a TrueType font", *path));
+    return *build.fonts.emplace(name, std::make_shared<Font>(std::move(*font))).first->second;
+}
+
+std::string take_string(Build& build, Cursor& at, const char* what) {
+    if (at.done() || at.peek().kind != Item::Kind::value || at.peek().value.kind != Kind::string) build.p.fail(at.place(), fmt::format("a string is expected as {}", what));
+    return at.next().value.text();
+}
+
+/// `ttf "name"` or `internal 1`.
+const Font& take_font(Build& build, Cursor& at) {
+    const Place place = at.place();
+    if (at.accept("internal"_w)) return font_named(build, kOwnFonts[at.integer("the number of an internal font", 1, int(std::size(kOwnFonts))) - 1], place);
+    if (!at.accept("ttf"_w)) build.p.fail(place, "ttf or internal is expected in text { }");
+    const Place name = at.place();
+    return font_named(build, take_string(build, at, "the name of a font"), name);
+}
+
+/// UTF-8; a byte that is none stands for itself.
+std::vector<uint32_t> characters(const std::string& text) {
+    std::vector<uint32_t> out;
+    for (size_t i = 0; i < text.size();) {
+        const auto byte = [&](size_t k) { return k < text.size() ? uint32_t(static_cast<unsigned char>(text[k])) : 0; };
+        const uint32_t first = byte(i);
+        const int more = first >= 0xf0 && first < 0xf8 ? 3 : first >= 0xe0 && first < 0xf0 ? 2 : first >= 0xc0 && first < 0xe0 ? 1 : 0;
+        uint32_t value = more ? first & (0x3fu >> more) : first;
+        bool whole = true;
+        for (int k = 1; k <= more; ++k) whole = whole && (byte(i + size_t(k)) & 0xc0) == 0x80, value = value << 6 | (byte(i + size_t(k)) & 0x3f);
+        out.push_back(whole ? value : first);
+        i += whole ? size_t(more) + 1 : 1;
+    }
+    return out;
+}
+
+/// A node for a letter at `place`. Letters of one text that look the same are stored once.
+class Letters {
+  public:
+    Letters(Build& build, const Font& font, double depth, SourcePos from) : build_(build), font_(font), depth_(depth), from_(std::move(from)) {}
+
+    /// Null if the font has no outlines for it that can be used.
+    const Glyph* glyph(uint32_t index) {
+        auto known = glyphs_.find(index);
+        if (known == glyphs_.end()) known = glyphs_.emplace(index, font_.glyph(index)).first;
+        return known->second ? &*known->second : nullptr;
+    }
+
+    NodeId node(uint32_t index, const Vec2& place) {
+        auto known = shapes_.find(index);
+        if (known == shapes_.end()) known = shapes_.emplace(index, add_shape(*glyph(index))).first;
+        Node node;
+        node.what = known->second;
+        node.to_parent.translation = Vec3(place.x, place.y, 0);
+        node.from = from_;
+        return build_.add_node(std::move(node));
+    }
+
+  private:
+    ShapeId add_shape(const Glyph& glyph) {
+        ShapeEntry entry;
+        entry.geometry = Extrusion{glyph.outlines, 0, depth_, false};
+        entry.from = from_;
+        build_.scene.shapes.push_back(std::move(entry));
+        return {uint32_t(build_.scene.shapes.size() - 1)};
+    }
+
+    Build& build_;
+    const Font& font_;
+    double depth_;
+    SourcePos from_;
+    std::map<uint32_t, std::optional<Glyph>> glyphs_;
+    std::map<uint32_t, ShapeId> shapes_;
+};
+
+}  // namespace
+
+std::vector<NodeId> build_text(Build& build, Cursor& at) {
+    const Place place = at.place();
+    const Font& font = take_font(build, at);
+    const std::vector<uint32_t> text = characters(take_string(build, at, "the letters of a text"));
+    const double depth = at.number("the depth of a text");
+    const Vec3 offset = at.vector("the offset of a text's letters");
+    Letters letters(build, font, depth, build.position(place));
+    std::vector<NodeId> nodes;
+    double along = 0, left = 0;
+    for (size_t i = 0; i < text.size(); ++i) {
+        const uint32_t index = font.glyph_of(text[i]);
+        const Glyph* glyph = letters.glyph(index);
+        if (!glyph) {
+            build.p.tally(place, "a letter whose outlines are not those of a TrueType font is left out");
+            continue;
+        }
+        if (i == 0) left = glyph->left;
+        if (!glyph->outlines.empty()) nodes.push_back(letters.node(index, Vec2(along - left + double(i) * offset.x, double(i) * offset.y)));
+        along += glyph->advance;
+        if (i + 1 < text.size()) along += font.kerning(index, font.glyph_of(text[i + 1]));
+    }
+    return nodes;
+}
+
+}  // namespace alidade::pov

@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "importers/pov/fonts.h"
+
+#include <ft2build.h>
+#include FT_FREETYPE_H
+#include FT_OUTLINE_H
+
+namespace alidade::pov {
+
+struct Font::Face {
+    std::string bytes;            ///< FreeType reads them as long as the face lives
+    FT_Library library = nullptr;
+    FT_Face face = nullptr;
+
+    Face() = default;
+    Face(const Face&) = delete;
+    Face& operator=(const Face&) = delete;
+    ~Face() {
+        if (face) FT_Done_Face(face);
+        if (library) FT_Done_FreeType(library);
+    }
+    double em() const { return face->units_per_EM; }
+};
+
+namespace {
+
+constexpr FT_UShort kMicrosoft = 3, kSymbol = 0, kUnicode = 1, kMacintosh = 1;
+
+/// Unicode if the font has it, else its symbols, else what the Macintosh read.
+void choose_characters(FT_Face face) {
+    for (const auto& [platform, encoding] : {std::pair(kMicrosoft, kUnicode), std::pair(kMicrosoft, kSymbol), std::pair(kMacintosh, FT_UShort(0))})
+        for (int i = 0; i < face->num_charmaps; ++i) {
+            FT_CharMap map = face->charmaps[i];
+            if (map->platform_id == platform && map->encoding_id == encoding && FT_Set_Charmap(face, map) == 0) return;
+        }
+}
+
+/// Collects what FT_Outline_Decompose says. Coordinates come doubled, so that the points that TrueType leaves out, halfway between two control points,
+/// are exact.
+struct Collector {
+    double scale;
+    std::vector<Outline> outlines;
+    bool quadratic = true;
+
+    Vec2 point(const FT_Vector* v) const { return {double(v->x) * scale, double(v->y) * scale}; }
+    std::vector<Vec2>& points() { return outlines.back().points; }
+
+    static int move(const FT_Vector* to, void* self) {
+        Collector& c = *static_cast<Collector*>(self);
+        c.outlines.push_back({{c.point(to)}});
+        return 0;
+    }
+    static int line(const FT_Vector* to, void* self) {
+        Collector& c = *static_cast<Collector*>(self);
+        const Vec2 from = c.points().back(), end = c.point(to);
+        if (end != from) c.points().push_back(from), c.points().push_back(end);
+        return 0;
+    }
+    static int conic(const FT_Vector* control, const FT_Vector* to, void* self) {
+        Collector& c = *static_cast<Collector*>(self);
+        c.points().push_back(c.point(control));
+        c.points().push_back(c.point(to));
+        return 0;
+    }
+    static int cubic(const FT_Vector*, const FT_Vector*, const FT_Vector*, void* self) {
+        static_cast<Collector*>(self)->quadratic = false;
+        return 1;
+    }
+
+    /// The last point is the first one again, or a line leads back to it.
+    void close() {
+        for (Outline& outline : outlines) {
+            std::vector<Vec2>& p = outline.points;
+            if (p.size() > 1 && p.back() == p.front()) p.pop_back();
+            else p.push_back(p.back());
+        }
+        std::erase_if(outlines, [](const Outline& outline) { return outline.points.size() < 4; });
+    }
+};
+
+}  // namespace
+
+Font::Font(std::unique_ptr<Face> face) : face_(std::move(face)) {}
+Font::Font(Font&&) noexcept = default;
+Font::~Font() = default;
+
+std::optional<Font> Font::read(std::string bytes) {
+    auto face = std::make_unique<Face>();
+    face->bytes = std::move(bytes);
+    if (FT_Init_FreeType(&face->library) != 0) return std::nullopt;
+    if (FT_New_Memory_Face(face->library, reinterpret_cast<const FT_Byte*>(face->bytes.data()), FT_Long(face->bytes.size()), 0, &face->face) != 0) return std::nullopt;
+    if (!FT_IS_SCALABLE(face->face) || face->face->units_per_EM == 0) return std::nullopt;
+    choose_characters(face->face);
+    return Font(std::move(face));
+}
+
+uint32_t Font::glyph_of(uint32_t character) const {
+    constexpr uint32_t kSymbolPage = 0xf000;
+    const uint32_t index = FT_Get_Char_Index(face_->face, character);
+    return index == 0 && character < 256 ? FT_Get_Char_Index(face_->face, kSymbolPage + character) : index;
+}
+
+std::optional<Glyph> Font::glyph(uint32_t index) const {
+    const FT_Face face = face_->face;
+    if (FT_Load_Glyph(face, index, FT_LOAD_NO_SCALE | FT_LOAD_NO_BITMAP) != 0 || face->glyph->format != FT_GLYPH_FORMAT_OUTLINE) return std::nullopt;
+    FT_Outline_Funcs functions{};
+    functions.move_to = Collector::move, functions.line_to = Collector::line, functions.conic_to = Collector::conic, functions.cubic_to = Collector::cubic;
+    functions.shift = 1;
+    Collector collector{0.5 / face_->em(), {}};
+    if (FT_Outline_Decompose(&face->glyph->outline, &functions, &collector) != 0 || !collector.quadratic) return std::nullopt;
+    collector.close();
+    Glyph out;
+    out.outlines = std::move(collector.outlines);
+    out.advance = double(face->glyph->metrics.horiAdvance) / face_->em(), out.left = double(face->glyph->metrics.horiBearingX) / face_->em();
+    return out;
+}
+
+double Font::kerning(uint32_t left, uint32_t right) const {
+    FT_Vector added{};
+    if (FT_Get_Kerning(face_->face, left, right, FT_KERNING_UNSCALED, &added) != 0) return 0;
+    return double(added.x) / face_->em();
+}
+
+}  // namespace alidade::pov
