@@ -2,6 +2,7 @@
 #include "importers/pov/reader.h"
 
 #include "importers/pov/blocks.h"
+#include "importers/pov/directives.h"
 #include "importers/pov/expressions.h"
 
 #include <fmt/format.h>
@@ -55,12 +56,24 @@ class Reader {
         p_.symbols.global(name).value = Value::number(value);
     }
 
+    /// Some directives are obeyed without their #, as by POV-Ray.
+    bool is_old_directive(const Token& token) const {
+        return token.is_word("default"_w) || token.is_word("declare"_w) || token.is_word("include"_w) || (token.is_word("version"_w) && !p_.peek().is('{'));
+    }
+    void obey_old(const Token& word) {
+        Token directive = word;
+        directive.kind = TokenKind::directive;
+        directive.directive = {uint16_t(word.id), 0, kOpen};
+        obey(p_, directive);
+    }
+
     void statement() {
         const Token token = p_.next();
         if (token.kind == TokenKind::end) {
             done_ = true;
             return;
         }
+        if (is_old_directive(token)) return obey_old(token);
         if (token.kind == TokenKind::name && !p_.symbols.find(token.id)) parse_reference(p_, token, false);   // says what is not declared
         if (token.kind != TokenKind::word || !p_.peek().is('{')) p_.fail(token.place(), fmt::format("an object or a directive is expected, not {}", p_.describe(token)));
         Item item;

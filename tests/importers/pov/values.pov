@@ -67,3 +67,7 @@
 #debug concat(str(F(1, 2), 0, 1), " ", str(G(1, 2, 3), 0, 1), "\n")   // expect 4.0 0.0
 #declare H = function(x) { select(mod(x, 2), 1, 0, 1) }
 #debug concat(str(H(3), 0, 0), str(H(4), 0, 0), "\n")       // expect 10
+//---- some directives are obeyed without their #
+declare A = 7;
+default { finish { ambient 1 } }
+#debug concat(str(A, 0, 0), "\n")                           // expect 7
