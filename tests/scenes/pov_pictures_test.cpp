@@ -2,6 +2,7 @@
 /// Small scenes rendered by POV-Ray and by Alidade: the 8-bit codes must be the same, but for the few pixels where an edge goes through a centre.
 #include "core/image.h"
 #include "importers/importer.h"
+#include "tests/core/draw.h"
 #include "tests/povray/povray.h"
 #include "tracer/render.h"
 
@@ -69,6 +70,28 @@ std::vector<PovPicture> patterned_pictures() {
                    "pigment { granite color_map { [0 rgbft <.9,.8,.3,.4,.1>] [1 rgbt <1,.2,.2,.5>] } } scale .7 }"},
         {"DefaultPigment", head + "#default { pigment { checker rgb 1, rgb z scale .5 } normal { bumps .5 scale .3 } } sphere { 0, 2 } sphere { x*3, 1 pigment { rgb x } } box { <-4,-1,-1>, <-2,1,1> texture { pigment { rotate y*30 } } }"},
     };
+}
+
+std::string random_vector(test::Draw& draw) { return fmt::format("<{:.3f},{:.3f},{:.3f}>", draw(-1, 1), draw(-1, 1), draw(-1, 1)); }
+
+/// Set operations on closed and open forms, with colours, transformations and clips anywhere. (Operations are not inverted: POV-Ray gives those wrong boxes.)
+std::string random_solid(test::Draw& draw, int levels) {
+    static constexpr const char* kShapes[] = {"sphere { 0, 1", "box { <-.9,-.7,-.6>, <.8,.9,.7>", "cylinder { -1.2*y, y, .6 ", "cone { -y, .9, y, .3 open", "torus { .9, .4", "cylinder { -1.5*y, 1.5*y, .5 open"};
+    static constexpr const char* kOperations[] = {"union", "merge", "intersection", "difference"};
+    std::string out;
+    if (levels == 0) out = kShapes[draw.below(6)];
+    else out = fmt::format("{} {{ {} {}", kOperations[draw.below(4)], random_solid(draw, levels - 1), random_solid(draw, levels - 1 - int(draw.below(2)) * (levels > 1)));
+    if (levels == 0 && draw.below(8) == 0) out += " inverse";
+    if (draw.below(3) == 0) out += fmt::format(" pigment {{ rgb <{:.2f},{:.2f},{:.2f}> }}", draw(0, 1), draw(0, 1), draw(0, 1));
+    if (draw.below(8) == 0) out += " clipped_by { plane { " + random_vector(draw) + ", .3 } }";
+    return out + " rotate " + random_vector(draw) + "*90 translate " + random_vector(draw) + "*.4 }\n";
+}
+
+std::string random_solids(uint64_t seed) {
+    test::Draw draw(seed);
+    std::string scene = kHead + kView + kSun + "#default { pigment { rgb <1,.6,.3> } } plane { y, -2 pigment { rgb <.6,.7,.4> } }\n";
+    for (int i = 0; i < 4; ++i) scene += fmt::format("intersection {{ {} sphere {{ 0, 1.6 }} scale .8 translate <{},{},{}> }}\n", random_solid(draw, 3), i % 2 ? 1.3 : -1.3, i / 2 * 1.6 - .6, i / 2);
+    return scene;
 }
 
 std::vector<PovPicture> pictures() {
@@ -146,6 +169,10 @@ std::vector<PovPicture> pictures() {
         {"ClipsAndTransforms", usual + "sphere { 0, 1 translate x clipped_by { plane { <1,0,.5>, 1 } } pigment { rgb <1,.6,.2> } translate <-2,.6,0> } sphere { 0, 1.2 bounded_by "
          "{ box { <-2,-2,-2>, <.3,2,2> } } scale <1,.8,1> clipped_by { bounded_by } pigment { rgb <.3,1,.5> } rotate y*70 translate <1.2,.8,0> } union { sphere { 0, .6 } box { "
          "<0,-.4,-.4>, <1,.4,.4> } clipped_by { plane { z, .1 inverse } plane { -y, .2 } } bounded_by { clipped_by } pigment { rgb <.5,.4,1> } translate <0,.5,-2.5> }"},
+        {"RandomSolids1", random_solids(1)},
+        {"RandomSolids2", random_solids(2)},
+        {"RandomSolids3", random_solids(3)},
+        {"RandomSolids4", random_solids(4)},
         {"DoubleIlluminate", usual + "disc { 0, z, 2 pigment { rgb 1 } rotate y*70 double_illuminate } disc { <2,0,0>, z, 1 pigment { rgb <1,1,0> } finish { diffuse .6, .3 } rotate y*60 }"},
     };
 }
