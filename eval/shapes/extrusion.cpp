@@ -42,7 +42,7 @@ class Line {
         } else if (!(slab.low <= p.z + center_.z && p.z + center_.z <= slab.high)) {
             return out_;
         }
-        if (d.x == 0 && d.y == 0) {
+        if (d.x * d.x + d.y * d.y < std::numeric_limits<double>::min()) {   // the shadow is a point
             if (outlines_hold(e_, Vec2(center_.x + p.x, center_.y + p.y))) add_stretch(enter, leave);
         } else {
             add_stretches(enter, leave);

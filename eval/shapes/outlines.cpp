@@ -88,7 +88,8 @@ std::pmr::vector<Cut> cuts_of(const Extrusion& e, const Vec2& origin, const Vec2
         else if ((a >= 0) != (b >= 0)) count = 1, tau[0] = std::clamp(a / (a - b), 0.0, 1.0);
         for (int i = 0; i < count; ++i) {
             const Vec2 at = straight ? (1 - tau[i]) * arc.a + tau[i] * arc.b : arc.at(tau[i]);
-            cuts.push_back({dot(d, at - p) / square, at, index, (a < 0) == (i == 0) ? 1 : -1});
+            const double s = dot(d, at - p) / square;
+            if (!std::isnan(s)) cuts.push_back({s, at, index, (a < 0) == (i == 0) ? 1 : -1});   // a NaN has no place in an order
         }
     });
     std::sort(cuts.begin(), cuts.end(), [](const Cut& x, const Cut& y) { return x.s < y.s; });

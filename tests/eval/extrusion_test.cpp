@@ -94,6 +94,18 @@ TEST(Extrusion, CornersPair) {
         }
 }
 
+TEST(Extrusion, BrokenPointsAndRaysAreHarmless) {
+    const double nan = std::numeric_limits<double>::quiet_NaN();
+    const Extrusion broken{{{{Vec2(0, 0), Vec2(nan, 1), Vec2(1, 0), Vec2(1, nan), Vec2(nan, nan), Vec2(0, 1)}}}, 0, 1, false}, none{{}, 0, 1, false};
+    for (const Vec3& dir : {Vec3(0, 0, 1), Vec3(1, 0.1, 0), Vec3(1e-200, 0, 1), Vec3(1e-200, 1e-200, 1e-200), Vec3(1e150, 0, 1)}) {
+        const Crossings got = crossings(broken, Vec3(0.2, 0.2, 0.3), dir);
+        for (int i = 0; i < got.count; ++i) EXPECT_FALSE(std::isnan(got.at[i].t));
+        EXPECT_EQ(crossings(none, Vec3(0.2, 0.2, 0.3), dir).count, 0);
+    }
+    expect(crossings({{box(0, 1)}, 0, 1, false}, Vec3(0.5, 0.5, -1), Vec3(1e-200, 0, 1)), {1, 2});
+    EXPECT_EQ(crossings({{box(0, 1)}, 0, 1, false}, Vec3(-1e-30, 0.5, 0.5), Vec3(1e-30, 0, 0)).count, 2);
+}
+
 #ifdef ALIDADE_HAS_QUAD
 /// t against the exact distance from the surface, which a step along the ray changes by the cosine.
 TEST(Extrusion, CrossingsAgainst113Bits) {

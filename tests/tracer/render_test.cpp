@@ -260,8 +260,10 @@ TEST(SpawnedRays, LeaveConvexSolidsAtEveryScale) {
     auto uniform = [&] { return key.uniform(dimension++) * 2 - 1; };
     Mesh convex = wavy_sphere(10);
     for (Vec3f& p : convex.positions) p = Vec3f(normalized(Vec3(p)));
+    Polynomial cushion{4, std::vector<double>(Polynomial::terms(4))};   // x^4 + y^4 + z^4 = 1
+    cushion.coefficients[0] = cushion.coefficients[20] = cushion.coefficients[30] = 1, cushion.coefficients.back() = -1;
     int tried = 0;
-    for (const ShapeGeometry& g : std::vector<ShapeGeometry>{Sphere{}, Box{}, convex})
+    for (const ShapeGeometry& g : std::vector<ShapeGeometry>{Sphere{}, Box{}, Quadric{{1, 1.5, 3}, {0.3, -0.2, 0.1}, {0, 0.1, 0}, -1}, cushion, Extrusion{}, convex})
         for (double scale : {1e-12, 1e-6, 1.0, 1e6, 1e12})
             for (double offset : {0.0, 10.0, 1e7}) {
                 SceneBuilder b;

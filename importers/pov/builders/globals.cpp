@@ -16,7 +16,7 @@ void take_gamma(Build& build, Cursor& at) {
 
 /// Words of global_settings that change no picture that is modelled.
 bool is_silent(const Cursor& at) {
-    return at.at_word("charset"_w) || at.at_word("max_intersections"_w) || at.at_word("mm_per_unit"_w) || at.at_word("hf_gray_16"_w);
+    return at.at_word("charset"_w) || at.at_word("ascii"_w) || at.at_word("utf8"_w) || at.at_word("sys"_w) || at.at_word("max_intersections"_w) || at.at_word("mm_per_unit"_w) || at.at_word("hf_gray_16"_w);
 }
 
 }  // namespace
