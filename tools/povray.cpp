@@ -49,7 +49,8 @@ RenderOptions render_options(const PovrayRequest& r, int frame) {
     options.width = r.width, options.height = r.height;
     options.threads = r.threads;
     options.frame = frame;
-    options.spp = r.antialias ? r.antialias_depth * r.antialias_depth : 1;
+    options.spp = 1;
+    if (r.antialias) options.supersampling = Supersampling{r.sampling_method, r.antialias_threshold, r.antialias_gamma, r.jitter ? r.jitter_amount : 0, r.antialias_depth};
     const Region region{first_pixel(r.start_column, r.width), first_pixel(r.start_row, r.height), end_pixel(r.end_column, r.width), end_pixel(r.end_row, r.height)};
     if (region.x0 || region.y0 || region.x1 != r.width || region.y1 != r.height) options.region = region;
     return options;
@@ -73,7 +74,7 @@ int render_frame(const PovrayRequest& r, int frame) {
 }
 
 std::string help(const Verb& verb) {
-    return fmt::format("alidade {}\n\n{}\n\nThe words are POV-Ray's: +Iscene.pov +Oout.png +W320 +H240 +A -A +L<folder> +FN +WT<threads> +K<clock> +KFI1 +KFF10 +SF +EF +SC +EC +SR +ER,\n"
+    return fmt::format("alidade {}\n\n{}\n\nThe words are POV-Ray's: +Iscene.pov +Oout.png +W320 +H240 +A<threshold> -A +AM<method> +R<depth> -J +L<folder> +FN +WT<threads> +K<clock> +KFI1 +KFF10 +SF +EF +SC +EC +SR +ER,\n"
                        "Key=Value, Declare=NAME=VALUE, scene.ini[section]. docs/pov-support.md lists what they do.\n\nExit codes: {}.\n",
                        verb.usage, verb.doc, verb.exits);
 }
@@ -88,7 +89,6 @@ int run_povray(const Verb& verb, const Words& words) {
     const auto request = parse_povray_words(words);
     if (!request) return fail(request.error());
     for (const std::string& note : request->notes) fmt::print(stderr, "alidade: warning: {}\n", note);
-    if (request->antialias) fmt::print(stderr, "alidade: warning: POV-Ray's own antialiasing is not modelled yet: {} samples a pixel are taken\n", request->antialias_depth * request->antialias_depth);
     if (request->to_file && request->bits > 8) fmt::print(stderr, "alidade: warning: {} bits a colour are asked for: PNG files have 8\n", request->bits);
     exit_on_signal();
     const int first = request->subset_start.value_or(request->initial_frame), last = request->subset_end.value_or(request->final_frame);

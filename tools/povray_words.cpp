@@ -62,12 +62,19 @@ template <bool PovrayRequest::* Member> bool flag(PovrayRequest& r, const Word& 
     return on ? (r.*Member = *on, true) : false;
 }
 
-/// `+X0.3` or `+X`: the number behind it does not matter here.
-template <bool PovrayRequest::* Member> bool flag_with_number(PovrayRequest& r, const Word& w) {
+/// `+X0.3`, `+X` or `-X`: a switch that may bring its number.
+template <bool PovrayRequest::* Member, double PovrayRequest::* Number> bool flag_with_number(PovrayRequest& r, const Word& w) {
     if (!w.value.empty() && truth(w.value)) return r.*Member = *truth(w.value), true;
-    if (!w.value.empty() && !parse_number(w.value, 0)) return false;
     r.*Member = w.on;
-    return true;
+    if (w.value.empty()) return true;
+    const auto x = parse_number(w.value, 0);
+    return x ? (r.*Number = *x, true) : false;
+}
+
+/// Cut to what POV-Ray takes.
+bool antialias_depth(PovrayRequest& r, const Word& w) {
+    const auto n = parse_integer(w.value, 0, 1 << 30);
+    return n ? (r.antialias_depth = std::clamp(int(*n), 1, 9), true) : false;
 }
 
 bool input(PovrayRequest& r, const Word& w) { return r.input = w.value, !w.value.empty(); }
@@ -120,13 +127,13 @@ constexpr Row kTable[] = {
     {"Bits_Per_Color", "", integer<&PovrayRequest::bits, 1, 100>},
     {"Library_Path", "L", library},
     {"Declare", "", declare},
-    {"Antialias", "A", flag_with_number<&PovrayRequest::antialias>},
-    {"Antialias_Threshold", "", nothing},
-    {"Antialias_Gamma", "", nothing},
-    {"Antialias_Depth", "R", integer<&PovrayRequest::antialias_depth, 1, 64>},
-    {"Sampling_Method", "AM", nothing},
-    {"Jitter", "J", nothing},
-    {"Jitter_Amount", "", nothing},
+    {"Antialias", "A", flag_with_number<&PovrayRequest::antialias, &PovrayRequest::antialias_threshold>},
+    {"Antialias_Threshold", "", number<&PovrayRequest::antialias_threshold>},
+    {"Antialias_Gamma", "", number<&PovrayRequest::antialias_gamma>},
+    {"Antialias_Depth", "R", antialias_depth},
+    {"Sampling_Method", "AM", integer<&PovrayRequest::sampling_method, 1, 2>},
+    {"Jitter", "J", flag_with_number<&PovrayRequest::jitter, &PovrayRequest::jitter_amount>},
+    {"Jitter_Amount", "", number<&PovrayRequest::jitter_amount>},
     {"Quality", "Q", quality},
     {"Verbose", "V", flag<&PovrayRequest::verbose>},
     {"Display", "D", nothing},

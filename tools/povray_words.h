@@ -16,7 +16,9 @@ struct PovrayRequest {
     int bits = 8;
     int width = 160, height = 120;
     bool to_file = true, antialias = false, verbose = false;
-    int antialias_depth = 3;
+    double antialias_threshold = 0.3, antialias_gamma = 2.5, jitter_amount = 1;
+    int antialias_depth = 3, sampling_method = 1;
+    bool jitter = true;
     int threads = 0;
     std::vector<std::string> library_paths, declarations;
     double clock = 0, initial_clock = 0, final_clock = 1;

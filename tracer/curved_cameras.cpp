@@ -47,6 +47,25 @@ Vec3 turned(const Vec3& v, const Vec3& k, double angle) {
     return v * std::cos(angle) + cross(k, v) * std::sin(angle) + k * (dot(k, v) * (1 - std::cos(angle)));
 }
 
+/// A picture rolled around the camera: around `up` in the kinds 1 and 3, around `right` in 2 and 4. The film is flat along the axis; in 3 and 4 rays are level.
+Vec3 cylindrical(const Camera& c, const Axes& axes, double s, double t) {
+    const bool upright = c.cylinder % 2 == 1, level = c.cylinder > 2;
+    const double angle = (upright ? s : t) * angle_of(c);
+    const Vec3 along = upright ? t * axes.high * axes.up : s * axes.wide * axes.right;
+    return std::sin(angle) * (upright ? axes.right : axes.up) + std::cos(angle) * axes.ahead + (level ? Vec3(0) : along);
+}
+
+/// Where the ray begins: on the axis of the cylinders 3 and 4, else at the camera.
+Vec3 origin(const Camera& c, double s, double t) {
+    if (c.projection != Projection::cylindrical || c.cylinder < 3) return c.location;
+    return c.location + (c.cylinder == 3 ? t * c.up : s * c.right);
+}
+
+Vec3 spherical(const Camera& c, const Axes& axes, double s, double t) {
+    const double high = c.vertical_angle != 0 ? c.vertical_angle * kPi / 180 : angle_of(c) / 2;
+    return turned(turned(axes.ahead, axes.right, -t * high), axes.up, s * angle_of(c));
+}
+
 std::optional<Vec3> direction(const Camera& c, double s, double t) {
     const Axes axes(c);
     const double a = s * angle_of(c), b = t * angle_of(c) * axes.high / axes.wide;
@@ -55,8 +74,8 @@ std::optional<Vec3> direction(const Camera& c, double s, double t) {
         case Projection::omnimax: return omnimax(axes, s, t);
         case Projection::ultra_wide_angle: return std::sin(a) * axes.right + std::sin(b) * axes.up + std::cos(a) * std::cos(b) * axes.ahead;
         case Projection::panoramic: return std::cos((0.5 - s) * kPi) * c.right + std::tan(kPi * t) * c.up + std::sin((0.5 - s) * kPi) * c.direction;
-        case Projection::cylindrical: return std::sin(a) * axes.right + t * axes.high * axes.up + std::cos(a) * axes.ahead;
-        default: return turned(turned(axes.ahead, axes.right, -t * angle_of(c) / 2), axes.up, s * angle_of(c));
+        case Projection::cylindrical: return cylindrical(c, axes, s, t);
+        default: return spherical(c, axes, s, t);
     }
 }
 
@@ -65,7 +84,7 @@ std::optional<Vec3> direction(const Camera& c, double s, double t) {
 Ray curved_ray(const Camera& camera, double s, double t) {
     Ray ray;
     ray.mask = kMaskCamera;
-    ray.origin = camera.location;
+    ray.origin = origin(camera, s, t);
     const std::optional<Vec3> d = direction(camera, s, t);
     ray.dir = d ? normalized(*d) : normalized(camera.direction);
     if (!d) ray.tmin = 0, ray.tmax = -1;

@@ -61,6 +61,20 @@ void PixelSamples::add(const Color& r, const FirstHit& first) {
     sum.uv += first.uv;
 }
 
+void PixelSamples::add(const PixelSamples& more) {
+    radiance += more.radiance;
+    samples += more.samples;
+    work += more.work;
+    sum.coverage += more.sum.coverage;
+    if (!more.hits) return;
+    if (!hits) sum.depth = 0, instance = more.instance;
+    hits += more.hits;
+    sum.depth += more.sum.depth;
+    sum.normal += more.sum.normal;
+    sum.albedo += more.sum.albedo;
+    sum.uv += more.sum.uv;
+}
+
 tl::expected<Layers, std::string> Layers::parse(const std::vector<std::string>& names) {
     Layers out;
     for (const std::string& name : names) {

@@ -16,6 +16,7 @@ struct PixelSamples {
     uint64_t work = 0;        ///< box and primitive tests of the pixel
 
     void add(const Color& radiance, const FirstHit& first);
+    void add(const PixelSamples& more);
 };
 
 /// The output layers that a picture has beside colour, in the order asked for.

@@ -36,6 +36,23 @@ double cone(const ConeLight& spot, double c) {
     return k;
 }
 
+/// POV-Ray's cylinder of light: the brightness at a point that lies `from_light` of it.
+double cylinder(const CylinderLight& c, const Vec3& from_light, const Vec3& axis) {
+    const double along = dot(from_light, axis), distance = length(from_light - axis * along);
+    if (!(along > 0) || !(distance < c.falloff)) return 0;
+    const double q = 1 - distance / c.falloff, inner = 1 - c.radius / c.falloff;
+    const double k = c.tightness == 0 ? 1 : std::pow(q, c.tightness);
+    return distance > c.radius ? k * smooth_step(q / inner) : k;
+}
+
+/// Light that goes along the axis everywhere, from the plane through its place.
+Illumination along_axis(const PlacedLight& light, const Vec3& to_light) {
+    const double along = -dot(to_light, light.axis);
+    double k = falloff(light.light, std::abs(along));
+    if (const auto* round = std::get_if<CylinderLight>(&light.light.kind)) k *= cylinder(*round, -to_light, light.axis);
+    return {-light.axis, along, light.light.intensity * k};
+}
+
 /// A point of a flat light, uniform in area; light leaves its front only. The irradiance is L cos A / d^2.
 Illumination from_flat(const PlacedLight& light, const AreaLight& area, const Vec3& point, const Vec2& square) {
     const bool disc = area.form == AreaLight::Form::disc;
@@ -74,10 +91,7 @@ Illumination illuminate(const PlacedLight& light, const Vec3& point, const Vec2&
     const Vec3 to_light = light.position - point;
     const double distance = length(to_light);
     if (!(distance > 0)) return {};
-    if (light.light.parallel) {
-        const double along = -dot(to_light, light.axis);
-        return {-light.axis, along, light.light.intensity * falloff(light.light, std::abs(along))};
-    }
+    if (light.light.parallel || std::holds_alternative<CylinderLight>(light.light.kind)) return along_axis(light, to_light);
     const Vec3 direction = to_light / distance;
     double k = falloff(light.light, distance);
     if (const auto* spot = std::get_if<SpotLight>(&light.light.kind)) k *= cone(*spot, -dot(direction, light.axis));

@@ -108,7 +108,6 @@ void report_finish(const Material& m, Diagnostics& said) {
     for (const auto& layer : m.layers) {
         const auto* f = std::get_if<PovFinish>(&layer);
         if (!f) continue;
-        if (f->crand != 0) said.warning(m.from, fmt::format("material '{}': crand is not rendered yet: it is left out", m.name));
         if (f->reflection_exponent != 1) said.warning(m.from, fmt::format("material '{}': the exponent of a reflection is not rendered yet: it is left out", m.name));
     }
 }

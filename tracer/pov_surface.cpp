@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tracer/pov_surface.h"
 
+#include "core/random.h"
 #include "tracer/segment.h"
 #include "tracer/textures.h"
 
 #include <algorithm>
+#include <bit>
 
 namespace alidade {
 namespace {
@@ -82,7 +84,8 @@ PovSurface::Passage PovSurface::passage(const CompiledScene& scene, const ShadeP
     return out;
 }
 
-PovSurface::PovSurface(const CompiledScene& scene, const ShadePoint& point, const Vec3& dir, const Vec3& normal) : dir_(dir), normal_(normal) {
+PovSurface::PovSurface(const CompiledScene& scene, const ShadePoint& point, const Vec3& dir, const Vec3& normal)
+    : dir_(dir), normal_(normal), position_(point.position) {
     double_illuminate_ = scene.instances[point.instance].double_illuminate;
     add(scene, point, material_at(scene, point), 1, pattern_frame(point));
 }
@@ -130,12 +133,23 @@ Color PovSurface::emitted(const Color& ambient_light) const {
     return sum;
 }
 
+/// In [0, 1): of this point and this light alone, so that crand has the same grains whatever is rendered before.
+double PovSurface::grain(const Vec3& wi) const {
+    RandomKey key(std::bit_cast<uint64_t>(position_.x), std::bit_cast<uint64_t>(position_.y), std::bit_cast<uint64_t>(position_.z));
+    for (int i = 0; i < 3; ++i) key = key.child(std::bit_cast<uint64_t>(wi[i]));
+    return key.uniform(0);
+}
+
 Color PovSurface::lit(const PovLayer& layer, const Vec3& wi, double nl, bool highlights) const {
     const PovFinish& f = *layer.finish;
     const bool back = nl < kEpsilon && !double_illuminate_;
     const double diffuse = back ? f.diffuse_back : f.diffuse;
     Color sum(0);
-    if (diffuse != 0) sum = layer.color * (std::pow(std::abs(nl), f.brilliance) * diffuse * layer.opacity);
+    if (diffuse != 0) {
+        double intensity = std::pow(std::abs(nl), f.brilliance) * diffuse * layer.opacity;
+        if (f.crand > 0) intensity -= f.crand * grain(wi);
+        sum = layer.color * intensity;
+    }
     if (back || !highlights) return sum;
     double highlight = 0;
     if (f.phong != 0) {
@@ -218,18 +232,34 @@ void PovSurface::secondary(const CompiledScene& scene, const ShadePoint& point, 
     for (const PovTexture& texture : textures_) add_texture(scene, texture, p, state, facing, out);
 }
 
-Color pov_transmitted(const CompiledScene& scene, const Material& material, const ShadePoint& point, const PatternFrame& frame) {
+namespace {
+
+/// How much brighter a shadow is than its filters make it, where the surface lies across the light (manual, 3.4.7.1.4 "Faked Caustics"). A stand-in for refracted light.
+double caustics(const CompiledScene& scene, const PovFinish& finish, const ShadePoint& point, const PatternFrame& frame, const Vec3& dir) {
+    const uint32_t interior = slot_at(scene, point).interior;
+    const double power = interior == kNoId ? 0 : scene.interiors[interior].caustics;
+    if (power == 0) return 1;
+    const Vec3 facing = point.shading_normal * (dot(point.shading_normal, dir) < 0 ? 1.0 : -1.0);
+    const Vec3 normal = finish.normal ? scene.textures->bent(*finish.normal, frame, facing) : facing;
+    return 1 + std::pow(std::abs(dot(normal, dir)), 45 * power);
+}
+
+}  // namespace
+
+Color pov_transmitted(const CompiledScene& scene, const Material& material, const ShadePoint& point, const PatternFrame& frame, const Vec3& dir) {
     if (const auto* map = std::get_if<PovTextureMap>(&material.layers.front())) {
         Color sum(0);
         scene.textures->for_each_share(map->pattern, frame, [&](uint32_t entry, double share, const PatternFrame& inner) {
-            sum += pov_transmitted(scene, scene.scene.materials[map->textures[entry].index], point, inner) * share;
+            sum += pov_transmitted(scene, scene.scene.materials[map->textures[entry].index], point, inner, dir) * share;
         });
         return sum;
     }
     Color through(1);
     for (const auto& layer : material.layers) {
-        through *= filter_of(scene.textures->pigment(std::get<PovFinish>(layer).pigment, point, frame.at));
+        const PovFinish& finish = std::get<PovFinish>(layer);
+        through *= filter_of(scene.textures->pigment(finish.pigment, point, frame.at));
         if (is_black(through)) return through;
+        through *= caustics(scene, finish, point, frame, dir);
     }
     return through;
 }

@@ -49,11 +49,13 @@ class PovSurface {
 
     std::vector<PovTexture> textures_;
     std::vector<PovLayer> layers_;   ///< of all textures, from the top
-    Vec3 dir_, normal_;
+    double grain(const Vec3& wi) const;
+
+    Vec3 dir_, normal_, position_;
     bool double_illuminate_ = false;
 };
 
-/// What the layers of a material let through at a point: what shadow rays multiply by.
-Color pov_transmitted(const CompiledScene& scene, const Material& material, const ShadePoint& point, const PatternFrame& frame);
+/// What the layers of a material let through at a point: what shadow rays in the unit direction `dir` multiply by.
+Color pov_transmitted(const CompiledScene& scene, const Material& material, const ShadePoint& point, const PatternFrame& frame, const Vec3& dir);
 
 }  // namespace alidade

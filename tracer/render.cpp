@@ -4,6 +4,7 @@
 #include "tracer/cameras.h"
 #include "tracer/layers.h"
 #include "tracer/noise.h"
+#include "tracer/supersampling.h"
 
 #include <charconv>
 #include <chrono>
@@ -24,7 +25,7 @@ struct Job {
     Region region;
     SamplePair sampler;
     int spp, max_depth;
-    int tiles_x, tiles_y;
+    int tile, tiles_x, tiles_y;
     const std::atomic<bool>* stop;
 
     bool stopped() const { return stop && stop->load(std::memory_order_relaxed); }
@@ -57,14 +58,17 @@ tl::expected<Radiance, std::string> choose_kernel(const CompiledScene& scene, co
 
 enum Dimension : uint64_t { kPixelDimension, kLensDimension };
 
-/// One camera ray, and what it brings.
-Color take_sample(const Job& job, Tracing& tracing, int x, int y, int s, PixelSamples& pixel) {
-    const uint64_t index = uint64_t(y) * uint64_t(job.options.width) + uint64_t(x);
+SampleKey sample_key(const Job& job, int x, int y, uint32_t sample, uint32_t count) {
+    const uint64_t index = uint64_t(int64_t(y) * job.options.width + x);   // beside the picture, too
+    return {job.sampler, RandomKey(job.options.seed, uint64_t(job.options.frame), index), sample, count};
+}
+
+/// One camera ray through the point (x, y) of the picture, and what it brings.
+Color take_ray(const Job& job, Tracing& tracing, const SampleKey& key, double x, double y, PixelSamples& pixel) {
     RayState state;
-    state.key = SampleKey(job.sampler, RandomKey(job.options.seed, uint64_t(job.options.frame), index), uint32_t(s), uint32_t(job.spp));
+    state.key = key;
     state.time = float(job.options.time);
-    const Vec2 in_pixel = job.spp > 1 ? state.key.pair(kPixelDimension) : Vec2(0.5);
-    Ray ray = job.camera.at(x + in_pixel.x, y + in_pixel.y, job.camera.has_lens() ? state.key.pair(kLensDimension) : Vec2(0.5));
+    Ray ray = job.camera.at(x, y, job.camera.has_lens() ? state.key.pair(kLensDimension) : Vec2(0.5));
     ray.time = state.time;
     ++tracing.stats.camera_rays;
     FirstHit first;
@@ -73,12 +77,19 @@ Color take_sample(const Job& job, Tracing& tracing, int x, int y, int s, PixelSa
     return radiance;
 }
 
+Color take_sample(const Job& job, Tracing& tracing, int x, int y, int s, PixelSamples& pixel) {
+    const SampleKey key = sample_key(job, x, y, uint32_t(s), uint32_t(job.spp));
+    const Vec2 in_pixel = job.spp > 1 ? key.pair(kPixelDimension) : Vec2(0.5);
+    return take_ray(job, tracing, key, x + in_pixel.x, y + in_pixel.y, pixel);
+}
+
+uint64_t tests_done(const WorkCounters& work) { return work.boxes + work.filtered + work.primitives; }
+
 /// All samples of a pixel: as many as asked for, or fewer where its own tell that it is known well enough. Nothing if the render was stopped.
 std::optional<PixelSamples> sample_pixel(const Job& job, Tracing& tracing, int x, int y) {
     PixelSamples pixel;
     NoiseEstimate noise;
-    const WorkCounters& work = tracing.stats.work;
-    const uint64_t before = work.boxes + work.filtered + work.primitives;
+    const uint64_t before = tests_done(tracing.stats.work);
     const double limit = job.options.adaptive, exposure = std::exp2(job.options.exposure);
     for (int s = 0; s < job.spp; ++s) {
         if (job.stopped()) return std::nullopt;
@@ -92,18 +103,50 @@ std::optional<PixelSamples> sample_pixel(const Job& job, Tracing& tracing, int x
         }
     }
     ++tracing.stats.pixels;
-    pixel.work = work.boxes + work.filtered + work.primitives - before;
+    pixel.work = tests_done(tracing.stats.work) - before;
     return pixel;
 }
 
+bool is_coded(const RenderSettings& settings) { return settings.srgb_coded || settings.assumed_gamma != 1; }
+
 /// POV-Ray's scenes are calculated with in a coding of their own, which is undone at the end; films are linear.
-PixelSamples linear(PixelSamples pixel, const RenderSettings& settings) {
-    if (!settings.srgb_coded && settings.assumed_gamma == 1) return pixel;
+Color linear(const Color& radiance, const RenderSettings& settings) {
+    if (!is_coded(settings)) return radiance;
+    Color out;
     for (int i = 0; i < 3; ++i) {
-        const double coded = std::max(pixel.radiance[i] / pixel.samples, 0.0);
-        pixel.radiance[i] = pixel.samples * (settings.srgb_coded ? srgb_to_linear(coded) : std::pow(coded, settings.assumed_gamma));
+        const double coded = std::max(radiance[i], 0.0);
+        out[i] = settings.srgb_coded ? srgb_to_linear(coded) : std::pow(coded, settings.assumed_gamma);
     }
-    return pixel;
+    return out;
+}
+
+void write_pixel(const Job& job, PixelSamples pixel, int x, int y, Picture& picture) {
+    const RenderSettings& settings = job.scene.scene.settings;
+    if (is_coded(settings)) pixel.radiance = linear(pixel.radiance / double(pixel.samples), settings) * double(pixel.samples);
+    job.layers.write(pixel, std::exp2(job.options.exposure), picture.at(x, y));
+}
+
+/// False if the render was stopped: then none of the block's pixels is there.
+bool render_block(const Job& job, Tracing& tracing, const Region& block, Picture& picture) {
+    BlockRays rays;
+    rays.take = [&](const PixelRay& r) {
+        const SampleKey key = sample_key(job, r.x, r.y, r.index, r.count);
+        const Vec2 moved = r.jitter > 0 ? (key.pair(kPixelDimension) - Vec2(0.5)) * r.jitter : Vec2(0);
+        const uint64_t before = tests_done(tracing.stats.work);
+        PixelSamples out;
+        take_ray(job, tracing, key, r.x + r.at.x + moved.x, r.y + r.at.y + moved.y, out);
+        out.work = tests_done(tracing.stats.work) - before;
+        return out;
+    };
+    rays.linear = [&](const Color& c) { return linear(c, job.scene.scene.settings); };
+    rays.stopped = [&] { return job.stopped(); };
+    const auto pixels = supersample(*job.options.supersampling, block, rays);
+    if (!pixels) return false;
+    auto pixel = pixels->begin();
+    for (int y = block.y0; y < block.y1; ++y)
+        for (int x = block.x0; x < block.x1; ++x) write_pixel(job, *pixel++, x, y, picture);
+    tracing.stats.pixels += pixels->size();
+    return true;
 }
 
 /// A tile's pixels depend on nothing but their own coordinates, so neither the order of tiles nor their size shows. False if the render was stopped:
@@ -111,14 +154,15 @@ PixelSamples linear(PixelSamples pixel, const RenderSettings& settings) {
 bool render_tile(const Job& job, size_t tile, Picture& picture, RenderStats& stats) {
     const DefaultFloatMode mode;
     Tracing tracing{job.scene, job.max_depth, job.options.light_samples, job.scene.scene.settings.adc_bailout, stats};
-    const int size = job.options.tile;
+    const int size = job.tile;
     const int x0 = job.region.x0 + int(tile % size_t(job.tiles_x)) * size, y0 = job.region.y0 + int(tile / size_t(job.tiles_x)) * size;
-    const double exposure = std::exp2(job.options.exposure);
-    for (int y = y0; y < std::min(y0 + size, job.region.y1); ++y)
-        for (int x = x0; x < std::min(x0 + size, job.region.x1); ++x) {
+    const Region block{x0, y0, std::min(x0 + size, job.region.x1), std::min(y0 + size, job.region.y1)};
+    if (job.options.supersampling) return render_block(job, tracing, block, picture);
+    for (int y = y0; y < block.y1; ++y)
+        for (int x = x0; x < block.x1; ++x) {
             const std::optional<PixelSamples> pixel = sample_pixel(job, tracing, x, y);
             if (!pixel) return false;
-            job.layers.write(linear(*pixel, job.scene.scene.settings), exposure, picture.at(x, y));
+            write_pixel(job, *pixel, x, y, picture);
         }
     return true;
 }
@@ -141,6 +185,8 @@ tl::expected<Region, std::string> checked_region(const RenderOptions& o) {
         return tl::unexpected(fmt::format("a picture of {}x{} pixels cannot be made: both sides must be 1 to {}", o.width, o.height, kLargest));
     if (o.tile < 1 || o.tile > 4096) return tl::unexpected(fmt::format("a tile of {} pixels cannot be made: 1 to 4096", o.tile));
     if (o.spp < 0 || o.light_samples < 1) return tl::unexpected(fmt::format("{} samples a pixel and {} a light cannot be taken", o.spp, o.light_samples));
+    if (const auto& s = o.supersampling; s && (s->method < 1 || s->method > 2 || s->depth < 1 || s->depth > 9 || !(s->gamma > 0)))
+        return tl::unexpected(fmt::format("antialiasing by the method {} with depth {} and gamma {} is not there: methods are 1 and 2, depths 1 to 9", s->method, s->depth, s->gamma));
     if (!(o.adaptive >= 0)) return tl::unexpected(fmt::format("an error of {} cannot be sampled for", o.adaptive));
     if (o.aperture.value_or(0) < 0 || o.focus.value_or(1) <= 0) return tl::unexpected(std::string("a lens needs an aperture of at least 0 and a focus distance above 0"));
     const Region whole{0, 0, o.width, o.height};
@@ -188,9 +234,9 @@ tl::expected<Film, std::string> render(const CompiledScene& scene, const RenderO
     if (int64_t(spp) * options.light_samples > kMostSamples)
         return tl::unexpected(fmt::format("{} samples a pixel times {} a light are more than {}", spp, options.light_samples, kMostSamples));
     const int depth = options.max_depth >= 0 ? options.max_depth : scene.scene.settings.max_depth.value_or(8);
-    Job job{scene, options, CameraRays(with_lens(**camera, options), options.width, options.height), *kernel, *layers, *region, sampler->pair, spp, depth, 0, 0, monitor.stop};
-    job.tiles_x = (region->x1 - region->x0 + options.tile - 1) / options.tile;
-    job.tiles_y = (region->y1 - region->y0 + options.tile - 1) / options.tile;
+    Job job{scene, options, CameraRays(with_lens(**camera, options), options.width, options.height), *kernel, *layers, *region, sampler->pair, spp, depth, options.supersampling ? kSupersamplingBlock : options.tile, 0, 0, monitor.stop};
+    job.tiles_x = (region->x1 - region->x0 + job.tile - 1) / job.tile;
+    job.tiles_y = (region->y1 - region->y0 + job.tile - 1) / job.tile;
     Film film;
     film.picture = Picture(options.width, options.height, layers->channels());
     const auto start = std::chrono::steady_clock::now();

@@ -154,9 +154,9 @@ void Surface::add_transmission(const CompiledScene& scene, const RayState& state
     out.push_back({through, transmission_ * ((1 - reflectance) * share), RayKind::refraction, beyond});
 }
 
-Color transmitted(const CompiledScene& scene, const ShadePoint& point) {
+Color transmitted(const CompiledScene& scene, const ShadePoint& point, const Vec3& dir) {
     const GltfPbr* metal_rough = pbr(scene, point);
-    if (!metal_rough) return pov_transmitted(scene, material_at(scene, point), point, pattern_frame(point));
+    if (!metal_rough) return pov_transmitted(scene, material_at(scene, point), point, pattern_frame(point), dir);
     const GltfPbr& m = *metal_rough;
     const Vec4 base = base_color<kAllFeatures>(scene, m, point);
     const double there = coverage(m, base.w);

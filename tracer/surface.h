@@ -82,8 +82,8 @@ class Surface {
 /// The surface at `point`, seen along the unit direction `dir`; defined in tracer/shade.h, which callers include. `point` must outlive it.
 template <unsigned F> Surface shade(const CompiledScene& scene, const ShadePoint& point, const Vec3& dir);
 
-/// The share of light that passes straight through the surface at `point`: what shadow rays multiply by. 0 for opaque surfaces.
-Color transmitted(const CompiledScene& scene, const ShadePoint& point);
+/// The share of light that passes straight through the surface at `point`: what shadow rays in the unit direction `dir` multiply by. 0 for opaque surfaces.
+Color transmitted(const CompiledScene& scene, const ShadePoint& point, const Vec3& dir);
 
 /// Reflectance of a smooth dielectric for unpolarised light. `eta` = n(transmitted) / n(incident), `cos_i` >= 0. 1 at total internal reflection.
 /// Source   Born and Wolf, "Principles of Optics", section 1.5.

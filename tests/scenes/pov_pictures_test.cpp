@@ -22,6 +22,8 @@ constexpr int kWidth = 64, kHeight = 48;
 struct PovPicture {
     const char* name;
     std::string scene;
+    const char* words = "-A";                          ///< POV-Ray's antialiasing
+    std::optional<Supersampling> supersampling = {};   ///< and ours
 };
 
 const std::string kHead = "#version 3.7; global_settings { assumed_gamma 1 } background { rgb <.1,.2,.3> }\n";
@@ -94,6 +96,46 @@ std::string random_solids(uint64_t seed) {
     return scene;
 }
 
+/// Things on a plane in the light of `light`.
+std::string lit_by(const std::string& light) {
+    return kHead + "camera { location <0,6,-8> look_at <0,0,0> angle 40 } plane { y, 0 pigment { rgb 1 } } sphere { <0,1.5,0>, .7 pigment { rgb <1,.6,.2> } finish { phong 1 } } "
+                   "box { <-2,0,-1>, <-1,1.5,0> pigment { rgb <.3,.6,1> } } " + light;
+}
+
+std::string area_light(const std::string& words) { return lit_by("light_source { <3,8,-4> rgb 1.5 area_light <3,0,0>, <0,.5,3>, " + words + " }"); }
+
+/// Edges of all kinds: of objects, of patterns, and those that are too faint for a threshold of 0.3.
+const std::string kEdges = kHead + kView + kSun + "sphere { <0,.5,0>, 1 pigment { checker rgb 1 rgb <1,.2,0> scale .3 } finish { phong 3 phong_size 90 } } plane { y, -.5 pigment { checker rgb .3 rgb .8 scale .7 } } "
+                           "box { -.2, .2 rotate 40 translate <-1.5,0,-1> pigment { rgbt <1,0,0,.3> } }";
+
+std::vector<PovPicture> light_pictures() {
+    return {
+        {"AreaLight", area_light("3, 3")},
+        {"AreaLightAdaptive", area_light("7, 6 adaptive 0")},
+        {"AreaLightTransformed", lit_by("union { light_source { 0 rgb 1 area_light <3,0,0>, <0,0,3>, 4, 4 adaptive 1 rotate x*30 scale <1,2,1> } rotate z*20 scale 1.3 translate <2,6,-4> }")},
+        {"AreaLightCircular", area_light("6, 6 adaptive 1 circular")},
+        {"AreaLightOriented", area_light("5, 5 circular orient")},
+        {"AreaLightThroughGlass", area_light("5, 5 adaptive 1") + " sphere { <-1,2,-2>, .5 pigment { rgbf <1,.4,.2,.9> } }"},
+        {"AreaSpotlight", lit_by("light_source { <3,8,-4> rgb 2 spotlight radius 15 falloff 25 point_at 0 area_light <3,0,0>, <0,0,3>, 9, 9 adaptive 0 }")},
+        {"AreaParallel", lit_by("light_source { <3,8,-4> rgb 1 parallel point_at 0 area_light <3,0,0>, <0,0,3>, 6, 6 adaptive 1 }")},
+        {"CylinderLight", lit_by("light_source { <3,8,-4> rgb 1 cylinder radius 1 falloff 2.5 tightness 1.5 point_at 0 }")},
+        {"CylinderLightTransformed", lit_by("light_source { <3,8,-4> rgb 1 cylinder radius 1 falloff 2 point_at 0 scale 1.3 rotate y*20 }")},
+        {"CylinderLightFading", lit_by("light_source { <3,8,-4> rgb 1 cylinder radius 3 falloff 4 point_at 0 fade_distance 6 fade_power 2 }")},
+        {"ParallelFromTheMiddle", lit_by("light_source { <0,.7,-4> rgb 1 parallel spotlight radius 10 falloff 15 tightness 2 point_at <0,0,-3> fade_distance 3 fade_power 1 }")},
+    };
+}
+
+std::vector<PovPicture> sampled_pictures() {
+    std::vector<PovPicture> out;
+    out.push_back({"GridAntialias", kEdges, "+A0.3 +AM1 +R3 -J", Supersampling{}});
+    out.push_back({"GridAntialiasOfFaintEdges", kEdges, "+A0.05 +AM1 +R2 -J", Supersampling{.threshold = 0.05, .depth = 2}});
+    out.push_back({"CornerAntialias", kEdges, "+A0.3 +AM2 +R3 -J", Supersampling{.method = 2}});
+    out.push_back({"CornerAntialiasOfFaintEdges", kEdges, "+A0.05 +AM2 +R4 -J", Supersampling{.method = 2, .threshold = 0.05, .depth = 4}});
+    out.push_back({"AntialiasOfCodedColours", "camera { location <0,2,-6> look_at <0,.5,0> angle 50 }\n" + kSun + "sphere { <0,.5,0>, 1 pigment { checker rgb 1 rgb <1,.2,0> scale .3 } } plane { y, -.5 pigment { checker rgb .3 rgb .8 scale .7 } }",
+                   "+A0.3 +AM1 +R3 -J", Supersampling{}});
+    return out;
+}
+
 std::vector<PovPicture> pictures() {
     const std::string usual = kHead + kView + kSun, sphere = "sphere { <0,.5,0>, 2 ";
     return {
@@ -115,6 +157,7 @@ std::vector<PovPicture> pictures() {
         {"TraceLevels", kHead + "global_settings { max_trace_level 3 }" + kView + kSun + "#default { pigment { rgb <.3,.5,.4> } finish { reflection .9 } } plane { y, -1 } sphere { <-1.2,.5,0>, 1.1 } sphere { <1.2,.5,0>, 1.1 }"},
         {"Glass", usual + "plane { y, -2 pigment { rgb <.7,.8,.3> } } " + sphere + "pigment { rgbft <.8,.9,1,.6,.2> } interior { ior 1.5 } finish { conserve_energy reflection { .0, 1 fresnel } specular .5 } }"},
         {"FadedGlass", usual + sphere + "pigment { rgbt <1,1,1,.9> } interior { ior 1.2 fade_distance 1 fade_power 2 fade_color <.8,.2,.1> } }"},
+        {"Caustics", usual + "plane { y, -2 pigment { rgb .6 } } sphere { <0,1,0>, 1 texture { pigment { rgbf <1,.6,.3,.8> } } texture { pigment { rgbt <.9,.9,1,.6> } } interior { ior 1.3 caustics .4 } }"},
         {"ColouredShadows", usual + "plane { y, -2 pigment { rgb 1 } } sphere { <0,1,0>, 1 pigment { rgbf <1,.3,.2,.8> } } sphere { <2,1,0>, .6 pigment { rgb 1 } no_shadow }"},
         {"Layers", usual + sphere + "texture { pigment { rgb <.2,.3,1> } finish { reflection .2 phong .6 } } texture { pigment { rgbft <1,.6,.2,.4,.3> } finish { ambient .3 specular .5 } } }"},
         {"OldVersion", "camera { location <0,2,-6> look_at <0,.5,0> angle 50 right -1.2*x }\n" + kSun + "background { rgb .4 } " + sphere + "pigment { rgbft <.5,.8,.9,.5,.1> } }"},
@@ -128,6 +171,10 @@ std::vector<PovPicture> pictures() {
         {"OmnimaxWide", around("omnimax right 1.6*x up y")},
         {"Panoramic", around("panoramic angle 150")},
         {"Cylinder1", around("cylinder 1 angle 200")},
+        {"Cylinder2", around("cylinder 2 angle 120")},
+        {"Cylinder3", around("cylinder 3 angle 200 up 2*y")},
+        {"Cylinder4", around("cylinder 4 angle 120 right 2*x")},
+        {"SphericalWithBothAngles", around("spherical angle 200 60")},
         {"Spherical", around("spherical")},
         {"SphericalPart", around("spherical angle 200")},
         {"References", usual + "#declare S = sphere { 0, .5 }\n#declare T = texture { pigment { rgb <0,1,0> } finish { phong .5 } }\nunion { object { S translate x } object { S translate -x texture { T } } sphere { z, .6 "
@@ -187,7 +234,7 @@ class Folder {
     std::filesystem::path path_;
 };
 
-std::optional<Picture> ours(const std::string& path, const std::string& out, std::string& why) {
+std::optional<Picture> ours(const std::string& path, const std::string& out, const std::optional<Supersampling>& supersampling, std::string& why) {
     ImportOptions options;
     options.frame.image_width = kWidth, options.frame.image_height = kHeight;
     auto imported = import_scene(path, options);
@@ -199,6 +246,7 @@ std::optional<Picture> ours(const std::string& path, const std::string& out, std
     if (!compiled) return std::nullopt;
     RenderOptions render_options;
     render_options.width = kWidth, render_options.height = kHeight, render_options.threads = 1;
+    render_options.supersampling = supersampling;
     auto film = render(*compiled, render_options);
     if (!film || !write_picture(out, film->picture)) return std::nullopt;
     auto read = read_picture(out, Encoding::linear);
@@ -213,11 +261,11 @@ TEST_P(PovPictures, AreThoseOfPovRay) {
     if (!povray_is_installed()) GTEST_SKIP() << "povray is not installed";
     const Folder folder;
     std::ofstream(folder / "scene.pov") << GetParam().scene << "\n";
-    ASSERT_EQ(std::system(fmt::format("cd '{}' && povray +Iscene.pov +Oref.png +W{} +H{} -A -D +WT1 > said.txt 2>&1", folder / "", kWidth, kHeight).c_str()), 0);
+    ASSERT_EQ(std::system(fmt::format("cd '{}' && povray +Iscene.pov +Oref.png +W{} +H{} {} -D +WT1 > said.txt 2>&1", folder / "", kWidth, kHeight, GetParam().words).c_str()), 0);
     const auto theirs = read_picture(folder / "ref.png", Encoding::linear);
     ASSERT_TRUE(theirs);
     std::string said;
-    const auto own = ours(folder / "scene.pov", folder / "own.png", said);
+    const auto own = ours(folder / "scene.pov", folder / "own.png", GetParam().supersampling, said);
     ASSERT_TRUE(own) << said;
     EXPECT_EQ(said, "") << "nothing in the scene is left out";
     int differ = 0, seen = 0;
@@ -233,6 +281,8 @@ TEST_P(PovPictures, AreThoseOfPovRay) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Patterned, PovPictures, testing::ValuesIn(patterned_pictures()), [](const auto& info) { return std::string(info.param.name); });
+INSTANTIATE_TEST_SUITE_P(Lights, PovPictures, testing::ValuesIn(light_pictures()), [](const auto& info) { return std::string(info.param.name); });
+INSTANTIATE_TEST_SUITE_P(Antialiasing, PovPictures, testing::ValuesIn(sampled_pictures()), [](const auto& info) { return std::string(info.param.name); });
 INSTANTIATE_TEST_SUITE_P(All, PovPictures, testing::ValuesIn(pictures()), [](const auto& info) { return std::string(info.param.name); });
 
 }  // namespace

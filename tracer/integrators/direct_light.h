@@ -2,7 +2,7 @@
 /// Light from all lights and from the sky that a surface sends to the eye.
 #pragma once
 
-#include "tracer/integrators/integrator.h"
+#include "tracer/integrators/shadow_grid.h"
 #include "tracer/shade.h"
 
 namespace alidade {
@@ -27,7 +27,7 @@ template <unsigned F> class DirectLight {
                     continue;
                 }
             }
-            sum += from_light(light, Vec2(0));
+            sum += from_light(light, Vec2(0), i);
         }
         if constexpr ((F & kSampledLights) != 0) {
             if (tracing_.scene.sky->lights()) sum += from_sampled_sky();
@@ -47,18 +47,28 @@ template <unsigned F> class DirectLight {
 
     // Out of line: scenes without such lights pay for a comparison alone.
     [[gnu::noinline]] Color from_sampled_light(size_t i) const {
-        return sampled(i, [&](const Vec2& square) { return from_light(tracing_.scene.lights[i], square); });
+        return sampled(i, [&](const Vec2& square) { return from_light(tracing_.scene.lights[i], square, i); });
     }
     [[gnu::noinline]] Color from_sampled_sky() const {
         return sampled(kSkyDimension, [&](const Vec2& square) { return from_sky(square); });
     }
 
-    Color from_light(const PlacedLight& light, const Vec2& square) const {
+    Color from_light(const PlacedLight& light, const Vec2& square, size_t i) const {
         const Illumination arriving = illuminate(light, point_.position, square);
         if (is_black(arriving.irradiance)) return Color(0);
+        if (light.light.shadow_grid) return from_grid(i, arriving);
         const Color scattered = surface_.scatter(arriving.direction, !light.light.shadowless) * arriving.irradiance;
         if (is_black(scattered) || light.light.shadowless) return scattered;
         return scattered * visible(arriving.direction, arriving.distance);
+    }
+
+    // Out of line, as above.
+    [[gnu::noinline]] Color from_grid(size_t i, const Illumination& arriving) const {
+        const Light& light = tracing_.scene.lights[i].light;
+        const bool shadows = shadows_ == Shadows::cast && !light.shadowless;
+        if (shadows && light.shadow_grid->illuminates) return arriving.irradiance * through_grid(tracing_, point_, state_, i, arriving, &surface_);
+        const Color scattered = surface_.scatter(arriving.direction, !light.shadowless) * arriving.irradiance;
+        return shadows && !is_black(scattered) ? scattered * through_grid(tracing_, point_, state_, i, arriving, nullptr) : scattered;
     }
 
     Color from_sky(const Vec2& square) const {

@@ -13,7 +13,7 @@ Color filtered_light(Tracing& tracing, const Ray& ray, const InteriorStack& star
     double t = 0;
     for (const Hit& hit : tracing.passed) {
         const ShadePoint p = shade_point(tracing.scene, ray, hit);
-        through *= transmitted(tracing.scene, p);
+        through *= transmitted(tracing.scene, p, ray.dir);
         if (is_black(through)) return Color(0);
         through *= transmittance(tracing.scene, inside, hit.t - t);
         const double before = t;

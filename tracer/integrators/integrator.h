@@ -35,6 +35,7 @@ struct Tracing {
     RenderStats& stats;
     std::vector<Hit> passed{};   ///< scratch of shadow rays
     Secondaries secondaries{};   ///< scratch of an integrator
+    std::vector<std::optional<Color>> grid{};   ///< scratch of lights with a ShadowGrid
     std::vector<PendingRay> pending{};   ///< scratch of an integrator: empty between camera rays
 };
 

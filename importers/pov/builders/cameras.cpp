@@ -12,22 +12,20 @@ struct CameraWords {
     Vec3 sky{0, 1, 0};
     std::optional<Vec3> look_at;
     std::optional<double> angle, vertical_angle;
-    int cylinder = 1;
     bool sized = false;          ///< right or up was given
     Transform transform;
 };
 
 /// Of cameras whose window is not flat: 90 degrees, and all around for the spherical one, where nothing is said.
-void set_angles(Build& build, Place at, const CameraWords& words, Camera& c) {
+void set_angles(const CameraWords& words, Camera& c) {
     const bool spherical = c.projection == Projection::spherical, given = words.angle && *words.angle > 0;
     c.angle = given ? *words.angle : spherical ? 360 : 90;
-    if (spherical && words.vertical_angle && *words.vertical_angle != c.angle / 2) build.p.tally(at, "a vertical angle of a spherical camera is not modelled yet: it is half the horizontal one");
-    if (words.cylinder != 1) build.p.tally(at, "cylinder cameras of types 2 to 4 are not modelled yet: type 1 is taken");
+    if (spherical && words.vertical_angle) c.vertical_angle = *words.vertical_angle;
 }
 
 /// What POV-Ray does with `angle` where the window is flat: direction gets the length that makes the window fill it.
 void apply_angle(Build& build, Place at, const CameraWords& words, Camera& c) {
-    if (c.projection != Projection::perspective && c.projection != Projection::orthographic) return set_angles(build, at, words, c);
+    if (c.projection != Projection::perspective && c.projection != Projection::orthographic) return set_angles(words, c);
     if (!words.angle || *words.angle <= 0) return;
     if (c.projection == Projection::perspective && *words.angle >= 180) build.p.fail(at, "the angle of a perspective camera must be less than 180 degrees");
     c.direction = normalized(c.direction) * (length(c.right) / (2 * std::tan(*words.angle * kPi / 360)));
@@ -87,7 +85,7 @@ bool take_word(CameraWords& words, Cursor& at) {
     if (const auto kind = projection(word)) {
         at.next();
         words.camera.projection = *kind;
-        if (kind == Projection::cylindrical) words.cylinder = at.integer("the type of the cylinder", 1, 4);
+        if (kind == Projection::cylindrical) words.camera.cylinder = at.integer("the type of the cylinder", 1, 4);
         return true;
     }
     switch (word) {

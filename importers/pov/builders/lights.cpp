@@ -14,27 +14,48 @@ constexpr double kDegree = kPi / 180;
 struct LightWords {
     Vec3 location{0}, point_at{0, 0, 1};
     Light light;
-    ConeLight cone;
-    bool spot = false;
+    bool spot = false, cylinder = false;
+    std::optional<double> radius, falloff, tightness;
     LightFade fade;
+    bool area = false;
+    ShadowGrid grid;             ///< of an area light: its words may stand before `area_light`
     Transform transform;
     const Block* looks_like = nullptr;
 };
 
 bool take_cone_word(LightWords& w, Cursor& at) {
-    if (at.accept("spotlight"_w)) w.spot = true;
-    else if (at.accept("radius"_w)) w.cone.radius = at.number("the radius of a spotlight") * kDegree;
-    else if (at.accept("falloff"_w)) w.cone.falloff = at.number("the falloff of a spotlight") * kDegree;
-    else if (at.accept("tightness"_w)) w.cone.tightness = at.number("the tightness of a spotlight");
+    if (at.accept("spotlight"_w)) w.spot = true, w.cylinder = false;
+    else if (at.accept("cylinder"_w)) w.cylinder = true, w.spot = false;
+    else if (at.accept("radius"_w)) w.radius = at.number("the radius of a light");
+    else if (at.accept("falloff"_w)) w.falloff = at.number("the falloff of a light");
+    else if (at.accept("tightness"_w)) w.tightness = at.number("the tightness of a light");
     else if (at.accept("point_at"_w)) w.point_at = at.vector("point_at");
     else if (at.accept("parallel"_w)) w.light.parallel = true;
     else return false;
     return true;
 }
 
-/// What belongs to an area light alone.
-bool is_area_word(const Cursor& at) {
-    return at.at_word("adaptive"_w) || at.at_word("jitter"_w) || at.at_word("circular"_w) || at.at_word("orient"_w) || at.at_word("area_illumination"_w);
+/// `area_light AXIS1, AXIS2, SIZE1, SIZE2`: the axes as they are before the light's transformations.
+void take_area_light(LightWords& w, Cursor& at) {
+    constexpr int kMostPoints = 1000;   // along one axis
+    ShadowGrid& grid = w.grid;
+    w.area = true;
+    grid.axis1 = at.vector("the first axis of an area light"), grid.axis2 = at.vector("the second axis of an area light");
+    grid.size1 = at.integer("the number of lights along the first axis", 1, kMostPoints);
+    grid.size2 = at.integer("the number of lights along the second axis", 1, kMostPoints);
+}
+
+/// What belongs to an area light alone, and may stand before it.
+bool take_area_word(LightWords& w, Cursor& at) {
+    ShadowGrid& grid = w.grid;
+    if (at.accept("area_light"_w)) take_area_light(w, at);
+    else if (at.accept("adaptive"_w)) grid.adaptive = at.integer("the level of adaptive", 0, 100);
+    else if (at.accept("jitter"_w)) grid.jitter = true;
+    else if (at.accept("circular"_w)) grid.circular = true;
+    else if (at.accept("orient"_w)) grid.orient = true;
+    else if (at.accept("area_illumination"_w)) grid.illuminates = at.flag();
+    else return false;
+    return true;
 }
 
 bool take_light_word(LightWords& w, Cursor& at) {
@@ -55,15 +76,9 @@ void read_light(Build& build, const Block& block, LightWords& w) {
     while (!at.done()) {
         if (at.at_transform()) w.transform = at.transform() * w.transform;
         else if (const Block* like = at.block_at("looks_like"_w)) at.next(), w.looks_like = like;
-        else if (take_cone_word(w, at) || take_light_word(w, at)) continue;
-        else if (is_area_word(at) || at.at_word("media_attenuation"_w)) at.skip();
-        else if (at.at_word("area_light"_w)) {
-            build.p.tally(at.place(), "area_light is not modelled yet: its light is at the centre");
-            at.skip();
-        } else if (at.at_word("cylinder"_w)) {
-            build.p.tally(at.place(), "a cylinder of light is not modelled yet: it is a point light");
-            at.skip();
-        } else at.skip_unmodelled();
+        else if (take_cone_word(w, at) || take_area_word(w, at) || take_light_word(w, at)) continue;
+        else if (at.at_word("media_attenuation"_w)) at.skip();
+        else at.skip_unmodelled();
     }
 }
 
@@ -97,22 +112,45 @@ void add_looks(Build& build, const LightWords& w, Node& group) {
     }
 }
 
+/// What `spotlight` and `cylinder` make of radius, falloff and tightness, in whatever order the words stand.
+void set_kind(LightWords& w) {
+    if (w.spot) {
+        ConeLight cone;
+        if (w.radius) cone.radius = *w.radius * kDegree;
+        if (w.falloff) cone.falloff = *w.falloff * kDegree;
+        cone.tightness = w.tightness.value_or(cone.tightness);
+        w.light.kind = cone;
+    } else if (w.cylinder) {
+        const CylinderLight usual;
+        w.light.kind = CylinderLight{w.radius.value_or(usual.radius), w.falloff.value_or(usual.falloff), w.tightness.value_or(usual.tightness)};
+    }
+}
+
+/// The grid's axes go with the light's transformations, into the space of the light's node, whose axes are orthonormal.
+void set_grid(LightWords& w, const Mat3& node_axes) {
+    if (!w.area) return;
+    const Mat3 to_node = glm::transpose(node_axes);
+    w.grid.axis1 = to_node * w.transform.vector(w.grid.axis1), w.grid.axis2 = to_node * w.transform.vector(w.grid.axis2);
+    w.light.shadow_grid = w.grid;
+}
+
 }  // namespace
 
 NodeId build_light(Build& build, const Block& block) {
     LightWords w;
     w.light.intensity = Color(0);
     read_light(build, block, w);
-    if (w.spot) w.light.kind = w.cone;
+    const Vec3 location = w.transform.point(w.location);
+    Node node;
+    node.to_parent = facing(location, w.transform.point(w.point_at) - location);
+    set_kind(w);
+    set_grid(w, node.to_parent.linear);
     w.light.inverse_square = false;
     if (w.fade.power > 0 && std::abs(w.fade.distance) > 1e-10) w.light.fade = w.fade;
     w.light.from = build.position(block.place);
     build.scene.lights.push_back(w.light);
-    Node node;
     node.what = LightId{uint32_t(build.scene.lights.size() - 1)};
     node.from = w.light.from;
-    const Vec3 location = w.transform.point(w.location);
-    node.to_parent = facing(location, w.transform.point(w.point_at) - location);
     const NodeId light = build.add_node(std::move(node));
     if (!w.looks_like) return light;
     Node group;

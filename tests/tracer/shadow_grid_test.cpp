@@ -1,0 +1,158 @@
+// SPDX-License-Identifier: Apache-2.0
+/// POV-Ray's lights with a form, against closed forms. (tests/scenes/pov_pictures_test.cpp compares whole pictures with POV-Ray.)
+#include "tests/tracer/scene_builder.h"
+#include "tracer/integrators/shadow_grid.h"
+#include "tracer/lights.h"
+
+namespace alidade::test {
+namespace {
+
+ShadowGrid grid_of(int size1, int size2, int adaptive = -1) {
+    ShadowGrid grid;
+    grid.size1 = size1, grid.size2 = size2, grid.adaptive = adaptive;
+    return grid;
+}
+
+/// The mean over a grid, and how many of its points were asked.
+template <class Value> double mean_of(const ShadowGrid& grid, Value value, int* asked = nullptr) {
+    std::vector<std::optional<Color>> seen;
+    return GridMean(grid, seen, [&](int u, int v) {
+        if (asked) ++*asked;
+        return Color(value(u, v));
+    })().x;
+}
+
+/// Of three points along an axis the one in the middle belongs to both halves.
+TEST(GridMean, WeightsOfThreeByThree) {
+    const double along[] = {0.25, 0.5, 0.25};
+    for (int i = 0; i < 3; ++i)
+        for (int k = 0; k < 3; ++k) EXPECT_DOUBLE_EQ(mean_of(grid_of(3, 3), [&](int u, int v) { return u == i && v == k; }), along[i] * along[k]) << i << " " << k;
+}
+
+/// Halves are mirror images, so that a value that grows evenly has its mean in the middle.
+TEST(GridMean, OfALinearValueIsThatOfTheCentre) {
+    for (int n = 1; n <= 17; ++n)
+        for (int m : {1, 2, 5, 8}) EXPECT_NEAR(mean_of(grid_of(n, m), [](int u, int v) { return 3.0 * u - v; }), 1.5 * (n - 1) - 0.5 * (m - 1), 1e-12) << n << " by " << m;
+}
+
+TEST(GridMean, AsksWhatItNeedsAndNothingTwice) {
+    int asked = 0;
+    EXPECT_EQ(mean_of(grid_of(9, 9, 0), [](int, int) { return 1; }, &asked), 1);
+    EXPECT_EQ(asked, 4) << "equal corners";
+    asked = 0;
+    EXPECT_EQ(mean_of(grid_of(9, 9, 2), [](int, int) { return 1; }, &asked), 1);
+    EXPECT_EQ(asked, 25) << "divided twice: every second point";
+    asked = 0;
+    mean_of(grid_of(9, 9), [](int u, int) { return u % 2; }, &asked);
+    EXPECT_EQ(asked, 81);
+}
+
+PlacedLight cylinder_light() {
+    Light l;
+    l.kind = CylinderLight{1, 3, 2};
+    l.intensity = Color(8, 4, 2);
+    l.inverse_square = false;
+    return {l, Transform::translate({0, 0, 5})};
+}
+
+TEST(CylinderLights, FallOffAcrossTheAxis) {
+    const PlacedLight light = cylinder_light();
+    const auto at = [&](double x, double z) { return illuminate(light, Vec3(x, 0, z), {}).irradiance.x; };
+    EXPECT_DOUBLE_EQ(at(0, 0), 8);
+    EXPECT_EQ(at(0, 6), 0) << "behind the light";
+    EXPECT_EQ(at(3, 0), 0);
+    EXPECT_DOUBLE_EQ(at(0.5, 0), 8 * std::pow(1 - 0.5 / 3, 2)) << "inside of the radius the tightness alone dims";
+    const double q = 1 - 2.0 / 3, u = q / (1 - 1.0 / 3);
+    EXPECT_NEAR(at(2, -7), 8 * q * q * (3 * u * u - 2 * u * u * u), 1e-12);
+    const Illumination aside = illuminate(light, Vec3(1, 2, 0), {});
+    EXPECT_EQ(aside.direction, Vec3(0, 0, 1)) << "parallel";
+    EXPECT_DOUBLE_EQ(aside.distance, 5);
+}
+
+/// A plane under a half plane, lit by a square light: how much of the light is seen changes linearly over the penumbra.
+Scene penumbra(bool jitter) {
+    SceneBuilder b;
+    b.object(Plane{{0, 0, 1}, 0}, b.material(b.lambert(Color(1))));
+    b.object(Box{{0, -50, 1}, {50, 50, 1.0001}}, b.material(b.lambert(Color(1))));
+    b.light(PointLight(), Color(10), Transform::translate({0, 0, 2}));
+    b.scene.lights[0].shadow_grid = grid_of(8, 1);
+    b.scene.lights[0].shadow_grid->axis1 = {1, 0, 0};
+    b.scene.lights[0].shadow_grid->jitter = jitter;
+    b.camera({0, 0, 0.9}, {0, 0, 0}, 60);
+    return b.scene;
+}
+
+RenderOptions sampled(int spp, int threads, int tile) {
+    RenderOptions o;
+    o.width = o.height = 24;
+    o.spp = spp, o.threads = threads, o.tile = tile;
+    return o;
+}
+
+/// Points are spread over cells of the size of a step, so over the light and half a step more: its steps vanish in the mean.
+TEST(Jitter, FillsTheStepsBetweenPoints) {
+    const Scene scene = penumbra(true);
+    Scene open = scene;
+    open.lights[0].shadow_grid.reset();
+    open.nodes[1].flags.visible = false;
+    const Film soft = rendered(scene, sampled(256, 1, 16)), lit = rendered(open, sampled(256, 1, 16));
+    const double reach = 0.5 + 0.5 / 7;   // of the light from its centre, with jitter
+    int between = 0;
+    for (int x = 0; x < 24; ++x) {
+        // From the point p the ray to the light's point a meets the half plane's edge where p + (a - p) / 2 = 0.
+        const double p = 2 * 0.9 * std::tan(30 * kPi / 180) * (x + 0.5 - 12) / 24, seen = std::clamp((reach - p) / (2 * reach), 0.0, 1.0);
+        between += seen > 0.05 && seen < 0.95;
+        EXPECT_NEAR(soft.picture.at(x, 12)[0] / lit.picture.at(x, 12)[0], seen, 0.03) << x;
+    }
+    EXPECT_GT(between, 10) << "the test must look at the penumbra";
+}
+
+TEST(Jitter, ThreadsAndTilesDoNotShow) {
+    const Scene scene = penumbra(true);
+    const Film one = rendered(scene, sampled(4, 1, 16)), other = rendered(scene, sampled(4, 3, 5));
+    EXPECT_EQ(one.picture.values, other.picture.values);
+    EXPECT_NE(one.picture.values, rendered(penumbra(false), sampled(4, 1, 16)).picture.values);
+}
+
+TEST(Supersampling, ThreadsAndTilesDoNotShow) {
+    const Scene scene = penumbra(true);
+    for (int method : {1, 2}) {
+        RenderOptions o = sampled(1, 1, 16);
+        o.width = 70, o.height = 40;
+        o.supersampling = Supersampling{.method = method, .threshold = 0.01, .jitter = 1};
+        const Film one = rendered(scene, o);
+        o.threads = 3, o.tile = 7;
+        EXPECT_EQ(one.picture.values, rendered(scene, o).picture.values) << "method " << method;
+    }
+}
+
+/// Where nothing differs, method 1 takes the rays through the centres and those beside its blocks, method 2 those through the corners.
+TEST(Supersampling, TakesNoRaysWhereNothingDiffers) {
+    SceneBuilder b;
+    b.object(Plane{{0, 0, 1}, 0}, b.material(b.lambert(Color(1))));
+    b.light(DirectionalLight(), Color(1));
+    b.camera({0, 0, 1}, {0, 0, 0});
+    RenderOptions o = sampled(1, 1, 16);
+    o.width = 64, o.height = 32;
+    const Film plain = rendered(b.scene, o);
+    for (int method : {1, 2}) {
+        o.supersampling = Supersampling{.method = method, .depth = 4};
+        const Film film = rendered(b.scene, o);
+        EXPECT_EQ(film.picture.values, plain.picture.values);
+        EXPECT_EQ(film.stats.camera_rays, method == 1 ? 2u * (32 * 32 + 64) : 2u * 33 * 33);
+        EXPECT_EQ(film.stats.pixels, 64u * 32);
+    }
+}
+
+TEST(Supersampling, RefusesWhatIsNotThere) {
+    SceneBuilder b;
+    const auto scene = compiled(b.scene);
+    for (const Supersampling& s : {Supersampling{.method = 3}, Supersampling{.depth = 0}, Supersampling{.depth = 10}, Supersampling{.gamma = 0}}) {
+        RenderOptions o = sampled(1, 1, 16);
+        o.supersampling = s;
+        EXPECT_FALSE(render(*scene, o));
+    }
+}
+
+}  // namespace
+}  // namespace alidade::test

@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "tracer/integrators/shadow_grid.h"
+
+#include "tracer/integrators/direct_light.h"
+
+namespace alidade {
+namespace {
+
+/// Two vectors across `to_light`, unit: the grid of an `orient`ed light faces the point that it lights.
+void facing_axes(const Vec3& to_light, Vec3& first, Vec3& second) {
+    constexpr double kNearlyAlong = 0.01;
+    const bool along_z = std::abs(std::abs(to_light.z) - 1) < kNearlyAlong;
+    first = normalized(cross(to_light, along_z ? Vec3(0, 1, 0) : Vec3(0, 0, 1)));
+    second = normalized(cross(to_light, first));
+}
+
+/// A place of the grid from 0 to `size` - 1, as a number around 0.
+double centred(double place, int size, double centre) { return size > 1 ? place / (size - 1) - centre : 0; }
+
+Color visible(Tracing& tracing, const ShadePoint& point, const RayState& state, const Vec3& to_light) {
+    const double distance = length(to_light);
+    if (!(distance > 0)) return Color(1);
+    ++tracing.stats.shadow_rays;
+    Ray ray = spawn_ray(point, to_light / distance, distance);
+    ray.mask = kMaskShadow;
+    ray.time = state.time;
+    if (tracing.scene.filters_light) return filtered_light(tracing, ray, state.inside);
+    return tracing.scene.top->occluded(ray, tracing.stats.work) ? Color(0) : Color(1);
+}
+
+}  // namespace
+
+GridPoints::GridPoints(const PlacedLight& light, const Vec3& to_light)
+    : grid_(*light.light.shadow_grid), axis1_(light.to_world.vector(grid_.axis1)), axis2_(light.to_world.vector(grid_.axis2)) {
+    if (!grid_.orient) return;
+    const double size = length(axis1_);
+    facing_axes(to_light, axis1_, axis2_);
+    axis1_ *= size, axis2_ *= size;
+}
+
+Vec3 GridPoints::offset(double u, double v) const {
+    const bool round = grid_.circular || grid_.orient;
+    const double centre = round ? 0.499 : 0.5;   // not on the middle itself, which has no direction
+    double a = centred(u, grid_.size1, centre), b = centred(v, grid_.size2, centre);
+    const double radius = std::hypot(a, b);
+    if (round && radius > 0) {
+        const double k = std::max(std::abs(a), std::abs(b)) / radius;
+        a *= k, b *= k;
+    }
+    return axis1_ * a + axis2_ * b;
+}
+
+Color through_grid(Tracing& tracing, const ShadePoint& point, const RayState& state, size_t index, const Illumination& arriving, const Surface* surface) {
+    constexpr uint64_t kGridBranch = uint64_t(1) << 41;   // behind the branches of rays
+    const PlacedLight& light = tracing.scene.lights[index];
+    const ShadowGrid& grid = *light.light.shadow_grid;
+    const GridPoints points(light, arriving.direction);
+    const Vec3 to_centre = arriving.direction * arriving.distance;
+    const SampleKey key = state.key.child(kGridBranch + index);
+    return GridMean(grid, tracing.grid, [&](int u, int v) {
+        const Vec2 jitter = grid.jitter ? key.pair(uint64_t(u) * uint64_t(grid.size2) + uint64_t(v)) - Vec2(0.5) : Vec2(0);
+        const Vec3 to_point = to_centre + points.offset(u + jitter.x, v + jitter.y);
+        const Color sent_on = surface ? surface->scatter(normalized(to_point)) : Color(1);
+        return is_black(sent_on) ? sent_on : sent_on * visible(tracing, point, state, to_point);
+    })();
+}
+
+}  // namespace alidade

@@ -1,0 +1,174 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "tracer/supersampling.h"
+
+#include <map>
+
+namespace alidade {
+namespace {
+
+/// Colours as they are compared.
+class Difference {
+  public:
+    Difference(const Supersampling& how, const BlockRays& rays) : how_(how), rays_(rays) {}
+    Color coded(const Color& radiance) const {
+        const Color c = glm::max(rays_.linear(radiance), Color(0));
+        const double power = 1 / how_.gamma;
+        return {std::pow(c.x, power), std::pow(c.y, power), std::pow(c.z, power)};
+    }
+    bool between(const Color& a, const Color& b) const { return std::abs(a.x - b.x) + std::abs(a.y - b.y) + std::abs(a.z - b.z) >= how_.threshold; }
+
+  private:
+    const Supersampling& how_;
+    const BlockRays& rays_;
+};
+
+/// Method 1: every pixel has a ray through its centre. Where it differs from the pixel to its left or above, both get a grid of rays more, once; what is compared later sees it.
+class GridBlock {
+  public:
+    GridBlock(const Supersampling& how, const Region& block, const BlockRays& rays) : how_(how), block_(block), rays_(rays), difference_(how, rays), columns_(block.x1 - block.x0 + 1) {
+        pixels_.resize(size_t(columns_) * size_t(block.y1 - block.y0 + 1));
+    }
+
+    std::optional<std::vector<PixelSamples>> run() {
+        for (int x = block_.x0; x < block_.x1; ++x) begin(x, block_.y0 - 1);
+        for (int y = block_.y0; y < block_.y1; ++y) {
+            if (rays_.stopped()) return std::nullopt;
+            begin(block_.x0 - 1, y);
+            for (int x = block_.x0; x < block_.x1; ++x) {
+                begin(x, y);
+                compare(x, y, x - 1, y);
+                compare(x, y, x, y - 1);
+            }
+        }
+        std::vector<PixelSamples> out;
+        for (int y = block_.y0; y < block_.y1; ++y)
+            for (int x = block_.x0; x < block_.x1; ++x) out.push_back(at(x, y).samples);
+        return out;
+    }
+
+  private:
+    struct Pixel {
+        PixelSamples samples;
+        Color coded{0};
+        bool refined = false;
+    };
+
+    /// The pixels of the block, and those above and to the left of it, which are there to be compared with.
+    Pixel& at(int x, int y) { return pixels_[size_t(y - block_.y0 + 1) * size_t(columns_) + size_t(x - block_.x0 + 1)]; }
+    uint32_t count() const { return uint32_t(how_.depth * how_.depth + 1); }
+
+    void begin(int x, int y) {
+        Pixel& pixel = at(x, y);
+        pixel.samples = rays_.take({x, y, Vec2(0.5), 0, 0, count()});
+        pixel.coded = difference_.coded(pixel.samples.radiance);
+    }
+    void compare(int x, int y, int other_x, int other_y) {
+        if (!difference_.between(at(x, y).coded, at(other_x, other_y).coded)) return;
+        refine(other_x, other_y);
+        refine(x, y);
+    }
+    void refine(int x, int y) {
+        Pixel& pixel = at(x, y);
+        if (pixel.refined || x < block_.x0 || y < block_.y0) return;   // nobody looks at those outside again
+        pixel.refined = true;
+        for (int row = 0; row < how_.depth; ++row)
+            for (int column = 0; column < how_.depth; ++column) {
+                const uint32_t index = uint32_t(row * how_.depth + column + 1);
+                pixel.samples.add(rays_.take({x, y, Vec2(column + 0.5, row + 0.5) / double(how_.depth), how_.jitter / how_.depth, index, count()}));
+            }
+        pixel.coded = difference_.coded(pixel.samples.radiance / double(pixel.samples.samples));
+    }
+
+    const Supersampling& how_;
+    const Region block_;
+    const BlockRays& rays_;
+    const Difference difference_;
+    const int columns_;
+    std::vector<Pixel> pixels_;
+};
+
+/// Method 2: rays go through the corners of pixels. A square whose corners differ is divided in four, else it is the mean of its corners.
+class CornerBlock {
+  public:
+    CornerBlock(const Supersampling& how, const Region& block, const BlockRays& rays) : how_(how), block_(block), rays_(rays), difference_(how, rays), parts_(1 << (how.depth - 1)) {}
+
+    std::optional<std::vector<PixelSamples>> run() {
+        std::vector<PixelSamples> out;
+        for (int y = block_.y0; y < block_.y1; ++y) {
+            if (rays_.stopped()) return std::nullopt;
+            for (int x = block_.x0; x < block_.x1; ++x) out.push_back(pixel(x, y));
+            corners_.erase(corners_.begin(), corners_.lower_bound({y + 1, 0}));
+        }
+        return out;
+    }
+
+  private:
+    struct Corner {
+        PixelSamples samples;
+        Color coded{0};
+    };
+
+    Corner taken(int x, int y, int column, int row) const {
+        const uint32_t row_size = uint32_t(parts_);
+        const Vec2 at = Vec2(column, row) / double(parts_);
+        Corner corner{rays_.take({x, y, at, how_.jitter / (2 * parts_ + 1), uint32_t(row) * row_size + uint32_t(column), row_size * row_size}), {}};
+        corner.coded = difference_.coded(corner.samples.radiance);
+        return corner;
+    }
+    /// A point of the lattice of `parts_` by `parts_` squares in the pixel (x, y). Pixels share their corners.
+    const Corner& corner(int x, int y, int column, int row) {
+        const bool own = column % parts_ == 0 && row % parts_ == 0;
+        auto& known = own ? corners_ : inner_;
+        const std::pair key = own ? std::pair(y + row / parts_, x + column / parts_) : std::pair(row, column);
+        const auto found = known.find(key);
+        if (found != known.end()) return found->second;
+        return known.emplace(key, own ? taken(key.second, key.first, 0, 0) : taken(x, y, column, row)).first->second;
+    }
+
+    PixelSamples pixel(int x, int y) {
+        inner_.clear();
+        used_.clear();
+        const Color mean = square(x, y, 0, 0, parts_);
+        PixelSamples out;
+        for (const auto& [row, column] : used_) out.add(corner(x, y, column, row).samples);
+        out.radiance = mean * double(out.samples);   // corners count as the squares do that they belong to
+        return out;
+    }
+
+    Color square(int x, int y, int column, int row, int size) {
+        const std::pair<int, int> places[] = {{row, column}, {row, column + size}, {row + size, column}, {row + size, column + size}};
+        const Corner* corners[4];
+        for (int i = 0; i < 4; ++i) corners[i] = &corner(x, y, places[i].second, places[i].first);
+        if (size > 1 && differ(corners)) {
+            const int half = size / 2;
+            return (square(x, y, column, row, half) + square(x, y, column + half, row, half) + square(x, y, column, row + half, half) + square(x, y, column + half, row + half, half)) * 0.25;
+        }
+        Color sum(0);
+        for (int i = 0; i < 4; ++i) sum += corners[i]->samples.radiance;
+        used_.insert(used_.end(), std::begin(places), std::end(places));
+        return sum * 0.25;
+    }
+    bool differ(const Corner* const (&corners)[4]) const {
+        for (int i = 0; i < 4; ++i)
+            for (int k = 0; k < i; ++k)
+                if (difference_.between(corners[i]->coded, corners[k]->coded)) return true;
+        return false;
+    }
+
+    using Corners = std::map<std::pair<int, int>, Corner>;   // by row and column
+    const Supersampling& how_;
+    const Region block_;
+    const BlockRays& rays_;
+    const Difference difference_;
+    const int parts_;
+    Corners corners_, inner_;                          // of pixels, in the picture; of one pixel's inside
+    std::vector<std::pair<int, int>> used_;            // by one pixel, once for each square
+};
+
+}  // namespace
+
+std::optional<std::vector<PixelSamples>> supersample(const Supersampling& how, const Region& block, const BlockRays& rays) {
+    return how.method == 2 ? CornerBlock(how, block, rays).run() : GridBlock(how, block, rays).run();
+}
+
+}  // namespace alidade

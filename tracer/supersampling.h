@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: Apache-2.0
+/// POV-Ray's antialiasing (options.h): which rays it takes in a block of pixels, and how it weighs them.
+#pragma once
+
+#include "tracer/layers.h"
+#include "tracer/options.h"
+
+#include <functional>
+
+namespace alidade {
+
+/// Pixels are compared inside blocks of this size alone: a block is the same whatever is rendered beside it.
+inline constexpr int kSupersamplingBlock = 32;
+
+/// One ray: through the point `at` of the pixel (x, y), (0, 0) at its upper left corner, moved at random by up to half of `jitter`. It is the sample `index` of `count` of that pixel.
+struct PixelRay {
+    int x, y;
+    Vec2 at;
+    double jitter;
+    uint32_t index, count;
+};
+
+/// What a block asks of the render.
+struct BlockRays {
+    std::function<PixelSamples(const PixelRay&)> take;   ///< with one sample
+    std::function<Color(const Color&)> linear;           ///< of radiance as the scene's colours are calculated with
+    std::function<bool()> stopped;
+};
+
+/// All pixels of `block`, row by row; nothing if the render was stopped.
+std::optional<std::vector<PixelSamples>> supersample(const Supersampling& how, const Region& block, const BlockRays& rays);
+
+}  // namespace alidade
