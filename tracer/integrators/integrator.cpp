@@ -22,7 +22,7 @@ Color filtered_light(Tracing& tracing, const Ray& ray, const InteriorStack& star
         if (interior == kNoId) continue;
         const uint32_t carrier = tracing.scene.instances[p.instance].carrier;
         if (p.front) inside.enter({carrier, interior});
-        else if (inside.leave(carrier)) through *= pov_fade(tracing.scene.interiors[interior], hit.t - before);
+        else if (inside.leave(carrier) && tracing.scene.interiors[interior].fade_power > 0) through *= pov_fade(tracing.scene.interiors[interior], hit.t - before);
     }
     return std::isfinite(ray.tmax) ? through * transmittance(tracing.scene, inside, ray.tmax - t) : through;
 }

@@ -29,7 +29,7 @@ struct Build {
     std::map<uint32_t, MaterialId> default_materials;   ///< by the number of #default before
 
     std::map<std::pair<const Block*, SignalId>, SignalId> pigments;                                 ///< what a block made of a pigment
-    std::map<std::pair<const Block*, std::optional<SignalId>>, std::optional<SignalId>> normals;    ///< of a normal
+    std::map<std::pair<const Block*, std::optional<SignalId>>, SignalId> normals;    ///< of a normal
     std::map<const Block*, MaterialId> parts;           ///< textures of maps
     NoiseGenerator noise = NoiseGenerator::range_corrected;   ///< of patterns that give none
     int number_of_waves = 10;                           ///< of waves and ripples

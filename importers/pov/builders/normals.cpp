@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "importers/pov/builders/patterns.h"
 #include "importers/pov/builders/pigments.h"
+#include "importers/pov/builders/textures.h"
 
 #include <fmt/format.h>
 
@@ -21,17 +22,15 @@ void read_slope_map(Build& build, const Block& block, std::vector<SlopeEntry>& s
     }
 }
 
-SignalId flat(Build& build) {
+/// One of several normals, which begins with what the default texture has.
+SignalId part(Build& build, const Block& block, size_t skipped) {
+    const SignalId normal = build_normal(build, block, default_texture(build, block.defaults).normal, skipped);
+    if (!is_flat(build, normal)) return normal;
+    ReliefSignal flat;
+    flat.pattern.pattern = "bumps", flat.amount = 0;
     Signal& signal = build.scene.signals.emplace_back();
-    ReliefSignal relief;
-    relief.pattern.pattern = "bumps", relief.amount = 0;
-    signal.what = relief;
+    signal.what = flat;
     return {uint32_t(build.scene.signals.size() - 1)};
-}
-
-SignalId normal_or_flat(Build& build, const Block& block, size_t skipped) {
-    const auto normal = build_normal(build, block, std::nullopt, skipped);
-    return normal ? *normal : flat(build);
 }
 
 void read_normal_map(Build& build, const Block& block, std::vector<MapEntry>& map) {
@@ -41,7 +40,7 @@ void read_normal_map(Build& build, const Block& block, std::vector<MapEntry>& ma
         else if (at.peek().kind == Item::Kind::entry) {
             const Block& entry = at.next().block();
             const MapPlace place = place_in_map(build, entry);
-            map.push_back({place.value, normal_or_flat(build, entry, place.skipped)});
+            map.push_back({place.value, part(build, entry, place.skipped)});
         } else at.skip_unmodelled();
     }
 }
@@ -54,7 +53,7 @@ void read_behind_pattern(Build& build, Cursor& at, ReliefSignal& r) {
         const Block* normal = at.block_at("normal"_w);
         if (!normal) break;
         at.next();
-        r.pattern.map.push_back({double(r.pattern.map.size()), normal_or_flat(build, *normal, 0)});
+        r.pattern.map.push_back({double(r.pattern.map.size()), part(build, *normal, 0)});
     }
     if (at.at_number()) r.amount = at.number("the depth of a normal");
 }
@@ -63,7 +62,8 @@ void read_normal(Build& build, Cursor& at, ReliefSignal& r) {
     while (!at.done()) {
         if (const Block* base = at.block_at("normal"_w)) {
             at.next();
-            if (const auto normal = build_normal(build, *base, std::nullopt)) r = std::get<ReliefSignal>(build.scene.signals[normal->index].what);
+            const SignalId normal = build_normal(build, *base, default_texture(build, base->defaults).normal);
+            r = std::get<ReliefSignal>(build.scene.signals[normal.index].what);
         } else if (take_pattern(build, at, r.pattern)) read_behind_pattern(build, at, r);
         else if (const Block* map = at.block_at("normal_map"_w)) at.next(), r.pattern.map.clear(), read_normal_map(build, *map, r.pattern.map);
         else if (const Block* slopes = at.block_at("slope_map"_w)) at.next(), r.slopes.clear(), read_slope_map(build, *slopes, r.slopes);
@@ -77,7 +77,9 @@ void read_normal(Build& build, Cursor& at, ReliefSignal& r) {
 
 }  // namespace
 
-std::optional<SignalId> build_normal(Build& build, const Block& block, std::optional<SignalId> start, size_t skipped) {
+bool is_flat(const Build& build, SignalId normal) { return std::get<ReliefSignal>(build.scene.signals[normal.index].what).pattern.pattern.empty(); }
+
+SignalId build_normal(Build& build, const Block& block, std::optional<SignalId> start, size_t skipped) {
     const Nested nested(build.p, block.place);
     const std::pair key(&block, start);
     const auto known = build.normals.find(key);
@@ -85,14 +87,11 @@ std::optional<SignalId> build_normal(Build& build, const Block& block, std::opti
     ReliefSignal relief = start ? std::get<ReliefSignal>(build.scene.signals[start->index].what) : ReliefSignal();
     Cursor at(build, block, skipped);
     read_normal(build, at, relief);
-    std::optional<SignalId> id;
     if (!(relief.accuracy > 0)) build.p.fail(block.place, "the accuracy of a normal must be greater than 0");
-    if (!relief.pattern.pattern.empty()) {
-        Signal& signal = build.scene.signals.emplace_back();
-        signal.what = std::move(relief);
-        signal.from = build.position(block.place);
-        id = SignalId{uint32_t(build.scene.signals.size() - 1)};
-    }
+    Signal& signal = build.scene.signals.emplace_back();
+    signal.what = std::move(relief);
+    signal.from = build.position(block.place);
+    const SignalId id{uint32_t(build.scene.signals.size() - 1)};
     build.normals.emplace(key, id);
     return id;
 }

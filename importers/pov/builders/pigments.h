@@ -10,9 +10,11 @@ namespace alidade::pov {
 /// Source   POV-Ray 3.7 reference, 3.4.6.1 "Pigment".
 SignalId build_pigment(Build& build, const Block& block, SignalId start, size_t skipped = 0);
 
-/// The same for a normal; nothing where the block names no pattern.
+/// The same for a normal: a ReliefSignal, without a pattern where the block names none.
 /// Source   POV-Ray 3.7 reference, 3.4.6.4 "Normal".
-std::optional<SignalId> build_normal(Build& build, const Block& block, std::optional<SignalId> start, size_t skipped = 0);
+SignalId build_normal(Build& build, const Block& block, std::optional<SignalId> start, size_t skipped = 0);
+/// Has it no pattern?
+bool is_flat(const Build& build, SignalId normal);
 
 /// A colour: red, green, blue, filter, transmit.
 SignalId add_colour(Build& build, const std::array<double, 5>& c, Place at);

@@ -13,7 +13,9 @@ namespace alidade::pov {
 
 namespace {
 
-/// A root that gives the default texture to whatever has none.
+bool is_same_everywhere(const Build& build, const PovFinish& f) { return !f.normal && std::holds_alternative<ConstantSignal>(build.scene.signals[f.pigment.index].what); }
+
+/// A root that gives the default texture to whatever has none: a texture of the world, which the object's own transformations do not move.
 void add_root(Build& build, const Block& block) {
     const auto built = build_object(build, block);
     if (!built) return;
@@ -22,9 +24,14 @@ void add_root(Build& build, const Block& block) {
     const bool has_own = !node.materials.empty() && node.materials[0];
     if (!has_own && !std::holds_alternative<LightId>(node.what)) {
         const MaterialId usual = default_material(build, block.defaults);
-        Node& same = build.scene.nodes[root.index];                  // the material has not moved it, but who knows
-        if (same.materials.empty()) same.materials.resize(1);
-        same.materials[0] = usual;
+        if (!is_same_everywhere(build, default_texture(build, block.defaults))) {
+            Node world;
+            world.children = {root};
+            root = build.add_node(std::move(world));
+        }
+        Node& carrier = build.scene.nodes[root.index];
+        if (carrier.materials.empty()) carrier.materials.resize(1);
+        carrier.materials[0] = usual;
     }
     build.scene.roots.push_back(root);
 }

@@ -59,11 +59,26 @@ void read_list(Build& build, Cursor& at, Draft& d) {
     }
 }
 
+/// `tiles { texture { } tile2 texture { } }`: an old name for a checker of two textures.
+void read_tiles(Build& build, const Block& block, Draft& d) {
+    d.pattern.pattern = "checker", d.pattern.parameters.clear();
+    d.pattern.map.clear(), d.textures.clear();
+    for (Cursor at(build, block); !at.done();) {
+        if (at.accept("tile2"_w)) continue;
+        const size_t before = d.textures.size();
+        read_list(build, at, d);
+        if (d.textures.size() == before) at.skip_unmodelled();
+    }
+}
+
 /// The pattern of a map, its entries and modifiers; false where none of them stands.
 bool take_map(Build& build, Cursor& at, Draft& d) {
     if (take_pattern(build, at, d.pattern)) {
         d.pattern.map.clear(), d.textures.clear();
         read_list(build, at, d);
+    } else if (const Block* tiles = at.block_at("tiles"_w)) {
+        at.next();
+        read_tiles(build, *tiles, d);
     } else if (const Block* map = at.block_at("texture_map"_w)) {
         at.next();
         d.pattern.map.clear(), d.textures.clear();
@@ -135,8 +150,7 @@ bool take_layer_part(Build& build, Cursor& at, TextureLayers& layers, const Tran
     if (block->word == "pigment"_w) {
         layer->pigment = here(build_pigment(build, *block, there(layer->pigment)));
     } else {
-        const auto normal = build_normal(build, *block, layer->normal ? std::optional(there(*layer->normal)) : std::nullopt);
-        layer->normal = normal ? std::optional(here(*normal)) : std::nullopt;
+        layer->normal = here(build_normal(build, *block, layer->normal ? std::optional(there(*layer->normal)) : std::nullopt));
     }
     return true;
 }
@@ -176,6 +190,10 @@ MaterialId add_material(Build& build, TextureLayers layers, Place at) {
     if (layers.size() > 1 && map != layers.end()) {
         build.p.tally(at, "a map of textures as one of several layers is not modelled yet: it stands alone");
         layers = TextureLayers{*map};
+    }
+    for (auto& layer : layers) {
+        auto* finish = std::get_if<PovFinish>(&layer);
+        if (finish && finish->normal && is_flat(build, *finish->normal)) finish->normal.reset();
     }
     Material material;
     material.from = build.position(at);
