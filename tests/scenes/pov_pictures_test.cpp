@@ -49,6 +49,7 @@ const std::string kEdges = kHead + kView + kSun + "sphere { <0,.5,0>, 1 pigment 
                            "box { -.2, .2 rotate 40 translate <-1.5,0,-1> pigment { rgbt <1,0,0,.3> } }";
 
 std::vector<PovPicture> light_pictures() {
+    const std::string usual = kHead + "camera { location <0,6,-8> look_at <0,0,0> angle 40 } plane { y, 0 pigment { rgb .6 } } sphere { <0,1,0>, .8 pigment { rgb 1 } finish { phong 1 } } ";
     return {
         {"AreaLight", area_light("3, 3")},
         {"AreaLightAdaptive", area_light("7, 6 adaptive 0")},
@@ -60,8 +61,8 @@ std::vector<PovPicture> light_pictures() {
         {"AreaParallel", lit_by("light_source { <3,8,-4> rgb 1 parallel point_at 0 area_light <3,0,0>, <0,0,3>, 6, 6 adaptive 1 }")},
         {"AreaFadingCylinder", lit_by("light_source { <3,8,-4> rgb 1 cylinder radius 3 falloff 4 point_at 0 area_light <1,0,0>, <0,0,1>, 5, 5 fade_distance 5 fade_power 1 }")},
         {"AreaLightDim", lit_by("global_settings { ambient_light 0 } light_source { <3,8,-4> rgb .1 area_light <3,0,0>, <0,0,3>, 9, 9 adaptive 0 }")},
-        {"AreaIllumination", lit_by("light_source { <3,3,-1> rgb 1 fade_distance 3 fade_power 2 area_light <6,0,0>, <0,0,3>, 5, 5 adaptive 1 area_illumination }")},
-        {"AreaIlluminationOfASpotlight", lit_by("light_source { <3,3,-1> rgb 1 spotlight radius 20 falloff 50 point_at 0 area_light <6,0,0>, <0,0,3>, 5, 5 area_illumination }")},
+        {"AreaIllumination", usual + "light_source { <3,3,-1> rgb 1 fade_distance 3 fade_power 2 area_light <6,0,0>, <0,0,3>, 5, 5 adaptive 1 area_illumination }"},
+        {"AreaIlluminationOfASpotlight", usual + "light_source { <3,3,-1> rgb 1 spotlight radius 20 falloff 50 point_at 0 area_light <6,0,0>, <0,0,3>, 5, 5 area_illumination }"},
         {"CylinderLight", lit_by("light_source { <3,8,-4> rgb 1 cylinder radius 1 falloff 2.5 tightness 1.5 point_at 0 }")},
         {"CylinderLightTransformed", lit_by("light_source { <3,8,-4> rgb 1 cylinder radius 1 falloff 2 point_at 0 scale 1.3 rotate y*20 }")},
         {"CylinderLightFading", lit_by("light_source { <3,8,-4> rgb 1 cylinder radius 3 falloff 4 point_at 0 fade_distance 6 fade_power 2 }")},

@@ -3,6 +3,7 @@
 #include "tests/tracer/scene_builder.h"
 #include "tracer/shade_point.h"
 #include "tracer/surface.h"
+#include "tracer/textures.h"
 
 namespace alidade::test {
 namespace {
