@@ -4,6 +4,7 @@
 #include "scene/queries.h"
 #include "tracer/cameras.h"
 #include "tracer/instance_set.h"
+#include "tracer/light_groups.h"
 #include "tracer/materials.h"
 #include "tracer/normal_maps.h"
 #include "tracer/pov_sky.h"
@@ -44,7 +45,10 @@ Mask mask_of(const NodeFlags& flags) {
 /// Walks the graph once and fills a CompiledScene with instances, lights and cameras.
 class Placer {
   public:
-    Placer(CompiledScene& out, Diagnostics& said) : out_(out), said_(said), geometry_of_(out.scene.shapes.size(), kNoId), materials_(out) {}
+    Placer(CompiledScene& out, Diagnostics& said) : out_(out), said_(said), geometry_of_(out.scene.shapes.size(), kNoId), materials_(out), groups_(out.scene) {}
+
+    /// When all is placed.
+    void finish() { groups_.finish(out_); }
 
     void visit(const Visit& visit) {
         const Node& node = out_.scene.nodes[visit.node.index];
@@ -80,6 +84,7 @@ class Placer {
             instance.double_illuminate = instance.double_illuminate || flags.double_illuminate;
         }
         instance.node = visit.node;
+        instance.light_set = groups_.set_of(visit.path);
         const uint32_t slots = slot_count(out_.scene.shapes[shape.index].geometry);
         const auto interior = inherited_interior(out_.scene, visit.path);
         for (uint32_t slot = 0; slot < slots; ++slot) {
@@ -91,7 +96,10 @@ class Placer {
         out_.instances.push_back(instance);
     }
 
-    void place_light(const Visit& visit, LightId id) { out_.lights.emplace_back(out_.scene.lights[id.index], visit.to_world); }
+    void place_light(const Visit& visit, LightId id) {
+        out_.lights.emplace_back(out_.scene.lights[id.index], visit.to_world);
+        out_.lights.back().id = id;
+    }
 
     uint32_t geometry(ShapeId shape) {
         uint32_t& index = geometry_of_[shape.index];
@@ -112,6 +120,7 @@ class Placer {
     std::vector<uint32_t> geometry_of_;   // by shape
     size_t left_out_below_ = std::numeric_limits<size_t>::max();   // the depth of the operation whose parts are being left out
     MaterialTable materials_;
+    LightGroups groups_;
 };
 
 void report_removed(const CompiledScene& scene, const Geometry& g, Diagnostics& said) {
@@ -226,6 +235,7 @@ std::shared_ptr<const CompiledScene> compile(Scene scene, const CompileOptions& 
     build_structures(*out, *accel, options, said);
     default_camera(*out, said);
     default_light(*out, options, said);
+    placer.finish();
     choose_kernel(*out, options, reasons);
     return out;
 }

@@ -46,6 +46,7 @@ struct Instance {
     Mask mask = kMaskAll;
     bool double_illuminate = false;   ///< POV: lit from both sides
     NodeId node;
+    uint32_t light_set = 0;        ///< into CompiledScene::lit_by
 };
 
 /// A camera with its node's transform applied: all in world space.
@@ -73,6 +74,7 @@ struct CompiledScene {
     std::unique_ptr<Accelerator> top;      ///< over the instances
     std::unique_ptr<Textures> textures;
     std::vector<PlacedLight> lights;
+    std::vector<std::vector<bool>> lit_by; ///< which lights shine, by Instance::light_set; empty: all on all
     std::vector<PlacedCamera> cameras;     ///< at least one
     Transform sky_from_world;              ///< into the space of the sky's pigments
     std::unique_ptr<Sky> sky;              ///< what a ray sees that leaves the scene, and what lights it from there

@@ -32,9 +32,6 @@ void report_nodes(const Scene& scene, Diagnostics& said) {
     report_csg(scene, CsgKind::intersection, "intersections are not rendered yet: they are left out", said);
     report_csg(scene, CsgKind::difference, "differences are not rendered yet: they are left out", said);
     report_csg(scene, CsgKind::merge, "merges are not rendered yet: they are drawn as unions", said);
-    for (const Node& node : scene.nodes) {
-        if (!node.light_group.empty() || !node.global_lights) said.warning(node.from, "light groups are not rendered yet: their lights are left out, all others shine");
-    }
 }
 
 }  // namespace

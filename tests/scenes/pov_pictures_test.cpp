@@ -66,6 +66,11 @@ std::vector<PovPicture> light_pictures() {
         {"CylinderLight", lit_by("light_source { <3,8,-4> rgb 1 cylinder radius 1 falloff 2.5 tightness 1.5 point_at 0 }")},
         {"CylinderLightTransformed", lit_by("light_source { <3,8,-4> rgb 1 cylinder radius 1 falloff 2 point_at 0 scale 1.3 rotate y*20 }")},
         {"CylinderLightFading", lit_by("light_source { <3,8,-4> rgb 1 cylinder radius 3 falloff 4 point_at 0 fade_distance 6 fade_power 2 }")},
+        {"LightGroup", usual + "light_source { <-5,9,-5> rgb .5 } light_group { light_source { <3,8,-4> rgb 1 } sphere { <0,2.5,-1>, .5 pigment { rgb <1,.5,.2> } } box { <1.5,0,-1>, <2.5,1,0> pigment { rgb 1 } } translate x*.2 }"},
+        {"LightGroupWithGlobalLights", usual + "light_source { <-5,9,-5> rgb .5 } light_group { light_source { <3,8,-4> rgb 1 } sphere { <0,2.5,-1>, .5 pigment { rgb <1,.5,.2> } } global_lights on } light_group { light_source { <0,9,0> rgb <.5,.5,0> } "
+                                       "box { <1.5,0,-1>, <2.5,1,0> pigment { rgb 1 } } }"},
+        {"LightGroupInALightGroup", usual + "light_source { <-5,9,-5> rgb .5 } light_group { light_source { <3,8,-4> rgb 1 } light_group { light_source { <0,9,0> rgb <.5,.5,0> } sphere { <0,2.5,-1>, .5 pigment { rgb <1,.5,.2> } } "
+                                    "global_lights on } box { <1.5,0,-1>, <2.5,1,0> pigment { rgb 1 } } }"},
         {"ParallelFromTheMiddle", lit_by("light_source { <0,.7,-4> rgb 1 parallel spotlight radius 10 falloff 15 tightness 2 point_at <0,0,-3> fade_distance 3 fade_power 1 }")},
     };
 }

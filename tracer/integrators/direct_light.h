@@ -19,7 +19,9 @@ template <unsigned F> class DirectLight {
 
     Color sum() const {
         Color sum(0);
+        const bool groups = !tracing_.scene.lit_by.empty();
         for (size_t i = 0; i < tracing_.scene.lights.size(); ++i) {
+            if (groups && !shines(i)) continue;
             const PlacedLight& light = tracing_.scene.lights[i];
             if constexpr ((F & kSampledLights) != 0) {
                 if (light.sampled()) {
@@ -63,6 +65,7 @@ template <unsigned F> class DirectLight {
     }
 
     // Out of line, as above.
+    [[gnu::noinline]] bool shines(size_t i) const { return tracing_.scene.lit_by[tracing_.scene.instances[point_.instance].light_set][i]; }
     [[gnu::noinline]] Color from_grid(size_t i, const Illumination& arriving) const {
         const PlacedLight& light = tracing_.scene.lights[i];
         const bool shadows = shadows_ == Shadows::cast && !light.light.shadowless;
