@@ -41,7 +41,7 @@ struct AreaLight {
     double width = 1, height = 1, radius = 0.5;
 };
 
-/// POV-Ray's area_light: a grid of points on the parallelogram of `axis1` and `axis2` (in the space of its node) around the light. Shadow rays go to them; everything else comes from the light's centre.
+/// POV-Ray's area_light: a grid of points on the parallelogram of `axis1` and `axis2` (in the space of its node) around the light. Shadow rays go to them, those of a parallel light from (0, 0, -1) of the node; everything else comes from the light's centre.
 /// Source   POV-Ray 3.7 reference, 3.4.4.6 "Area Lights"; verified by probing.
 struct ShadowGrid {
     Vec3 axis1{1, 0, 0}, axis2{0, 1, 0};

@@ -5,6 +5,7 @@
 #include "tracer/cameras.h"
 #include "tracer/instance_leaves.h"
 #include "tracer/instance_set.h"
+#include "tracer/light_groups.h"
 #include "tracer/materials.h"
 #include "tracer/normal_maps.h"
 #include "tracer/pov_sky.h"
@@ -67,7 +68,10 @@ CsgOp csg_op(CsgKind kind) {
 /// Walks the graph once and fills a CompiledScene with instances, lights and cameras.
 class Placer {
   public:
-    Placer(CompiledScene& out, Diagnostics& said) : out_(out), said_(said), geometry_of_(out.scene.shapes.size(), kNoId), materials_(out) {}
+    Placer(CompiledScene& out, Diagnostics& said) : out_(out), said_(said), geometry_of_(out.scene.shapes.size(), kNoId), materials_(out), groups_(out.scene) {}
+
+    /// When all is placed.
+    void finish() { groups_.finish(out_); }
 
     void visit(const Visit& visit) {
         if (visit.path.size() > solid_depth_) return;   // it has been placed with the solid that it is a part of
@@ -174,6 +178,7 @@ class Placer {
             instance.double_illuminate = instance.double_illuminate || flags.double_illuminate;
         }
         instance.node = visit.node;
+        instance.light_set = groups_.set_of(visit.path);
         const uint32_t slots = slot_count(out_.scene.shapes[shape.index].geometry);
         const size_t carrier = interior_carrier(out_.scene, visit.path);
         const auto interior = carrier ? out_.scene.nodes[visit.path[carrier - 1].index].interior : std::nullopt;
@@ -196,7 +201,10 @@ class Placer {
         return at->second;
     }
 
-    void place_light(const Visit& visit, LightId id) { out_.lights.emplace_back(out_.scene.lights[id.index], visit.to_world); }
+    void place_light(const Visit& visit, LightId id) {
+        out_.lights.emplace_back(out_.scene.lights[id.index], visit.to_world);
+        out_.lights.back().id = id;
+    }
 
     uint32_t geometry(ShapeId shape) {
         uint32_t& index = geometry_of_[shape.index];
@@ -221,6 +229,7 @@ class Placer {
     std::map<std::vector<uint32_t>, uint32_t> carrier_of_;
     uint32_t carriers_ = 0;
     MaterialTable materials_;
+    LightGroups groups_;
 };
 
 void report_removed(const CompiledScene& scene, const Geometry& g, Diagnostics& said) {
@@ -355,6 +364,7 @@ std::shared_ptr<const CompiledScene> compile(Scene scene, const CompileOptions& 
     build_structures(*out, *accel, placer.take_solids(), options, said);
     default_camera(*out, said);
     default_light(*out, options, said);
+    placer.finish();
     choose_kernel(*out, options, reasons);
     return out;
 }

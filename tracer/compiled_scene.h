@@ -49,6 +49,7 @@ struct Instance {
     bool inverted = false;         ///< taken away from a solid: its normals point inwards
     uint32_t carrier = 0;          ///< of its interior: parts of one object that carries it have the same
     NodeId node;
+    uint32_t light_set = 0;        ///< into CompiledScene::lit_by
 };
 
 /// Solids made of instances by set operations.
@@ -83,6 +84,7 @@ struct CompiledScene {
     std::unique_ptr<Accelerator> top;      ///< over the instances and solids
     std::unique_ptr<Textures> textures;
     std::vector<PlacedLight> lights;
+    std::vector<std::vector<bool>> lit_by; ///< which lights shine, by Instance::light_set; empty: all on all
     std::vector<PlacedCamera> cameras;     ///< at least one
     Transform sky_from_world;              ///< into the space of the sky's pigments
     std::unique_ptr<Sky> sky;              ///< what a ray sees that leaves the scene, and what lights it from there

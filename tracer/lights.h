@@ -19,6 +19,7 @@ struct PlacedLight {
     Transform to_world;
     Vec3 position{0};
     Vec3 axis{0, 0, -1};   ///< unit, where it points
+    LightId id;
 
     PlacedLight() = default;
     PlacedLight(Light l, const Transform& t)

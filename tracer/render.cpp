@@ -138,7 +138,8 @@ bool render_block(const Job& job, Tracing& tracing, const Region& block, Picture
         out.work = tests_done(tracing.stats.work) - before;
         return out;
     };
-    rays.linear = [&](const Color& c) { return linear(c, job.scene.scene.settings); };
+    const RenderSettings& settings = job.scene.scene.settings;
+    rays.comparable = [&](const Color& c) { return settings.srgb_coded ? c : linear(c, settings); };   // as POV-Ray does where no gamma is assumed
     rays.stopped = [&] { return job.stopped(); };
     const auto pixels = supersample(*job.options.supersampling, block, rays);
     if (!pixels) return false;

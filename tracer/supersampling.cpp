@@ -11,7 +11,7 @@ class Difference {
   public:
     Difference(const Supersampling& how, const BlockRays& rays) : how_(how), rays_(rays) {}
     Color coded(const Color& radiance) const {
-        const Color c = glm::max(rays_.linear(radiance), Color(0));
+        const Color c = glm::max(rays_.comparable(radiance), Color(0));
         const double power = 1 / how_.gamma;
         return {std::pow(c.x, power), std::pow(c.y, power), std::pow(c.z, power)};
     }
@@ -22,7 +22,7 @@ class Difference {
     const BlockRays& rays_;
 };
 
-/// Method 1: every pixel has a ray through its centre. Where it differs from the pixel to its left or above, both get a grid of rays more, once; what is compared later sees it.
+/// Method 1: every pixel has a ray through its centre. Where it differs from the pixel to its left or above, both get a grid of rays more, once.
 class GridBlock {
   public:
     GridBlock(const Supersampling& how, const Region& block, const BlockRays& rays) : how_(how), block_(block), rays_(rays), difference_(how, rays), columns_(block.x1 - block.x0 + 1) {
@@ -36,8 +36,7 @@ class GridBlock {
             begin(block_.x0 - 1, y);
             for (int x = block_.x0; x < block_.x1; ++x) {
                 begin(x, y);
-                compare(x, y, x - 1, y);
-                compare(x, y, x, y - 1);
+                compare(x, y);
             }
         }
         std::vector<PixelSamples> out;
@@ -62,10 +61,14 @@ class GridBlock {
         pixel.samples = rays_.take({x, y, Vec2(0.5), 0, 0, count()});
         pixel.coded = difference_.coded(pixel.samples.radiance);
     }
-    void compare(int x, int y, int other_x, int other_y) {
-        if (!difference_.between(at(x, y).coded, at(other_x, other_y).coded)) return;
-        refine(other_x, other_y);
-        refine(x, y);
+    /// A pixel as its first ray saw it, with neighbours that may have been refined already.
+    void compare(int x, int y) {
+        const Color own = at(x, y).coded;
+        for (const auto& [beside_x, beside_y] : {std::pair(x - 1, y), std::pair(x, y - 1)}) {
+            if (!difference_.between(own, at(beside_x, beside_y).coded)) continue;
+            refine(beside_x, beside_y);
+            refine(x, y);
+        }
     }
     void refine(int x, int y) {
         Pixel& pixel = at(x, y);

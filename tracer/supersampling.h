@@ -23,7 +23,7 @@ struct PixelRay {
 /// What a block asks of the render.
 struct BlockRays {
     std::function<PixelSamples(const PixelRay&)> take;   ///< with one sample
-    std::function<Color(const Color&)> linear;           ///< of radiance as the scene's colours are calculated with
+    std::function<Color(const Color&)> comparable;       ///< a colour as it is compared, `Supersampling::gamma` aside
     std::function<bool()> stopped;
 };
 

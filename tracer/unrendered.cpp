@@ -17,12 +17,6 @@ constexpr Unrendered kTable[] = {
     {Requirement::media, Severity::warning, "media are not rendered yet: they are left out"},
 };
 
-void report_nodes(const Scene& scene, Diagnostics& said) {
-    for (const Node& node : scene.nodes) {
-        if (!node.light_group.empty() || !node.global_lights) said.warning(node.from, "light groups are not rendered yet: their lights are left out, all others shine");
-    }
-}
-
 }  // namespace
 
 void report_unrendered(const Scene& scene, Diagnostics& said) {
@@ -30,7 +24,6 @@ void report_unrendered(const Scene& scene, Diagnostics& said) {
     for (const Unrendered& row : kTable)
         for (const RequiredBy& r : required)
             if (r.what == row.what) said.add({row.severity, r.first, row.sentence, {}, {}, {}});
-    report_nodes(scene, said);
     if (scene.atmosphere.environment_image) said.warning({}, "environment images of a scene are not rendered yet", "--environment FILE sets one");
 }
 

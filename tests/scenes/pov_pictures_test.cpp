@@ -109,6 +109,7 @@ const std::string kEdges = kHead + kView + kSun + "sphere { <0,.5,0>, 1 pigment 
                            "box { -.2, .2 rotate 40 translate <-1.5,0,-1> pigment { rgbt <1,0,0,.3> } }";
 
 std::vector<PovPicture> light_pictures() {
+    const std::string usual = kHead + "camera { location <0,6,-8> look_at <0,0,0> angle 40 } plane { y, 0 pigment { rgb .6 } } sphere { <0,1,0>, .8 pigment { rgb 1 } finish { phong 1 } } ";
     return {
         {"AreaLight", area_light("3, 3")},
         {"AreaLightAdaptive", area_light("7, 6 adaptive 0")},
@@ -118,9 +119,18 @@ std::vector<PovPicture> light_pictures() {
         {"AreaLightThroughGlass", area_light("5, 5 adaptive 1") + " sphere { <-1,2,-2>, .5 pigment { rgbf <1,.4,.2,.9> } }"},
         {"AreaSpotlight", lit_by("light_source { <3,8,-4> rgb 2 spotlight radius 15 falloff 25 point_at 0 area_light <3,0,0>, <0,0,3>, 9, 9 adaptive 0 }")},
         {"AreaParallel", lit_by("light_source { <3,8,-4> rgb 1 parallel point_at 0 area_light <3,0,0>, <0,0,3>, 6, 6 adaptive 1 }")},
+        {"AreaFadingCylinder", lit_by("light_source { <3,8,-4> rgb 1 cylinder radius 3 falloff 4 point_at 0 area_light <1,0,0>, <0,0,1>, 5, 5 fade_distance 5 fade_power 1 }")},
+        {"AreaLightDim", lit_by("global_settings { ambient_light 0 } light_source { <3,8,-4> rgb .1 area_light <3,0,0>, <0,0,3>, 9, 9 adaptive 0 }")},
+        {"AreaIllumination", usual + "light_source { <3,3,-1> rgb 1 fade_distance 3 fade_power 2 area_light <6,0,0>, <0,0,3>, 5, 5 adaptive 1 area_illumination }"},
+        {"AreaIlluminationOfASpotlight", usual + "light_source { <3,3,-1> rgb 1 spotlight radius 20 falloff 50 point_at 0 area_light <6,0,0>, <0,0,3>, 5, 5 area_illumination }"},
         {"CylinderLight", lit_by("light_source { <3,8,-4> rgb 1 cylinder radius 1 falloff 2.5 tightness 1.5 point_at 0 }")},
         {"CylinderLightTransformed", lit_by("light_source { <3,8,-4> rgb 1 cylinder radius 1 falloff 2 point_at 0 scale 1.3 rotate y*20 }")},
         {"CylinderLightFading", lit_by("light_source { <3,8,-4> rgb 1 cylinder radius 3 falloff 4 point_at 0 fade_distance 6 fade_power 2 }")},
+        {"LightGroup", usual + "light_source { <-5,9,-5> rgb .5 } light_group { light_source { <3,8,-4> rgb 1 } sphere { <0,2.5,-1>, .5 pigment { rgb <1,.5,.2> } } box { <1.5,0,-1>, <2.5,1,0> pigment { rgb 1 } } translate x*.2 }"},
+        {"LightGroupWithGlobalLights", usual + "light_source { <-5,9,-5> rgb .5 } light_group { light_source { <3,8,-4> rgb 1 } sphere { <0,2.5,-1>, .5 pigment { rgb <1,.5,.2> } } global_lights on } light_group { light_source { <0,9,0> rgb <.5,.5,0> } "
+                                       "box { <1.5,0,-1>, <2.5,1,0> pigment { rgb 1 } } }"},
+        {"LightGroupInALightGroup", usual + "light_source { <-5,9,-5> rgb .5 } light_group { light_source { <3,8,-4> rgb 1 } light_group { light_source { <0,9,0> rgb <.5,.5,0> } sphere { <0,2.5,-1>, .5 pigment { rgb <1,.5,.2> } } "
+                                    "global_lights on } box { <1.5,0,-1>, <2.5,1,0> pigment { rgb 1 } } }"},
         {"ParallelFromTheMiddle", lit_by("light_source { <0,.7,-4> rgb 1 parallel spotlight radius 10 falloff 15 tightness 2 point_at <0,0,-3> fade_distance 3 fade_power 1 }")},
     };
 }

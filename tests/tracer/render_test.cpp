@@ -220,11 +220,11 @@ TEST(Compile, SaysWhatItDoesNotRender) {
     SceneBuilder b;
     const MaterialId white = b.material(b.lambert(Color(1)));
     const NodeId other = b.object(Sphere{}, white);
-    b.scene.atmosphere.fogs.emplace_back();
+    b.scene.atmosphere.media.emplace_back();
     Diagnostics said;
     const auto scene = compile(b.scene, {}, said);
     ASSERT_TRUE(scene) << said.text();
-    EXPECT_NE(said.text().find("fog"), std::string::npos) << said.text();
+    EXPECT_NE(said.text().find("media"), std::string::npos) << said.text();
     b.scene.signals.emplace_back().what = FunctionSignal{};
     GltfPbr formula = b.lambert(Color(1));
     formula.base_color = {uint32_t(b.scene.signals.size() - 1)};

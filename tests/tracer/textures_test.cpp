@@ -4,6 +4,7 @@
 #include "tracer/textures.h"
 #include "tracer/shade_point.h"
 #include "tracer/surface.h"
+#include "tracer/textures.h"
 
 namespace alidade::test {
 namespace {

@@ -19,7 +19,9 @@ template <unsigned F> class DirectLight {
 
     Color sum() const {
         Color sum(0);
+        const bool groups = !tracing_.scene.lit_by.empty();
         for (size_t i = 0; i < tracing_.scene.lights.size(); ++i) {
+            if (groups && !shines(i)) continue;
             const PlacedLight& light = tracing_.scene.lights[i];
             if constexpr ((F & kSampledLights) != 0) {
                 if (light.sampled()) {
@@ -55,20 +57,26 @@ template <unsigned F> class DirectLight {
 
     Color from_light(const PlacedLight& light, const Vec2& square, size_t i) const {
         const Illumination arriving = illuminate(light, point_.position, square);
-        if (is_black(arriving.irradiance)) return Color(0);
         if (light.light.shadow_grid) return from_grid(i, arriving);
+        if (is_black(arriving.irradiance)) return Color(0);
         const Color scattered = surface_.scatter(arriving.direction, !light.light.shadowless) * arriving.irradiance;
         if (is_black(scattered) || light.light.shadowless) return scattered;
         return scattered * visible(arriving.direction, arriving.distance);
     }
 
     // Out of line, as above.
+    [[gnu::noinline]] bool shines(size_t i) const { return tracing_.scene.lit_by[tracing_.scene.instances[point_.instance].light_set][i]; }
     [[gnu::noinline]] Color from_grid(size_t i, const Illumination& arriving) const {
-        const Light& light = tracing_.scene.lights[i].light;
-        const bool shadows = shadows_ == Shadows::cast && !light.shadowless;
-        if (shadows && light.shadow_grid->illuminates) return arriving.irradiance * through_grid(tracing_, point_, state_, i, arriving, &surface_);
-        const Color scattered = surface_.scatter(arriving.direction, !light.shadowless) * arriving.irradiance;
-        return shadows && !is_black(scattered) ? scattered * through_grid(tracing_, point_, state_, i, arriving, nullptr) : scattered;
+        const PlacedLight& light = tracing_.scene.lights[i];
+        const bool shadows = shadows_ == Shadows::cast && !light.light.shadowless;
+        if (light.light.shadow_grid->illuminates) {
+            const Color scattered = scattered_from_grid(light, point_, surface_, arriving);
+            return shadows && !is_black(scattered) ? scattered * through_grid(tracing_, point_, state_, i, arriving, Color(1)) : scattered;
+        }
+        if (is_black(arriving.irradiance)) return Color(0);
+        const Color scattered = surface_.scatter(arriving.direction, !light.light.shadowless);
+        if (!shadows || is_black(scattered)) return scattered * arriving.irradiance;
+        return scattered * through_grid(tracing_, point_, state_, i, arriving, arriving.irradiance);
     }
 
     Color from_sky(const Vec2& square) const {

@@ -31,7 +31,7 @@ Color visible(Tracing& tracing, const ShadePoint& point, const RayState& state, 
 }  // namespace
 
 GridPoints::GridPoints(const PlacedLight& light, const Vec3& to_light)
-    : grid_(*light.light.shadow_grid), axis1_(light.to_world.vector(grid_.axis1)), axis2_(light.to_world.vector(grid_.axis2)) {
+    : light_(light), grid_(*light.light.shadow_grid), axis1_(light.to_world.vector(grid_.axis1)), axis2_(light.to_world.vector(grid_.axis2)) {
     if (!grid_.orient) return;
     const double size = length(axis1_);
     facing_axes(to_light, axis1_, axis2_);
@@ -50,19 +50,36 @@ Vec3 GridPoints::offset(double u, double v) const {
     return axis1_ * a + axis2_ * b;
 }
 
-Color through_grid(Tracing& tracing, const ShadePoint& point, const RayState& state, size_t index, const Illumination& arriving, const Surface* surface) {
+/// From the point p to the place `offset` of the light. Parallel light comes along the line from there to where the light points at.
+Vec3 GridPoints::towards(const Vec3& p, const Illumination& arriving, const Vec3& offset) const {
+    if (!light_.light.parallel) return arriving.direction * arriving.distance + offset;
+    const Vec3 along = normalized(offset - light_.to_world.vector(Vec3(0, 0, -1)));
+    return along * dot(light_.position + offset - p, along);
+}
+
+Color through_grid(Tracing& tracing, const ShadePoint& point, const RayState& state, size_t index, const Illumination& arriving, const Color& full) {
     constexpr uint64_t kGridBranch = uint64_t(1) << 41;   // behind the branches of rays
     const PlacedLight& light = tracing.scene.lights[index];
     const ShadowGrid& grid = *light.light.shadow_grid;
     const GridPoints points(light, arriving.direction);
-    const Vec3 to_centre = arriving.direction * arriving.distance;
     const SampleKey key = state.key.child(kGridBranch + index);
     return GridMean(grid, tracing.grid, [&](int u, int v) {
         const Vec2 jitter = grid.jitter ? key.pair(uint64_t(u) * uint64_t(grid.size2) + uint64_t(v)) - Vec2(0.5) : Vec2(0);
-        const Vec3 to_point = to_centre + points.offset(u + jitter.x, v + jitter.y);
-        const Color sent_on = surface ? surface->scatter(normalized(to_point)) : Color(1);
-        return is_black(sent_on) ? sent_on : sent_on * visible(tracing, point, state, to_point);
+        return full * visible(tracing, point, state, points.towards(point.position, arriving, points.offset(u + jitter.x, v + jitter.y)));
     })();
+}
+
+Color scattered_from_grid(const PlacedLight& light, const ShadePoint& point, const Surface& surface, const Illumination& arriving) {
+    const ShadowGrid& grid = *light.light.shadow_grid;
+    const GridPoints points(light, arriving.direction);
+    Color sum(0);
+    for (int u = 0; u < grid.size1; ++u)
+        for (int v = 0; v < grid.size2; ++v) {
+            const Vec3 offset = points.offset(u, v);
+            const Illumination from_point = illuminate(light, point.position - offset, Vec2(0));   // the light moved by the offset
+            sum += from_point.irradiance * surface.scatter(from_point.direction, !light.light.shadowless);
+        }
+    return sum / (double(grid.size1) * grid.size2);
 }
 
 }  // namespace alidade

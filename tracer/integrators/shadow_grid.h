@@ -13,8 +13,10 @@ class GridPoints {
     GridPoints(const PlacedLight& light, const Vec3& to_light);
     /// From the light's centre to the place (u, v) of the grid, which is numbered from 0 along both axes; between the numbers lies what jitter reaches.
     Vec3 offset(double u, double v) const;
+    Vec3 towards(const Vec3& p, const Illumination& arriving, const Vec3& offset) const;
 
   private:
+    const PlacedLight& light_;
     const ShadowGrid& grid_;
     Vec3 axis1_, axis2_;
 };
@@ -65,8 +67,10 @@ template <class Value> class GridMean {
     Value value_;
 };
 
-/// The part of the light of `tracing.scene.lights[index]`, which has a grid, that arrives at `point`; `arriving` comes from its centre. With a surface: the part that this
-/// sends on to the eye, from each of the grid's points on its own (area_illumination).
-Color through_grid(Tracing& tracing, const ShadePoint& point, const RayState& state, size_t index, const Illumination& arriving, const Surface* surface);
+/// The mean over the grid of what comes through to `point`, of the light `full`, from `tracing.scene.lights[index]`, which has a grid; `arriving` comes from its centre.
+Color through_grid(Tracing& tracing, const ShadePoint& point, const RayState& state, size_t index, const Illumination& arriving, const Color& full);
+
+/// What the surface sends on to the eye, shadows aside, of the light of a grid that illuminates: the plain mean of what comes from its points.
+Color scattered_from_grid(const PlacedLight& light, const ShadePoint& point, const Surface& surface, const Illumination& arriving);
 
 }  // namespace alidade

@@ -25,7 +25,7 @@ struct LightWords {
 
 bool take_cone_word(LightWords& w, Cursor& at) {
     if (at.accept("spotlight"_w)) w.spot = true, w.cylinder = false;
-    else if (at.accept("cylinder"_w)) w.cylinder = true, w.spot = false;
+    else if (at.accept("cylinder"_w)) w.cylinder = w.light.parallel = true, w.spot = false;
     else if (at.accept("radius"_w)) w.radius = at.number("the radius of a light");
     else if (at.accept("falloff"_w)) w.falloff = at.number("the falloff of a light");
     else if (at.accept("tightness"_w)) w.tightness = at.number("the tightness of a light");
@@ -126,10 +126,12 @@ void set_kind(LightWords& w) {
     }
 }
 
-/// The grid's axes go with the light's transformations, into the space of the light's node, whose axes are orthonormal.
-void set_grid(LightWords& w, const Mat3& node_axes) {
+/// The grid's axes go with the light's transformations, into the space of the light's node. The rays of a parallel grid meet where the light points at: that is one unit of the node away.
+void set_grid(LightWords& w, double reach, Mat3& node_axes) {
     if (!w.area) return;
-    const Mat3 to_node = glm::transpose(node_axes);
+    if (!w.light.parallel || !(reach > 0)) reach = 1;
+    const Mat3 to_node = glm::transpose(node_axes) / reach;   // node_axes are orthonormal
+    node_axes = node_axes * reach;
     w.grid.axis1 = to_node * w.transform.vector(w.grid.axis1), w.grid.axis2 = to_node * w.transform.vector(w.grid.axis2);
     w.light.shadow_grid = w.grid;
 }
@@ -142,9 +144,10 @@ NodeId build_light(Build& build, const Block& block) {
     read_light(build, block, w);
     const Vec3 location = w.transform.point(w.location);
     Node node;
-    node.to_parent = facing(location, w.transform.point(w.point_at) - location);
+    const Vec3 axis = w.transform.point(w.point_at) - location;
+    node.to_parent = facing(location, axis);
     set_kind(w);
-    set_grid(w, node.to_parent.linear);
+    set_grid(w, length(axis), node.to_parent.linear);
     w.light.inverse_square = false;
     if (w.fade.power > 0 && std::abs(w.fade.distance) > 1e-10) w.light.fade = w.fade;
     w.light.from = build.position(block.place);

@@ -95,6 +95,7 @@ bool take_flag(Draft& d, Cursor& at) {
     else if (at.accept("no_reflection"_w)) f.reflection = !at.flag();
     else if (at.accept("hollow"_w)) f.hollow = at.flag();
     else if (at.accept("double_illuminate"_w)) f.double_illuminate = at.flag();
+    else if (!d.node.global_lights && at.accept("global_lights"_w)) d.node.global_lights = at.flag();
     else if (at.accept("inverse"_w)) d.node.inverse = !d.node.inverse;
     else return false;
     return true;
@@ -106,6 +107,14 @@ bool is_hint(const Cursor& at) {
     if (at.at_block("photons"_w)) return true;
     if (item.kind != Item::Kind::word) return false;
     return item.word == "sturm"_w || item.word == "hierarchy"_w || item.word == "split_union"_w || item.word == "no_radiosity"_w;
+}
+
+/// The lights of `light_group` shine on what stands in it, but not in a group in it; others do not, unless `global_lights` says so.
+void gather_lights(const Scene& scene, NodeId id, std::vector<LightId>& out) {
+    const Node& node = scene.nodes[id.index];
+    if (!node.light_group.empty() || !node.global_lights) return;
+    if (const auto* light = std::get_if<LightId>(&node.what)) out.push_back(*light);
+    for (const NodeId child : node.children) gather_lights(scene, child, out);
 }
 
 /// What clips an object is moved by the transformations behind it alone; `moved` are those before it.
@@ -227,6 +236,11 @@ std::optional<Draft> draft(Build& build, const Block& block) {
         d.emplace();
         d->node.csg = CsgKind::union_;
         d->node.children = build_text(build, at);
+    } else if (block.word == "light_group"_w) {
+        d.emplace();
+        d->node.global_lights = false;
+        take_children(build, *d, at);
+        for (const NodeId child : d->node.children) gather_lights(build.scene, child, d->node.light_group);
     } else {
         d = shape(build, block, at);
     }
