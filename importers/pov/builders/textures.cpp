@@ -59,7 +59,7 @@ void read_list(Build& build, Cursor& at, Draft& d) {
     }
 }
 
-/// `tiles { texture { } tile2 texture { } }`: an old name for a checker of two textures.
+/// `tiles { texture { } tile2 texture { } }`: an old name for a checker of two textures, the second of which is where a checker has its first.
 void read_tiles(Build& build, const Block& block, Draft& d) {
     d.pattern.pattern = "checker", d.pattern.parameters.clear();
     d.pattern.map.clear(), d.textures.clear();
@@ -69,6 +69,7 @@ void read_tiles(Build& build, const Block& block, Draft& d) {
         read_list(build, at, d);
         if (d.textures.size() == before) at.skip_unmodelled();
     }
+    std::reverse(d.textures.begin(), d.textures.end());
 }
 
 /// The pattern of a map, its entries and modifiers; false where none of them stands.
