@@ -72,10 +72,6 @@ bool inside(const ShapeLeaves& leaves, const CsgExpression& e, const Vec3& p) {
     return false;
 }
 
-bool is_outline(const CsgExpression& e) {
-    return e.op != CsgOp::union_ && e.op != CsgOp::clip && std::all_of(e.parts.begin(), e.parts.end(), is_outline);
-}
-
 CsgExpression random_expression(ShapeLeaves& leaves, test::Draw& draw, int levels, bool outline) {
     if (levels == 0 || draw.below(4) == 0) {
         ShapeGeometry shape;
