@@ -55,7 +55,7 @@ class Walk {
         range_ = {std::max(ray_.tmin, box.entry), std::min(ray_.tmax, box.exit)};
         if (box.empty() || range_.empty()) return;
         range_ = widened(range_);
-        if (!gather(0, range_)) return;
+        if (!gather(0, {range_, range_})) return;
         auto& all = s_.crossings;
         std::sort(all.begin(), all.end(), [](const CsgCrossing& a, const CsgCrossing& b) { return a.hit.t != b.hit.t ? a.hit.t < b.hit.t : a.node < b.node; });
         for (size_t first = 0, end; first < all.size() && all[first].hit.t <= range_.exit; first = end) {
@@ -82,39 +82,79 @@ class Walk {
         return widened(range);
     }
     bool in_range(double t) const { return t >= ray_.tmin && t <= ray_.tmax && t >= range_.entry && t <= range_.exit; }
+    double near(double t) const { return kNear * (std::abs(t) + reach_); }
     double slack(double t) const { return kSlack * (std::abs(t) + reach_); }
     LineInterval widened(const LineInterval& r) const { return {r.entry - slack(r.entry), r.exit + slack(r.exit)}; }
 
-    /// Asks the leaves that can matter within `range` for their crossings; false if the node is all inside or all outside there and has no surface.
-    bool gather(uint32_t n, const LineInterval& range) {
+    /// Two ranges of the line. Outside of `crossings`, crossings that were found tell that the line is outside of some part of an intersection: what the
+    /// others are there does not matter. Outside of `boxes`, which is shorter, boxes tell it.
+    struct Ranges {
+        LineInterval crossings, boxes;
+    };
+
+    /// Asks the leaves that can matter within the ranges for their crossings; false if the node is all inside or all outside there and has no surface.
+    bool gather(uint32_t n, const Ranges& ranges) {
         const CsgNode& node = nodes_[n];
         State& state = s_.states[n] = {};
         if (!(node.mask & ray_.mask)) return state.inside = n != 0 && meets(nodes_[node.parent]), false;
-        const LineInterval narrow = within(node.box, range);
-        if (narrow.empty()) return state.inside = node.far, false;
-        return node.op == CsgOp::leaf ? gather_leaf(n) : gather_parts(n, narrow);
+        const LineInterval boxes = within(node.box, ranges.boxes);
+        if (boxes.empty()) return state.inside = node.far, false;
+        return node.op == CsgOp::leaf ? gather_leaf(n, ranges.crossings) : gather_parts(n, {ranges.crossings, boxes});
     }
 
-    bool gather_leaf(uint32_t n) {
+    bool gather_leaf(uint32_t n, const LineInterval& range) {
         const CsgNode& node = nodes_[n];
         const size_t had = s_.crossings.size();
         const bool comes_from_inside = leaves_.crossings(node.leaf, ray_, s_.crossings);
         for (size_t i = had; i < s_.crossings.size(); ++i) s_.crossings[i].node = n;
         s_.states[n].inside = node.inverted != (node.inside == CsgInside::by_crossings && comes_from_inside);
         if (node.inside == CsgInside::at_points) s_.at_points.push_back(n);
+        if (node.inside == CsgInside::by_crossings && settle(n, had, range)) return false;
         return node.inside == CsgInside::at_points || s_.crossings.size() > had;
     }
 
-    bool gather_parts(uint32_t n, const LineInterval& range) {
+    /// If none of the crossings from `had` on is in or near `range`, the leaf is all inside or all outside there, and they are dropped.
+    bool settle(uint32_t n, size_t had, const LineInterval& range) {
+        auto& all = s_.crossings;
+        const double entry = range.entry - near(range.entry), exit = range.exit + near(range.exit);
+        bool inside = s_.states[n].inside;
+        for (size_t i = had; i < all.size() && all[i].hit.t <= exit; ++i) {
+            if (all[i].hit.t >= entry) return false;
+            inside = !inside;
+        }
+        all.resize(had);
+        s_.states[n].inside = inside;
+        return true;
+    }
+
+    /// The part of `range` from where the line enters the leaf first to where it leaves it last; empty if it does not. The crossings are those from `had` on.
+    LineInterval inside_leaf(uint32_t n, size_t had, const LineInterval& range) const {
+        LineInterval out{kInf, -kInf};
+        bool inside = s_.states[n].inside;
+        double from = range.entry;
+        for (size_t i = had; i <= s_.crossings.size(); ++i) {
+            const double to = i < s_.crossings.size() ? std::clamp(s_.crossings[i].hit.t, range.entry, range.exit) : range.exit;
+            if (inside) out.entry = std::min(out.entry, from), out.exit = to;
+            inside = !inside, from = to;
+        }
+        return out;
+    }
+
+    bool gather_parts(uint32_t n, Ranges ranges) {
         const CsgNode& node = nodes_[n];
         const size_t had = s_.crossings.size(), points = s_.at_points.size();
         const bool is_meet = meets(node);
         bool varies = false;
         uint32_t count = 0;
         for (uint32_t part = n + 1; part != node.end; part = nodes_[part].end) {
-            const bool part_varies = gather(part, range), inside = s_.states[part].inside;
+            const size_t first = s_.crossings.size();
+            const bool part_varies = gather(part, ranges), inside = s_.states[part].inside;
             varies = varies || part_varies;
             count += inside;
+            if (part_varies && is_meet && nodes_[part].op == CsgOp::leaf && nodes_[part].inside == CsgInside::by_crossings) {
+                ranges.crossings = inside_leaf(part, first, ranges.crossings);
+                ranges.boxes = {std::max(ranges.boxes.entry, ranges.crossings.entry), std::min(ranges.boxes.exit, ranges.crossings.exit)};
+            }
             // One part that is outside all along empties an intersection, one that is inside fills a merge.
             if (part_varies || inside == is_meet || node.op == CsgOp::union_) continue;
             s_.crossings.resize(had), s_.at_points.resize(points);
@@ -128,7 +168,7 @@ class Walk {
     bool coincide(const CsgCrossing& a, const CsgCrossing& b) const {
         const double gap = b.hit.t - a.hit.t;
         if (gap == 0) return true;
-        if (gap > kNear * (std::abs(b.hit.t) + reach_)) return false;
+        if (gap > near(b.hit.t)) return false;
         const auto along = [&](const CsgCrossing& c) {
             const CsgLeaves::Sharpness s = leaves_.sharpness(ray_, c.hit);
             return s.error / std::max(s.cosine, kLeastCosine);

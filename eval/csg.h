@@ -4,6 +4,7 @@
 
 #include "eval/shapes/shape_ops.h"
 
+#include <functional>
 #include <span>
 #include <vector>
 
@@ -62,6 +63,9 @@ class CsgLeaves {
     virtual Sharpness sharpness(const Ray& ray, const Hit& hit) const = 0;
 };
 
+/// A box around what is inside of a leaf, turned inside out or not, within a box whose sides may be infinite.
+using CsgNarrow = std::function<Bounds(uint32_t leaf, bool inverted, const Bounds& box)>;
+
 /// A node with its subtree behind it.
 struct CsgNode {
     CsgOp op = CsgOp::leaf;         ///< never difference
@@ -84,7 +88,8 @@ struct CsgNode {
 /// one place: so A - A is nothing, A * A is A, and where faces coincide there is one of them, that of the first part.
 class CsgTree {
   public:
-    explicit CsgTree(const CsgExpression& expression);
+    /// `narrow` gives boxes to intersections of endless parts, asked of leaves that are inside by crossings.
+    explicit CsgTree(const CsgExpression& expression, const CsgNarrow& narrow = nullptr);
 
     std::span<const CsgNode> nodes() const { return nodes_; }
     /// Of the surfaces. Infinite where they are.

@@ -53,14 +53,28 @@ void find_box(Plain& p) {
     }
 }
 
+/// Endless parts of an intersection bound each other, as a cylinder does two planes across it. What goes on for ever stays so, unless it proves finite.
+void narrow_box(Plain& p, const CsgNarrow& narrow) {
+    if (!narrow || (p.op != CsgOp::intersection && p.op != CsgOp::clip)) return;
+    Bounds box = p.far ? everywhere() : p.box, before;
+    constexpr int kMostRounds = 8;
+    for (int round = 0; round < kMostRounds && !box.empty() && (box.min != before.min || box.max != before.max); ++round) {
+        before = box;
+        for (const Plain& part : p.parts)
+            if (part.op == CsgOp::leaf && part.leaf.id != kNoId && part.leaf.inside == CsgInside::by_crossings && !box.empty()) box = narrow(part.leaf.id, part.inverted, box);
+    }
+    if (p.far && !box.finite()) return;
+    p.box = box.empty() ? Bounds() : box, p.far = false;
+}
+
 /// Parts stay in order up to this many.
 constexpr size_t kMostParts = 8;
 
-void finish(Plain& p);
+void finish(Plain& p, const CsgNarrow& narrow);
 
 /// Many parts become groups of parts that are near each other: halves by the middle of their boxes along the longest extent, and halves of those. What
 /// a line can miss without deciding anything is sorted, the holes of an intersection or the solids of a union; the rest comes first.
-void sort_by_place(Plain& p) {
+void sort_by_place(Plain& p, const CsgNarrow& narrow) {
     if (p.parts.size() <= kMostParts) return;
     const bool meets = p.op == CsgOp::intersection;
     const auto bounded = std::stable_partition(p.parts.begin(), p.parts.end(), [meets](const Plain& part) { return !part.box.finite() || part.far != meets; });
@@ -76,15 +90,16 @@ void sort_by_place(Plain& p) {
     p.parts.erase(bounded, p.parts.end());
     for (Plain& half : halves) {
         half.op = p.op;
-        finish(half);
+        finish(half, narrow);
         p.parts.push_back(std::move(half));
     }
 }
 
-void finish(Plain& p) {
+void finish(Plain& p, const CsgNarrow& narrow) {
     // What clips stands behind what is clipped.
-    if (p.op != CsgOp::leaf && p.op != CsgOp::clip) sort_by_place(p);
+    if (p.op != CsgOp::leaf && p.op != CsgOp::clip) sort_by_place(p, narrow);
     find_box(p);
+    narrow_box(p, narrow);
 }
 
 Plain plain(const CsgExpression& e, bool inverse, Mask mask) {
@@ -106,9 +121,9 @@ Plain plain(const CsgExpression& e, bool inverse, Mask mask) {
     return out;
 }
 
-void finish_below(Plain& p) {
-    for (Plain& part : p.parts) finish_below(part);
-    finish(p);
+void finish_below(Plain& p, const CsgNarrow& narrow) {
+    for (Plain& part : p.parts) finish_below(part, narrow);
+    finish(p, narrow);
 }
 
 void emit(const Plain& p, uint32_t parent, uint32_t place, std::vector<CsgNode>& out) {
@@ -124,9 +139,9 @@ void emit(const Plain& p, uint32_t parent, uint32_t place, std::vector<CsgNode>&
 
 }  // namespace
 
-CsgTree::CsgTree(const CsgExpression& expression) {
+CsgTree::CsgTree(const CsgExpression& expression, const CsgNarrow& narrow) {
     Plain p = plain(expression, false, kMaskAll);
-    finish_below(p);
+    finish_below(p, narrow);
     emit(p, 0, 0, nodes_);
 }
 

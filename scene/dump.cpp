@@ -29,7 +29,7 @@ void dump_light(std::string& out, size_t i, const Light& light) {
     line.field("name", light.name).field("intensity", light.intensity, usual.intensity).field("range", light.range, usual.range);
     if (light.fade) line.word("fade").always("distance", light.fade->distance).always("power", light.fade->power);
     if (light.shadow_grid) dump_grid(line, *light.shadow_grid);
-    line.field("inverse_square", light.inverse_square, true).field("parallel", light.parallel).field("shadowless", light.shadowless);
+    line.field("inverse_square", light.inverse_square, true).field("parallel", light.parallel).field("shadowless", light.shadowless).field("clearance", light.clearance);
     line.field("media_interaction", light.media_interaction, true).field("looks_like", light.looks_like);
     line.field("projected_through", light.projected_through).field("from", light.from);
 }
@@ -65,9 +65,9 @@ void dump_atmosphere(std::string& out, const Atmosphere& a) {
 void dump_settings(std::string& out, const RenderSettings& r) {
     const RenderSettings usual;
     Line(out, "settings").field("max_depth", r.max_depth).field("adc_bailout", r.adc_bailout, usual.adc_bailout)
-        .field("ambient_light", r.ambient_light, usual.ambient_light).field("assumed_gamma", r.assumed_gamma, usual.assumed_gamma)
+        .field("ambient_light", r.ambient_light, usual.ambient_light).field("irid_wavelength", r.irid_wavelength, usual.irid_wavelength).field("assumed_gamma", r.assumed_gamma, usual.assumed_gamma)
         .field("srgb_coded", r.srgb_coded).field("filter_dims_by_colour", r.filter_dims_by_colour).field("default_light", r.default_light, true)
-        .field("light_units", r.light_units).field("why_light_units", r.why_light_units).field("default_spp", r.default_spp, usual.default_spp)
+        .field("light_units", r.light_units).field("why_light_units", r.why_light_units).field("default_spp", r.default_spp, usual.default_spp).field("default_error", r.default_error)
         .field("generator", r.generator);
 }
 

@@ -44,7 +44,7 @@ class SignalDump {
   private:
     void pattern(std::string_view head, const PatternSignal& s) const {
         const PatternSignal usual;
-        Line(out_, head).word("pattern").always("pattern", s.pattern).field("parameters", s.parameters).field("turbulence", s.turbulence.amount, usual.turbulence.amount)
+        Line(out_, head).word("pattern").always("pattern", s.pattern).field("parameters", s.parameters).field("source", s.source).field("turbulence", s.turbulence.amount, usual.turbulence.amount)
             .field("octaves", s.turbulence.octaves, usual.turbulence.octaves).field("omega", s.turbulence.omega, usual.turbulence.omega)
             .field("lambda", s.turbulence.lambda, usual.turbulence.lambda).field("noise", s.noise, usual.noise).field("wave", s.wave)
             .field("wave_exponent", s.wave_exponent, usual.wave_exponent).field("frequency", s.frequency).field("phase", s.phase).field("from", from_);
@@ -77,7 +77,8 @@ void dump_layer(std::string& out, const PovFinish& p) {
         .field("reflection_min", p.reflection_min).field("reflection_max", p.reflection_max)
         .field("reflection_falloff", p.reflection_falloff, usual.reflection_falloff)
         .field("reflection_exponent", p.reflection_exponent, usual.reflection_exponent).field("reflection_metallic", p.reflection_metallic)
-        .field("reflection_fresnel", p.reflection_fresnel).field("conserve_energy", p.conserve_energy);
+        .field("reflection_fresnel", p.reflection_fresnel).field("conserve_energy", p.conserve_energy)
+        .field("irid", p.irid).field("irid_thickness", p.irid_thickness).field("irid_turbulence", p.irid_turbulence);
 }
 
 void dump_layer(std::string& out, const PovTextureMap& m) { Line(out, "  map").always("pattern", m.pattern).always("textures", m.textures); }

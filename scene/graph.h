@@ -53,13 +53,20 @@ template <class F> void for_each_link(const Scene& scene, const Node& node, cons
     if (l.projected_through) f(*l.projected_through);
 }
 
+/// The pattern of a PatternSignal or a ReliefSignal, null for all others.
+inline const PatternSignal* pattern_of(const Signal& signal) {
+    const auto* relief = std::get_if<ReliefSignal>(&signal.what);
+    return relief ? &relief->pattern : std::get_if<PatternSignal>(&signal.what);
+}
+
 /// Calls f(SignalId) for every signal that `signal` reads.
 template <class F> void for_each_operand(const Signal& signal, const F& f) {
     if (const auto* product = std::get_if<ProductSignal>(&signal.what)) f(product->a), f(product->b);
     if (const auto* channel = std::get_if<ChannelSignal>(&signal.what)) f(channel->of);
-    const auto* relief = std::get_if<ReliefSignal>(&signal.what);
-    if (const auto* pattern = relief ? &relief->pattern : std::get_if<PatternSignal>(&signal.what))
-        for (const MapEntry& entry : pattern->map) f(entry.signal);
+    const PatternSignal* pattern = pattern_of(signal);
+    if (!pattern) return;
+    if (pattern->source) f(*pattern->source);
+    for (const MapEntry& entry : pattern->map) f(entry.signal);
 }
 
 /// Calls f(MaterialId) for every material that is a part of `material`.

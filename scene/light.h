@@ -66,6 +66,7 @@ struct Light {
     bool inverse_square = true;
     bool parallel = false;   ///< POV's `parallel`: light goes along -z of the node, from the plane through it
     bool shadowless = false, media_interaction = true;
+    double clearance = 0;    ///< nothing nearer to the light than this hides it (POV-Ray: 0.001)
     std::optional<NodeId> looks_like, projected_through;
     SourcePos from;
 };

@@ -89,6 +89,7 @@ enum class Wave { ramp, sine, triangle, scallop, cubic, poly };
 struct PatternSignal {
     std::string pattern;
     std::vector<double> parameters;        ///< in the order of the pattern's row; what is left out at the end has the row's default
+    std::optional<SignalId> source;        ///< of `pigment_pattern`: the pigment whose grey is the pattern's number
     std::vector<MapEntry> map;             ///< in the order of the file, which is not sorted; of `average`, the values are weights
     std::vector<Warp> warps;               ///< in the order of the file: the last is undone first
     Turbulence turbulence;                 ///< the `turbulence` outside of warps: applied after all of them
@@ -156,6 +157,7 @@ struct PovFinish {
     Color reflection_min{0}, reflection_max{0};
     double reflection_falloff = 1, reflection_exponent = 1, reflection_metallic = 0;
     bool reflection_fresnel = false, conserve_energy = false;
+    double irid = 0, irid_thickness = 0, irid_turbulence = 0;   ///< colours of a thin film
 };
 
 /// POV-Ray's texture_map, and a list of textures: where `pattern` (a PatternSignal) has a value, the light of the textures beside it in the map is mixed. The signals of the map itself are not read.

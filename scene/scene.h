@@ -82,6 +82,7 @@ struct RenderSettings {
     std::optional<int> max_depth;             ///< POV max_trace_level
     double adc_bailout = 1.0 / 255;
     Color ambient_light{1};
+    Color irid_wavelength{0.7, 0.52, 0.48};   ///< of red, green and blue, in units of PovFinish::irid_thickness
     double assumed_gamma = 1;                 ///< colours are powers: linear = colour ^ assumed_gamma
     bool srgb_coded = false;                  ///< instead, colours are sRGB-coded: they are calculated with as they are, and decoded at the end
     bool filter_dims_by_colour = false;       ///< POV before 3.7: a filter f of a colour c takes f max(c) of the opacity, not f
@@ -89,6 +90,7 @@ struct RenderSettings {
     LightUnits light_units = LightUnits::radiometric;
     std::string why_light_units;
     int default_spp = 16;                     ///< POV scenes: 1, the pixel's centre
+    double default_error = 0;                 ///< a pixel is known well enough when the standard error of its mean is below (POV-Ray's `variance`, its square root)
     std::string generator;                    ///< what wrote the file
 };
 

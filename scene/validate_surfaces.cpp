@@ -38,20 +38,23 @@ bool finite(const PovFinish& p) {
     return is_finite(p.ambient) && is_finite(p.emission) && is_finite(p.reflection_min) && is_finite(p.reflection_max) &&
            is_finite(Vec3(p.diffuse, p.brilliance, p.diffuse_back)) &&
            is_finite(Vec3(p.phong, p.phong_size, p.specular)) && is_finite(Vec3(p.roughness, p.metallic, p.crand)) &&
-           is_finite(Vec3(p.reflection_falloff, p.reflection_exponent, p.reflection_metallic));
+           is_finite(Vec3(p.reflection_falloff, p.reflection_exponent, p.reflection_metallic)) && is_finite(Vec3(p.irid, p.irid_thickness, p.irid_turbulence));
 }
 
 bool finite(const PovTextureMap&) { return true; }
 
 bool is_relief(const Scene& scene, SignalId id) { return std::holds_alternative<ReliefSignal>(scene.signals[id.index].what); }
 
-/// Reliefs bend normals: they stand where a normal is asked for, and nothing else does.
+/// Reliefs bend normals: they stand where a normal is asked for, which is the map of another one, and nothing else does.
 void check_reliefs(Validation& v, size_t i) {
     const Signal& signal = v.scene.signals[i];
-    const bool relief = is_relief(v.scene, {uint32_t(i)});
-    for_each_operand(signal, [&](SignalId id) {
+    const auto check = [&](SignalId id, bool relief) {
         if (is_relief(v.scene, id) != relief) v.error(signal.from, fmt::format("{} reads signal {}, which {} a relief", label("signal", i).text(), id.index, relief ? "is not" : "is"));
-    });
+    };
+    const PatternSignal* pattern = pattern_of(signal);
+    if (!pattern) return for_each_operand(signal, [&](SignalId id) { check(id, false); });
+    if (pattern->source) check(*pattern->source, false);
+    for (const MapEntry& entry : pattern->map) check(entry.signal, is_relief(v.scene, {uint32_t(i)}));
 }
 
 void check_signals(Validation& v) {

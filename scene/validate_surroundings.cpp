@@ -79,7 +79,7 @@ void check_atmosphere(Validation& v) {
     if (a.sky && (!a.sky->transform.is_finite() || !is_finite(a.sky->emission))) v.error({}, "the sky has a number that is not finite");
     check_media(v, a.media, {}, label("the atmosphere"));
     const RenderSettings& r = v.scene.settings;
-    if (!std::isfinite(r.adc_bailout) || !std::isfinite(r.assumed_gamma) || !is_finite(r.ambient_light))
+    if (!std::isfinite(r.adc_bailout) || !std::isfinite(r.assumed_gamma) || !is_finite(r.ambient_light) || !is_finite(r.irid_wavelength) || !std::isfinite(r.default_error))
         v.error({}, "the render settings have a number that is not finite");
 }
 

@@ -45,15 +45,15 @@ Request request_of(const PovrayRequest& r, int frame) {
 int first_pixel(double start, int size) { return start <= 0 ? 0 : start <= 1 ? int(start * size) : int(start) - 1; }
 int end_pixel(double end, int size) { return end <= 0 ? size : end <= 1 ? int(std::ceil(end * size)) : int(end); }
 
-/// `scene_spp`: the samples that the scene asks for, more than one with a lens. They take the place of antialiasing.
-RenderOptions render_options(const PovrayRequest& r, int frame, int scene_spp) {
+/// What `scene` asks for, more than one sample with a lens, takes the place of antialiasing.
+RenderOptions render_options(const PovrayRequest& r, int frame, const RenderSettings& scene) {
     RenderOptions options;
     options.width = r.width, options.height = r.height;
     options.threads = r.threads;
     options.frame = frame;
-    options.spp = scene_spp;
-    if (scene_spp > 1) options.adaptive = 1.0 / 128;   // POV-Ray's usual variance
-    if (r.antialias && scene_spp == 1) options.supersampling = Supersampling{r.sampling_method, r.antialias_threshold, r.antialias_gamma, r.jitter ? r.jitter_amount : 0, r.antialias_depth};
+    options.spp = scene.default_spp;
+    options.adaptive = scene.default_error;
+    if (r.antialias && options.spp == 1) options.supersampling = Supersampling{r.sampling_method, r.antialias_threshold, r.antialias_gamma, r.jitter ? r.jitter_amount : 0, r.antialias_depth};
     const Region region{first_pixel(r.start_column, r.width), first_pixel(r.start_row, r.height), end_pixel(r.end_column, r.width), end_pixel(r.end_row, r.height)};
     if (region.x0 || region.y0 || region.x1 != r.width || region.y1 != r.height) options.region = region;
     return options;
@@ -66,7 +66,7 @@ int render_frame(const PovrayRequest& r, int frame) {
     const StopOnSignal signals;
     Monitor monitor;
     monitor.stop = &signals.stop();
-    const auto film = render(*prepared.scene, render_options(r, frame, prepared.scene->scene.settings.default_spp), monitor);
+    const auto film = render(*prepared.scene, render_options(r, frame, prepared.scene->scene.settings), monitor);
     if (!film) return fail(film.error());
     if (r.to_file) {
         const std::string name = output_name(r, frame);

@@ -247,7 +247,8 @@ void describe_leaves(const CompiledScene& scene, CsgExpression& e) {
 /// From here on, their parts are not met by themselves. What goes on for ever, as the inverse of a sphere does, is for POV-Ray what it was before it was
 /// inverted: a ray that comes from far away enters it.
 void build_solids(CompiledScene& out, std::vector<CsgExpression> solids) {
-    for (CsgExpression& e : solids) describe_leaves(out, e), out.solids.push_back({CsgTree(e), e.mask});
+    const auto narrow = [&out](uint32_t leaf, bool inverted, const Bounds& box) { return narrowed_leaf(out, leaf, inverted, box); };
+    for (CsgExpression& e : solids) describe_leaves(out, e), out.solids.push_back({CsgTree(e, narrow), e.mask});
     for (const Solid& solid : out.solids)
         for (const CsgNode& node : solid.tree.nodes()) {
             if (node.op != CsgOp::leaf || node.leaf == kNoId) continue;

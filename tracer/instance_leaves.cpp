@@ -34,6 +34,14 @@ CsgLeaves::Sharpness InstanceLeaves::sharpness(const Ray& ray, const Hit& hit) c
     return {world_error(scene_.instances[hit.instance], ray, hit, ray.at(hit.t)), cosine};
 }
 
+Bounds narrowed_leaf(const CompiledScene& scene, uint32_t id, bool inverted, const Bounds& box) {
+    const Instance& instance = scene.instances[id];
+    const Geometry& geometry = scene.geometries[instance.geometry];
+    if (geometry.mesh || !geometry.ops->narrow) return box;
+    const Bounds local = geometry.ops->narrow(*geometry.source, inverted, instance.to_local.bounds(box));
+    return local.empty() ? Bounds() : intersection(box, instance.to_world.bounds(local));
+}
+
 CsgLeaf csg_leaf(const CompiledScene& scene, uint32_t id) {
     const Instance& instance = scene.instances[id];
     const Geometry& geometry = scene.geometries[instance.geometry];

@@ -22,4 +22,7 @@ class InstanceLeaves final : public CsgLeaves {
 /// The instance as a leaf: what tells where it is inside, and its world-space box.
 CsgLeaf csg_leaf(const CompiledScene& scene, uint32_t instance);
 
+/// A world-space box around what is inside of the instance, turned inside out or not, within a box whose sides may be infinite (CsgNarrow).
+Bounds narrowed_leaf(const CompiledScene& scene, uint32_t instance, bool inverted, const Bounds& box);
+
 }  // namespace alidade

@@ -2,6 +2,7 @@
 #include "tracer/pov_surface.h"
 
 #include "core/random.h"
+#include "eval/noise/noise.h"
 #include "tracer/segment.h"
 #include "tracer/textures.h"
 
@@ -85,7 +86,7 @@ PovSurface::Passage PovSurface::passage(const CompiledScene& scene, const ShadeP
 }
 
 PovSurface::PovSurface(const CompiledScene& scene, const ShadePoint& point, const Vec3& dir, const Vec3& normal)
-    : dir_(dir), normal_(normal), position_(point.position) {
+    : dir_(dir), normal_(normal), position_(point.position), irid_wavelength_(scene.scene.settings.irid_wavelength) {
     double_illuminate_ = scene.instances[point.instance].double_illuminate;
     add(scene, point, material_at(scene, point), 1, pattern_frame(point));
 }
@@ -140,6 +141,19 @@ double PovSurface::grain(const Vec3& wi) const {
     return key.uniform(0);
 }
 
+/// What interference in a thin film makes of light that arrives and leaves at the cosines `nl` and `nd` to the normal.
+/// Source   POV-Ray 3.7 reference, 3.4.3.3.7 "Iridescence"; verified by probing.
+Color PovSurface::film(const PovFinish& f, double nl, double nd) const {
+    double thickness = f.irid_thickness;
+    if (f.irid_turbulence != 0) {
+        Turbulence t;
+        t.octaves = 5;
+        thickness *= 1 + f.irid_turbulence * (2 * turbulence(position_, t, NoiseGenerator::range_corrected) - 1);
+    }
+    const Color phase = (2 * kPi * thickness * (std::abs(nl) + std::abs(nd))) / irid_wavelength_;
+    return Color(1) + f.irid * Color(std::cos(phase.x), std::cos(phase.y), std::cos(phase.z));
+}
+
 Color PovSurface::lit(const PovLayer& layer, const Vec3& wi, double nl, bool highlights) const {
     const PovFinish& f = *layer.finish;
     const bool back = nl < kEpsilon && !double_illuminate_;
@@ -170,9 +184,18 @@ Color PovSurface::scatter(const Vec3& wi, bool highlights) const {
         for (size_t i = t.begin; i < t.end; ++i) {
             const PovLayer& l = layers_[i];
             const double nl = dot(l.normal, wi);
-            if (nl >= kEpsilon || double_illuminate_ || l.finish->diffuse_back != 0) sum += l.above * lit(l, wi, nl, highlights) * t.share;
+            if (nl < kEpsilon && !double_illuminate_ && l.finish->diffuse_back == 0) continue;
+            const Color own = lit(l, wi, nl, highlights) * t.share;
+            sum += l.above * (l.finish->irid != 0 ? own * film(*l.finish, nl, dot(l.normal, dir_)) : own);
         }
     return sum;
+}
+
+/// The unit direction of a mirrored ray. Where the bent normal would send it below the surface, the surface itself mirrors it, or what it was mirrored to.
+Vec3 PovSurface::mirrored(const Vec3& normal, const Vec3& facing) const {
+    Vec3 r = dir_ - normal * (2 * dot(dir_, normal));
+    if (const double below = dot(r, facing); below < 0) r = dot(r, normal) < 0 ? dir_ - facing * (2 * dot(dir_, facing)) : r - facing * (2 * below);
+    return normalized(r);
 }
 
 /// One ray for all layers of a texture that have the normal of the layer `first`. A layer's share is not dimmed by those above it, but whether it is followed depends on them.
@@ -184,17 +207,15 @@ void PovSurface::add_reflection(const CompiledScene& scene, const PovTexture& te
     for (size_t i = first; i < texture.end; ++i) {
         const PovLayer& l = layers_[i];
         if (l.normal != normal) continue;
-        const Color r = reflectivity(l, cosine, relative_ior);
-        const Color most = l.finish->reflection_fresnel ? r : glm::max(l.finish->reflection_max, l.finish->reflection_min);
+        const Color plain = reflectivity(l, cosine, relative_ior), r = l.finish->irid != 0 ? plain * film(*l.finish, cosine, cosine) : plain;
+        const Color most = l.finish->reflection_fresnel ? plain : glm::max(l.finish->reflection_max, l.finish->reflection_min);
         const double own = std::min(1.0, std::abs(pov_grey(l.above))) * max_component(most);
         if (is_black(r) || state.importance * own < scene.scene.settings.adc_bailout) continue;
         weight += r;
         importance = std::max(importance, own);
     }
     if (is_black(weight)) return;
-    Vec3 r = dir_ - normal * (2 * dot(dir_, normal));
-    if (const double below = dot(r, facing); below < 0) r = dot(r, normal) < 0 ? dir_ - facing * (2 * dot(dir_, facing)) : r - facing * (2 * below);
-    out.push_back({normalized(r), weight * texture.share, RayKind::reflection, state.inside, importance, false});
+    out.push_back({mirrored(normal, facing), weight * texture.share, RayKind::reflection, state.inside, importance, false});
 }
 
 /// `totally`: the normal by which light is mirrored already, whatever the layers say; null: none.
@@ -219,7 +240,7 @@ void PovSurface::add_texture(const CompiledScene& scene, const PovTexture& textu
             out.push_back({dir_, weight, RayKind::refraction, p.beyond, importance, true});
         } else if (t < 0) {
             total = true;
-            out.push_back({normalized(dir_ + normal * (2 * c)), p.faded * texture.share, RayKind::reflection, state.inside, importance, false});
+            out.push_back({mirrored(normal, facing), p.faded * texture.share, RayKind::reflection, state.inside, importance, false});
         } else {
             out.push_back({normalized(dir_ * p.ratio + normal * (p.ratio * c - std::sqrt(t))), weight, RayKind::refraction, p.beyond, importance, false});
         }

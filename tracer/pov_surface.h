@@ -42,6 +42,8 @@ class PovSurface {
     void add(const CompiledScene& scene, const ShadePoint& point, const Material& material, double share, const PatternFrame& frame);
     void add_layers(const CompiledScene& scene, const ShadePoint& point, const Material& material, double share, const PatternFrame& frame);
     Color lit(const PovLayer& layer, const Vec3& wi, double nl, bool highlights) const;
+    Color film(const PovFinish& finish, double nl, double nd) const;
+    Vec3 mirrored(const Vec3& normal, const Vec3& facing) const;
     Passage passage(const CompiledScene& scene, const ShadePoint& point, const RayState& state) const;
     void add_texture(const CompiledScene& scene, const PovTexture& texture, const Passage& passage, const RayState& state, const Vec3& facing, Secondaries& out) const;
     void add_reflections(const CompiledScene& scene, const PovTexture& texture, const RayState& state, double relative_ior, const Vec3* totally, const Vec3& facing, Secondaries& out) const;
@@ -52,6 +54,7 @@ class PovSurface {
     double grain(const Vec3& wi) const;
 
     Vec3 dir_, normal_, position_;
+    Color irid_wavelength_{1};
     bool double_illuminate_ = false;
 };
 

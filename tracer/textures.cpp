@@ -92,9 +92,14 @@ void Textures::add_patterns(const std::vector<SignalId>& used, Diagnostics& said
     for (const SignalId id : used) {
         if (resource_of_[id.index] != kNoId) continue;
         const auto& what = signals_[id.index].what;
-        if (const auto* pattern = std::get_if<PatternSignal>(&what)) keep(id, Pattern::make(*pattern), patterns_);
-        if (const auto* relief = std::get_if<ReliefSignal>(&what)) keep(id, Relief::make(*relief), reliefs_);
+        if (const auto* pattern = std::get_if<PatternSignal>(&what)) keep(id, Pattern::make(*pattern, source_of(*pattern)), patterns_);
+        if (const auto* relief = std::get_if<ReliefSignal>(&what)) keep(id, Relief::make(*relief, source_of(relief->pattern)), reliefs_);
     }
+}
+
+PatternSource Textures::source_of(const PatternSignal& signal) const {
+    if (!signal.source) return nullptr;
+    return [this, pigment = *signal.source](const Vec3& place) { return pov_grey(this->pigment(pigment, place).color); };
 }
 
 size_t Textures::bytes() const {

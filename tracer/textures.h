@@ -34,6 +34,7 @@ class Textures {
   public:
     /// Decodes, in parallel, what the signals in `used` read. An image that cannot be decoded and a pattern that does not exist are errors in `said`.
     Textures(const Scene& scene, const std::vector<SignalId>& used, int threads, Diagnostics& said);
+    Textures(const Textures&) = delete;   // patterns point back to it
 
     /// The value of a signal at a surface point. Channels that an image does not have: gray is repeated, alpha is 1.
     Vec4 evaluate(SignalId signal, const ShadePoint& point) const;
@@ -59,6 +60,7 @@ class Textures {
     };
 
     void add_patterns(const std::vector<SignalId>& used, Diagnostics& said);
+    PatternSource source_of(const PatternSignal& signal) const;
     /// `at` is where patterns are looked up.
     Value value(SignalId signal, const ShadePoint& point, const Vec3& at) const;
     Value mapped(const PatternSignal& signal, const Pattern& pattern, const ShadePoint& point, const Vec3& outside) const;

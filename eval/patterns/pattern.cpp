@@ -24,10 +24,12 @@ double shaped(Wave wave, double exponent, double v) {
 
 }  // namespace
 
-tl::expected<Pattern, std::string> Pattern::make(const PatternSignal& signal) {
+tl::expected<Pattern, std::string> Pattern::make(const PatternSignal& signal, PatternSource source) {
     Pattern out;
     out.row_ = find_pattern(signal.pattern);
     if (!out.row_) return tl::unexpected(fmt::format("there is no pattern '{}'", signal.pattern));
+    if (out.row_->sourced != bool(signal.source) || out.row_->sourced != bool(source)) return tl::unexpected(fmt::format("the pattern '{}' has {}", signal.pattern, out.row_->sourced ? "no pigment" : "a pigment, and takes none"));
+    out.source_ = std::move(source);
     const auto names = out.row_->parameters;
     if (signal.parameters.size() > names.size()) return tl::unexpected(fmt::format("the pattern '{}' has {} parameters, more than {}", signal.pattern, signal.parameters.size(), names.size()));
     PatternInput& in = out.input_;
@@ -64,8 +66,8 @@ Vec3 Pattern::place(const Vec3& p) const {
 }
 
 double Pattern::value_at(const Vec3& place) const {
-    if (!row_->value) return 0;
-    double v = row_->value(place, input_);
+    if (!row_->value && !source_) return 0;
+    double v = source_ ? source_(place) : row_->value(place, input_);
     constexpr double kPeriod = 1.00001;   // so that 1 itself does not fall to 0
     if (frequency_ != 0) v = std::fmod(v * frequency_ + input_.phase, kPeriod);
     if (v < 0) v -= std::floor(v);

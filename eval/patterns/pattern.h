@@ -2,9 +2,10 @@
 /// A PatternSignal, ready to be asked.
 #pragma once
 
-#include "eval/noise/single.h"
 #include "eval/patterns/registry.h"
 #include "eval/patterns/warps.h"
+
+#include <functional>
 
 namespace alidade {
 
@@ -20,22 +21,25 @@ struct MapBlend {
 template <class Entry> MapBlend look_up(std::span<const Entry> map, double value) {
     if (map.empty()) return {};
     const uint32_t last = uint32_t(map.size() - 1);
-    if (value >= single(map[last].value)) return {last, last, 0};
+    if (value >= map[last].value) return {last, last, 0};
     for (uint32_t i = 0; i <= last; ++i) {
-        const double position = single(map[i].value);
+        const double position = map[i].value;
         if (!(position >= value)) continue;
         if (i == 0 || position == value) return {i, i, 0};
-        const double before = single(map[i - 1].value);
+        const double before = map[i - 1].value;
         return {i - 1, i, (value - before) / (position - before)};
     }
     return {last, last, 0};   // a NaN
 }
 inline MapBlend look_up(const std::vector<MapEntry>& map, double value) { return look_up(std::span<const MapEntry>(map), value); }
 
+/// The number of a pattern at a place, where something else than its row knows it.
+using PatternSource = std::function<double(const Vec3& place)>;
+
 class Pattern {
   public:
-    /// Or why not: no such pattern, too many parameters, a warp that cannot be undone.
-    static tl::expected<Pattern, std::string> make(const PatternSignal& signal);
+    /// Or why not: no such pattern, too many parameters, a warp that cannot be undone. `source` stands for the signal's own, and must be there where that is.
+    static tl::expected<Pattern, std::string> make(const PatternSignal& signal, PatternSource source = nullptr);
 
     /// Where the pattern itself is looked up: all warps and the turbulence undone. The entries of its map are looked up there too.
     Vec3 place(const Vec3& p) const;
@@ -45,7 +49,7 @@ class Pattern {
     double value(const Vec3& p) const { return value_at(place(p)); }
 
     /// All entries count, by their weights; there is no value.
-    bool is_average() const { return !row_->value && !row_->relief; }
+    bool is_average() const { return !row_->value && !row_->relief && !source_; }
     const PatternOps& row() const { return *row_; }
     /// The row's own relief, which must be there.
     Vec3 relief(const Vec3& place, const Vec3& n, double amount) const { return row_->relief(place, n, amount, input_); }
@@ -56,6 +60,7 @@ class Pattern {
   private:
     const PatternOps* row_ = nullptr;
     PatternInput input_;
+    PatternSource source_;
     std::vector<PreparedWarp> warps_;   ///< in the order in which they are undone
     Mat3 normal_in_{1.0}, normal_out_{1.0};
     Wave wave_ = Wave::ramp;

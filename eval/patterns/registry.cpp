@@ -43,6 +43,7 @@ constexpr PatternOps kPatterns[] = {
     {"mandel", "the Mandelbrot set in the xy plane", kMandel, pattern::mandel},
     {"marble", "x, moved by turbulence", {}, pattern::marble, Wave::triangle, 1, false},
     {"onion", "the distance from the origin", {}, pattern::onion},
+    {"pigment_pattern", "the grey of a pigment", {}, nullptr, Wave::ramp, 1, true, nullptr, nullptr, true},
     {"planar", "1 at y = 0, 0 at distance 1 and outside", {}, pattern::planar},
     {"quilted", "a bump in each unit cube", kQuilted, pattern::quilted, Wave::ramp, 0, true, nullptr, pattern::quilted_relief},
     {"radial", "the angle about the y axis", {}, pattern::radial},

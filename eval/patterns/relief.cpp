@@ -13,8 +13,8 @@ double height_at(std::span<const SlopeEntry> slopes, double value) {
     return ((t * (a.slope + b.slope + 2 * rise) - (2 * a.slope + b.slope + 3 * rise)) * t + a.slope) * t + a.height;
 }
 
-tl::expected<Relief, std::string> Relief::make(const ReliefSignal& signal) {
-    auto pattern = Pattern::make(signal.pattern);
+tl::expected<Relief, std::string> Relief::make(const ReliefSignal& signal, PatternSource source) {
+    auto pattern = Pattern::make(signal.pattern, std::move(source));
     if (!pattern) return tl::unexpected(pattern.error());
     Relief out;
     out.pattern_ = std::move(*pattern);

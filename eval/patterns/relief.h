@@ -10,7 +10,7 @@ namespace alidade {
 class Relief {
   public:
     /// Or why not, as Pattern::make.
-    static tl::expected<Relief, std::string> make(const ReliefSignal& signal);
+    static tl::expected<Relief, std::string> make(const ReliefSignal& signal, PatternSource source = nullptr);
 
     Vec3 place(const Vec3& p) const { return pattern_.place(p); }
     const Pattern& pattern() const { return pattern_; }

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "eval/shapes/narrow.h"
 #include "eval/shapes/rows.h"
 
 namespace alidade {
@@ -55,8 +56,14 @@ SurfacePoint plane_surface(const ShapeGeometry& geometry, const Vec3& point, uin
 /// The side opposite to the normal.
 bool plane_inside(const ShapeGeometry& geometry, const Vec3& point) { return Equation(std::get<Plane>(geometry)).height(point) <= 0; }
 
+/// A quadric without squares.
+Bounds plane_narrow(const ShapeGeometry& geometry, bool outside, const Bounds& box) {
+    const Equation plane(std::get<Plane>(geometry));
+    return narrowed(Quadric{Vec3(0), Vec3(0), plane.normal, -plane.offset}, outside, box);
+}
+
 }  // namespace
 
-const ShapeOps kPlaneOps = {"plane", "a half space: the side opposite to a normal", kind_of<Plane>(), plane_bounds, plane_crossings, plane_surface, plane_inside, always_solid};
+const ShapeOps kPlaneOps = {"plane", "a half space: the side opposite to a normal", kind_of<Plane>(), plane_bounds, plane_crossings, plane_surface, plane_inside, always_solid, plane_narrow};
 
 }  // namespace alidade

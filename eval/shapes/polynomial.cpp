@@ -90,26 +90,13 @@ struct Line {
     const Polynomial& f;
     Vec3 p, u;
 
-    /// Newton steps on f itself, at the point, as long as they lead nearer: the coefficients of the line's polynomial were rounded for all of it.
-    double polished(double s) const {
-        ImplicitValue here = evaluate(f, p + s * u);
-        for (int i = 0; i < 3; ++i) {
-            const double next = s - here.value / dot(here.gradient, u);
-            if (!std::isfinite(next)) return s;
-            const ImplicitValue there = evaluate(f, p + next * u);
-            if (!(std::abs(there.value) < std::abs(here.value))) return s;
-            s = next, here = there;
-        }
-        return s;
-    }
-
     /// In order. The highest coefficients are left out where all of them is rounding: they would make crossings far away from everything.
     int crossings(double* out) const {
         const Powers on = on_line(f, p, u);
         int degree = on.degree;
         while (degree > 0 && std::abs(on.c[degree]) <= gamma_bound(roundings(f)) * on.magnitude[degree]) --degree;
         const int count = real_roots({on.c, size_t(degree + 1)}, out);
-        for (int i = 0; i < count; ++i) out[i] = polished(out[i]);
+        for (int i = 0; i < count; ++i) out[i] = polished([&](const Vec3& x) { return evaluate(f, x); }, p, u, out[i]);
         std::sort(out, out + count);
         return count;
     }
@@ -131,11 +118,7 @@ Crossings polynomial_crossings(const ShapeGeometry& geometry, const Ray& ray) {
     if (!is_complete(f) || !is_finite(ray) || !std::isfinite(nearest.shift) || !(speed > 0)) return out;
     double roots[kMostRoots];
     const int count = Line{f, nearest.nearest, ray.dir / speed}.crossings(roots);
-    for (int i = 0; i < count; ++i) {
-        const double t = nearest.shift + (nearest.rest + roots[i] / speed);
-        const Vec3 p = ray.at(t);
-        if (std::isfinite(t) && is_finite(p)) out.add(t, 0, implicit_bound(evaluate(f, p), roundings(f), p, at_rounding(ray, t)));
-    }
+    for (int i = 0; i < count; ++i) add_crossing([&](const Vec3& x) { return evaluate(f, x); }, roundings(f), ray, nearest.shift + (nearest.rest + roots[i] / speed), out);
     return out;
 }
 

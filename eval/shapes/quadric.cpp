@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "eval/shapes/approach.h"
 #include "eval/shapes/implicit.h"
+#include "eval/shapes/narrow.h"
 
 namespace alidade {
 
@@ -57,26 +58,13 @@ struct Line {
     const Quadric& q;
     Vec3 p, u;
 
-    /// Newton steps on f itself, at the point, as long as they lead nearer: the coefficients of the line's polynomial were rounded for all of it.
-    double polished(double s) const {
-        ImplicitValue f = evaluate(q, p + s * u);
-        for (int i = 0; i < 3; ++i) {
-            const double next = s - f.value / dot(f.gradient, u);
-            if (!std::isfinite(next)) return s;
-            const ImplicitValue there = evaluate(q, p + next * u);
-            if (!(std::abs(there.value) < std::abs(f.value))) return s;
-            s = next, f = there;
-        }
-        return s;
-    }
-
     int crossings(double (&out)[2]) const {
         const OnLine here(q, p, u);
         const double shift = here.is_line ? 0 : -here.half / here.square;
         const OnLine there(q, p + shift * u, u);   // where f has its extreme: nothing is left to cancel
         const bool nearer = shift != 0 && std::abs(there.constant) < std::abs(here.constant);
         const int count = (nearer ? there : here).roots(out);
-        for (int i = 0; i < count; ++i) out[i] = polished(nearer ? shift + out[i] : out[i]);
+        for (int i = 0; i < count; ++i) out[i] = polished([&](const Vec3& x) { return evaluate(q, x); }, p, u, nearer ? shift + out[i] : out[i]);
         if (count == 2 && out[1] < out[0]) std::swap(out[0], out[1]);
         return count;
     }
@@ -98,11 +86,7 @@ Crossings quadric_crossings(const ShapeGeometry& geometry, const Ray& ray) {
     if (inside.empty()) return out;
     double roots[2];
     const int count = Line{q, nearest.nearest, ray.dir / speed}.crossings(roots);
-    for (int i = 0; i < count; ++i) {
-        const double t = std::clamp(nearest.shift + (nearest.rest + roots[i] / speed), inside.entry, inside.exit);
-        const Vec3 p = ray.at(t);
-        if (std::isfinite(t) && is_finite(p)) out.add(t, 0, implicit_bound(evaluate(q, p), kRoundings, p, at_rounding(ray, t)));
-    }
+    for (int i = 0; i < count; ++i) add_crossing([&](const Vec3& x) { return evaluate(q, x); }, kRoundings, ray, std::clamp(nearest.shift + (nearest.rest + roots[i] / speed), inside.entry, inside.exit), out);
     return out;
 }
 
@@ -112,8 +96,10 @@ SurfacePoint quadric_surface(const ShapeGeometry& geometry, const Vec3& point, u
 
 bool quadric_inside(const ShapeGeometry& geometry, const Vec3& point) { return evaluate(std::get<Quadric>(geometry), point).value <= 0; }
 
+Bounds quadric_narrow(const ShapeGeometry& geometry, bool outside, const Bounds& box) { return narrowed(std::get<Quadric>(geometry), outside, box); }
+
 }  // namespace
 
-const ShapeOps kQuadricOps = {"quadric", "where a polynomial of order 2 is negative", kind_of<Quadric>(), quadric_bounds, quadric_crossings, quadric_surface, quadric_inside, always_solid};
+const ShapeOps kQuadricOps = {"quadric", "where a polynomial of order 2 is negative", kind_of<Quadric>(), quadric_bounds, quadric_crossings, quadric_surface, quadric_inside, always_solid, quadric_narrow};
 
 }  // namespace alidade

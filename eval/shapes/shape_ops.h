@@ -69,6 +69,8 @@ struct ShapeOps {
     bool (*inside)(const ShapeGeometry&, const Vec3& point);             ///< on the surface counts as inside
     /// Do the crossings bound what is inside, so that the line is in and out by turns? Not those of a disc, nor of a cylinder or cone without caps.
     bool (*solid)(const ShapeGeometry&);
+    /// A box around what is inside (`outside`: outside or on the surface) of the shape within a box, whose sides may be infinite. Null: `bounds` says all.
+    Bounds (*narrow)(const ShapeGeometry&, bool outside, const Bounds& box) = nullptr;
 };
 
 /// One row for each closed-form shape. Meshes have none: accel/ intersects them.

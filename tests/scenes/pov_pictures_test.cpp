@@ -66,6 +66,11 @@ std::vector<PovPicture> patterned_pictures() {
         {"TextureMaps", head + textures + "plane { y, -4 texture { checker texture { A } texture { B } scale 2 rotate y*20 } } sphere { <-3,1,0>, 1.2 texture { gradient y texture_map { [.2 A] [.8 B scale .3] } scale .5 } } "
                         "sphere { <0,1,0>, 1.2 texture { bozo texture_map { [.3 A] [.5 G] [.7 L] } scale .4 turbulence .4 } } sphere { <3,1,0>, 1.2 texture { L } } sphere { <-2,-2,0>, 1.2 texture { average texture_map "
                         "{ [1 A] [2 B] [.5 L] } rotate 30 scale <1,.5,2> } } box { <1,-3,-1>, <3,-1,1> texture { brick texture { A } texture { B } scale .2 } rotate y*30 }"},
+        {"PigmentPatterns", head + "#declare P = pigment { bozo pigment_map { [.4 wrinkles scale .5] [.6 leopard scale .2] } turbulence .3 } sphere { <-3,0,0>, 2 pigment { P } normal { pigment_pattern { P } 5 } } sphere { <3,0,0>, 2 pigment { "
+                            "pigment_pattern { P scale .5 } color_map { [0 rgb x] [1 rgb <1.5,1,0>] } rotate 20 frequency 2 } } box { -1, 1 texture { pigment_pattern { P } texture_map { [.4 pigment { rgb 1 }] [.6 A] } } normal { "
+                            "brick normal { pigment_pattern { checker rgb 1 rgb <1,.5,0> scale .1 } .5 } normal { bumps } scale .2 } }"},
+        {"Materials", head + "#declare M = material { texture { checker texture { A } texture { B } } texture { L rotate 30 } interior { ior 1.2 } rotate 20*z scale .5 } sphere { <-3,0,0>, 2 material { M } } sphere { <3,0,0>, 1 material { M translate "
+                      "<.3,.2,0> } scale 2 } box { -1, 1 texture { A } material { M scale .5 } rotate <20,30,0> } sphere { <0,-3,0>, 1 material { texture { pigment { checker rgb 1 rgb 0 } } texture { G } scale .4 } }"},
         {"Fog", head + "fog { distance 60 color rgbft <.7,.7,.7,.3,.2> } fog { fog_type 2 distance 20 color rgb <.9,.8,.7> fog_offset -3 fog_alt 1 turbulence .5 } plane { y, -4 pigment { checker rgb 1 rgb .3 } finish { reflection .3 } } "
                        "sphere { 0, 2 pigment { rgb x } } sphere { <3,0,4>, 2 pigment { rgb y } }"},
         {"OldSky", "#version 3.6; global_settings { assumed_gamma 1 } background { rgb <.2,.4,.6> } camera { location 0 look_at <.3,.4,1> }\nsky_sphere { pigment { gradient y color_map { [0 rgbft <.5,.6,.7,.2,.3>] [1 rgb 1] } } "
@@ -153,6 +158,12 @@ std::vector<PovPicture> pictures() {
                            "<.9,.9,.1> } } cylinder { <-1,0,-2.5>, <-1.5,.8,-2.2>, .2 pigment { rgb .5 } } disc { <0,2,0>, <0,1,-1>, .6, .3 pigment { rgb <.3,.3,1> } } plane { <0,2,0>, -1 pigment { rgb .4 } }"},
         {"Quadrics", usual + "quadric { <4,1,4>, <0,0,0>, <0,0,0>, -1 translate <-2,.5,0> pigment { rgb <1,.6,.2> } } quadric { <1,-.5,1>, <0,.4,0>, <.1,0,0>, .4 scale .6 rotate z*40 translate <.2,.9,3> pigment { rgb <.3,.8,.4> } } "
                              "quadric { <6,0,6>, <1,0,0>, <0,1,0>, -1.5 translate <2,0,0> pigment { rgb <.4,.4,1> } } quadric { <1,0,1>, <0,0,0>, <0,0,0>, -1 scale .15 rotate z*85 translate y*2.6 pigment { rgb .8 } }"},
+        {"QuadricsBetweenPlanes", usual + "union { intersection { plane { y, 1 } quadric { <1,-1,1>, 0, 0, -.1 scale <.5,1,.5> } plane { -y, .8 } } intersection { plane { y, 0 inverse } quadric { <1,0,1>, 0, <0,-.5,0>, 0 } plane { y, .9 } translate "
+                                          "<-2,.3,0> } difference { intersection { quadric { <1,0,0>, 0, 0, -.3 } quadric { <0,1,0>, 0, 0, -.3 } quadric { <0,0,1>, 0, 0, -.3 } } quadric { <1,1,0>, 0, 0, -.1 } rotate 30 translate <2,.8,0> } pigment { rgb <1,.7,.4> } "
+                                          "rotate y*20 } intersection { plane { y, -1 } plane { -y, 1.5 } plane { -z, 1 } plane { <-1,0,1>, 2 } plane { <1,0,1>, 2 } pigment { rgb .5 } }"},
+        {"LightsOnSurfaces", kHead + kView + "light_source { <-1,1,0> rgb .7 } light_source { <1.5,.7,-2> rgb .5 spotlight point_at 0 } light_source { <0,2.0005,0> rgb <.4,.4,1> area_light x*.5, z*.5, 3, 3 } plane { y, -1 pigment { rgb 1 } } plane { y, 1 inverse "
+                                     "pigment { rgb <1,.5,.5> } clipped_by { box { <-3,0,-1>, <-1,2,1> } } } sphere { <1.5,.7,-1>, 1 pigment { rgb <.5,1,.5> } } box { <-.5,2,-.5>, <.5,2.1,.5> pigment { rgb 1 } } sphere { <0,0,0>, .5 pigment { rgb 1 } }"},
+        {"RoughGlass", usual + "plane { y, -2 pigment { checker rgb 1 rgb <.3,.5,.7> } } box { <-2,-1,-2>, <2,.5,2> pigment { rgbf .95 } normal { bumps 2 scale .2 } interior { ior 1.5 } rotate y*30 }"},
         {"QuarticCubic", usual + "quartic { <1,0,0,0,2,0,0,2,0,-1.45, 0,0,0,0,0,0,0,0,0,0, 1,0,0,2,0,1.05, 0,0,0,0, 1,0,-1.45,0,.275625> scale 1.2 rotate x*-50 translate <-.5,.7,0> pigment { rgb <.9,.8,.3> } finish { phong .6 } } "
                                  "cubic { <1,0,0,0,0,0,0,-3,0,0, 0,0,0,-1,0,0,0,0,0,0> scale .8 rotate x*20 translate <0,-1.8,1> pigment { rgb <.3,.6,.9> } }"},
         {"Poly6", usual + "poly { 6, <1,0,0,0,3,0,0,6.75,0,-3,0,0,0,0,0,0,0,0,0,0,3,0,-1,13.5,0,-6,0,0,0,0,15.1875,0,-13.5,0,3,0,0,0,0,0,0,"
@@ -162,6 +173,7 @@ std::vector<PovPicture> pictures() {
                           "text { ttf \"crystal.ttf\" \"a%B\" .02, .1*x rotate x*30 translate <-.5,-1.5,0> pigment { rgb .9 } } text { internal 4 \"P\" .3, 0 translate <1.2,-.6,0> pigment { rgb <.6,.6,1> } }"},
         {"Finish", usual + sphere + "texture { pigment { rgb <1,.2,.1> } finish { ambient .2 diffuse .5 brilliance 2.5 phong .8 phong_size 30 metallic .5 } } }"},
         {"Specular", usual + sphere + "pigment { rgb <.2,1,.1> } finish { specular .8 roughness .02 metallic emission .1 } }"},
+        {"Irid", kHead + kView + kSun + "global_settings { irid_wavelength <.75,.5,.45> } " + sphere + "pigment { rgb <.4,.6,.8> } finish { phong .5 reflection .3 irid { .4 thickness .7 } } } plane { y, -2 pigment { rgb 1 } finish { irid { .3 thickness .2 turbulence 1 } } }"},
         {"Albedo", usual + sphere + "pigment { rgb <.4,.6,.8> } finish { diffuse albedo .6 brilliance 3 specular albedo .2 roughness .1 } }"},
         {"Reflections", usual + "plane { y, -1 pigment { rgb .6 } finish { reflection .3 } } " + sphere + "scale .5 pigment { rgb <.9,.7,.2> } finish { reflection { .1, .8 falloff 3 metallic .7 } } }"},
         {"TraceLevels", kHead + "global_settings { max_trace_level 3 }" + kView + kSun + "#default { pigment { rgb <.3,.5,.4> } finish { reflection .9 } } plane { y, -1 } sphere { <-1.2,.5,0>, 1.1 } sphere { <1.2,.5,0>, 1.1 }"},

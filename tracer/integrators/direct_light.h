@@ -12,6 +12,19 @@ enum class Shadows { cast, ignored };
 /// What comes through everything on a shadow ray that starts inside of `inside`.
 Color filtered_light(Tracing& tracing, const Ray& ray, const InteriorStack& inside);
 
+/// What of the light `distance` away in the unit direction `direction` comes to the point. `kFilters` false: nothing in the scene lets a part of it through.
+template <bool kFilters> Color visible(Tracing& tracing, const ShadePoint& point, const RayState& state, const Vec3& direction, double distance) {
+    if (!(distance > 0)) return Color(1);
+    ++tracing.stats.shadow_rays;
+    Ray ray = spawn_ray(point, direction, distance);
+    ray.mask = kMaskShadow;
+    ray.time = state.time;
+    if constexpr (kFilters) {
+        if (tracing.scene.filters_light) return filtered_light(tracing, ray, state.inside);
+    }
+    return tracing.scene.top->occluded(ray, tracing.stats.work) ? Color(0) : Color(1);
+}
+
 template <unsigned F> class DirectLight {
   public:
     DirectLight(Tracing& tracing, const ShadePoint& point, const Surface& surface, const RayState& state, Shadows shadows)
@@ -61,7 +74,7 @@ template <unsigned F> class DirectLight {
         if (is_black(arriving.irradiance)) return Color(0);
         const Color scattered = surface_.scatter(arriving.direction, !light.light.shadowless) * arriving.irradiance;
         if (is_black(scattered) || light.light.shadowless) return scattered;
-        return scattered * visible(arriving.direction, arriving.distance);
+        return scattered * through(arriving.direction, arriving.distance - light.light.clearance);
     }
 
     // Out of line, as above.
@@ -85,19 +98,12 @@ template <unsigned F> class DirectLight {
         const double cosine = dot(surface_.normal(), sky.direction);
         if (!(cosine > 0 && sky.density > 0) || dot(facing, sky.direction) <= 0) return Color(0);
         const Color scattered = surface_.diffuse() * sky.radiance * (cosine / (kPi * sky.density));
-        return is_black(scattered) ? scattered : scattered * visible(sky.direction, kInf);
+        return is_black(scattered) ? scattered : scattered * through(sky.direction, kInf);
     }
 
-    Color visible(const Vec3& direction, double distance) const {
+    Color through(const Vec3& direction, double distance) const {
         if (shadows_ == Shadows::ignored) return Color(1);
-        ++tracing_.stats.shadow_rays;
-        Ray ray = spawn_ray(point_, direction, distance);
-        ray.mask = kMaskShadow;
-        ray.time = state_.time;
-        if constexpr ((F & (kAlpha | kTransmission)) != 0) {
-            if (tracing_.scene.filters_light) return filtered_light(tracing_, ray, state_.inside);
-        }
-        return tracing_.scene.top->occluded(ray, tracing_.stats.work) ? Color(0) : Color(1);
+        return visible<(F & (kAlpha | kTransmission)) != 0>(tracing_, point_, state_, direction, distance);
     }
 
     Tracing& tracing_;

@@ -17,17 +17,6 @@ void facing_axes(const Vec3& to_light, Vec3& first, Vec3& second) {
 /// A place of the grid from 0 to `size` - 1, as a number around 0.
 double centred(double place, int size, double centre) { return size > 1 ? place / (size - 1) - centre : 0; }
 
-Color visible(Tracing& tracing, const ShadePoint& point, const RayState& state, const Vec3& to_light) {
-    const double distance = length(to_light);
-    if (!(distance > 0)) return Color(1);
-    ++tracing.stats.shadow_rays;
-    Ray ray = spawn_ray(point, to_light / distance, distance);
-    ray.mask = kMaskShadow;
-    ray.time = state.time;
-    if (tracing.scene.filters_light) return filtered_light(tracing, ray, state.inside);
-    return tracing.scene.top->occluded(ray, tracing.stats.work) ? Color(0) : Color(1);
-}
-
 }  // namespace
 
 GridPoints::GridPoints(const PlacedLight& light, const Vec3& to_light)
@@ -65,7 +54,9 @@ Color through_grid(Tracing& tracing, const ShadePoint& point, const RayState& st
     const SampleKey key = state.key.child(kGridBranch + index);
     return GridMean(grid, tracing.grid, [&](int u, int v) {
         const Vec2 jitter = grid.jitter ? key.pair(uint64_t(u) * uint64_t(grid.size2) + uint64_t(v)) - Vec2(0.5) : Vec2(0);
-        return full * visible(tracing, point, state, points.towards(point.position, arriving, points.offset(u + jitter.x, v + jitter.y)));
+        const Vec3 to_light = points.towards(point.position, arriving, points.offset(u + jitter.x, v + jitter.y));
+        const double distance = length(to_light);
+        return full * visible<true>(tracing, point, state, to_light / distance, distance - light.light.clearance);
     })();
 }
 

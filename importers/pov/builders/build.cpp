@@ -20,6 +20,18 @@ NodeId Build::add_node(Node node) {
     return {uint32_t(scene.nodes.size() - 1)};
 }
 
+SignalId Build::add_signal(Signal signal) {
+    scene.signals.push_back(std::move(signal));
+    return {uint32_t(scene.signals.size() - 1)};
+}
+
+SignalId Build::add_signal(decltype(Signal::what) what, Place at) {
+    Signal signal;
+    signal.what = std::move(what);
+    signal.from = position(at);
+    return add_signal(std::move(signal));
+}
+
 bool Cursor::accept(WordId word) {
     if (!at_word(word)) return false;
     ++i_;

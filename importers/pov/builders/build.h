@@ -40,6 +40,8 @@ struct Build {
     SourcePos position(Place at) const;
     /// Fails where a scene copies its parts into parts of parts without end.
     NodeId add_node(Node node);
+    SignalId add_signal(Signal signal);
+    SignalId add_signal(decltype(Signal::what) what, Place at);
 };
 
 /// Reads the items of a block one after the other. All `take` functions fail, with the place, where something else stands.

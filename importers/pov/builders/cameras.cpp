@@ -12,6 +12,7 @@ struct CameraWords {
     Vec3 sky{0, 1, 0};
     std::optional<Vec3> look_at;
     std::optional<double> angle, vertical_angle;
+    double variance = 1e-4;
     bool sized = false;          ///< right or up was given
     Transform transform;
 };
@@ -100,7 +101,8 @@ bool take_word(CameraWords& words, Cursor& at) {
             if (at.at_number()) words.vertical_angle = at.number("the vertical angle");
             return true;
         case "aperture"_w: case "blur_samples"_w: case "focal_point"_w: at.next(), take_lens(words, word, at); return true;
-        case "confidence"_w: case "variance"_w: at.skip(); return true;
+        case "variance"_w: at.next(), words.variance = at.number("the variance"); return true;
+        case "confidence"_w: at.skip(); return true;
         default: return false;
     }
 }
@@ -133,6 +135,7 @@ Camera build_camera(Build& build, const Block& block) {
     c.location = words.transform.point(c.location);
     c.direction = words.transform.vector(c.direction), c.right = words.transform.vector(c.right), c.up = words.transform.vector(c.up);
     c.fit = Fit::stretch;
+    build.scene.settings.default_error = c.aperture > 0 ? std::sqrt(std::max(words.variance, 0.0)) : 0;
     check(build, block.place, c);
     return c;
 }

@@ -25,6 +25,17 @@ void take_reflection_block(Build& build, const Block& block, PovFinish& f) {
     f.reflection_min = colours.size() == 2 ? colours[0] : f.reflection_fresnel ? Color(0) : colours[0];
 }
 
+/// `irid { AMOUNT thickness T turbulence K }`
+void take_irid(Build& build, const Block& block, PovFinish& f) {
+    Cursor at(build, block);
+    if (at.at_number()) f.irid = at.number("the amount of irid");
+    while (!at.done()) {
+        if (at.accept("thickness"_w)) f.irid_thickness = at.number("the thickness of the film");
+        else if (at.accept("turbulence"_w)) f.irid_turbulence = at.number("the turbulence of the film");
+        else at.skip_unmodelled();
+    }
+}
+
 /// Some numbers are brought to the energy that they stand for, by `albedo` before them: at the end of the block, when the exponents are known.
 struct Albedo {
     bool diffuse = false, phong = false, specular = false;
@@ -70,6 +81,7 @@ void take_word(Build& build, Cursor& at, PovFinish& f, Albedo& albedo) {
         *number = double(float(at.number("this part of a finish")));   // POV-Ray keeps them in single precision
     } else if (const Block* base = at.block_at("finish"_w)) at.next(), build_finish(build, *base, f);
     else if (const Block* block = at.block_at("reflection"_w)) at.next(), take_reflection_block(build, *block, f);
+    else if (const Block* film = at.block_at("irid"_w)) at.next(), take_irid(build, *film, f);
     else if (at.accept("reflection"_w)) f.reflection_min = f.reflection_max = at.rgb("a reflection");
     else if (at.accept("ambient"_w)) f.ambient = at.rgb("the ambient colour");
     else if (at.accept("emission"_w)) f.emission = at.rgb("the emission");

@@ -41,6 +41,7 @@ void read_globals(Build& build, const Block& block) {
         else if (at.accept("max_trace_level"_w)) s.max_depth = at.integer("the most levels", 1, 256) - 1;
         else if (at.accept("adc_bailout"_w)) s.adc_bailout = at.number("adc_bailout");
         else if (at.accept("ambient_light"_w)) s.ambient_light = at.rgb("the ambient light");
+        else if (at.accept("irid_wavelength"_w)) s.irid_wavelength = at.rgb("the wavelengths of irid");
         else if (at.accept("noise_generator"_w)) build.noise = NoiseGenerator(at.integer("the noise generator", 1, 3));
         else if (at.accept("number_of_waves"_w)) build.number_of_waves = at.integer("the number of waves", 1, 1000);
         else if (is_silent(at)) at.skip();

@@ -149,6 +149,7 @@ NodeId build_light(Build& build, const Block& block) {
     set_kind(w);
     set_grid(w, length(axis), node.to_parent.linear);
     w.light.inverse_square = false;
+    w.light.clearance = 0.001;
     if (w.fade.power > 0 && std::abs(w.fade.distance) > 1e-10) w.light.fade = w.fade;
     w.light.from = build.position(block.place);
     build.scene.lights.push_back(w.light);

@@ -10,16 +10,13 @@ namespace alidade::pov {
 namespace {
 
 void read_slope_map(Build& build, const Block& block, std::vector<SlopeEntry>& slopes) {
-    const Nested nested(build.p, block.place);
-    for (Cursor at(build, block); !at.done();) {
-        if (const Block* base = at.any_block()) at.next(), read_slope_map(build, *base, slopes);
-        else if (at.peek().kind == Item::Kind::entry) {
-            Cursor in(build, at.next().block());
-            const double value = in.number("the place of a slope");
-            const Vec3 slope = in.vector("a height and a slope");
-            slopes.push_back({value, slope.x, slope.y});
-        } else at.skip_unmodelled();
-    }
+    slopes.clear();
+    for_each_entry(build, block, [&](const Block& entry) {
+        Cursor in(build, entry);
+        const double value = map_position(in);
+        const Vec3 slope = in.vector("a height and a slope");
+        slopes.push_back({value, slope.x, slope.y});
+    });
 }
 
 /// One of several normals, which begins with what the default texture has.
@@ -28,21 +25,15 @@ SignalId part(Build& build, const Block& block, size_t skipped) {
     if (!is_flat(build, normal)) return normal;
     ReliefSignal flat;
     flat.pattern.pattern = "bumps", flat.amount = 0;
-    Signal& signal = build.scene.signals.emplace_back();
-    signal.what = flat;
-    return {uint32_t(build.scene.signals.size() - 1)};
+    return build.add_signal(flat, block.place);
 }
 
 void read_normal_map(Build& build, const Block& block, std::vector<MapEntry>& map) {
-    const Nested nested(build.p, block.place);
-    for (Cursor at(build, block); !at.done();) {
-        if (const Block* base = at.any_block()) at.next(), read_normal_map(build, *base, map);
-        else if (at.peek().kind == Item::Kind::entry) {
-            const Block& entry = at.next().block();
-            const MapPlace place = place_in_map(build, entry);
-            map.push_back({place.value, part(build, entry, place.skipped)});
-        } else at.skip_unmodelled();
-    }
+    map.clear();
+    for_each_entry(build, block, [&](const Block& entry) {
+        const MapPlace place = place_in_map(build, entry);
+        map.push_back({place.value, part(build, entry, place.skipped)});
+    });
 }
 
 /// The normals behind the name of a pattern of blocks, or the depth behind another one's.
@@ -65,8 +56,8 @@ void read_normal(Build& build, Cursor& at, ReliefSignal& r) {
             const SignalId normal = build_normal(build, *base, default_texture(build, base->defaults).normal);
             r = std::get<ReliefSignal>(build.scene.signals[normal.index].what);
         } else if (take_pattern(build, at, r.pattern)) read_behind_pattern(build, at, r);
-        else if (const Block* map = at.block_at("normal_map"_w)) at.next(), r.pattern.map.clear(), read_normal_map(build, *map, r.pattern.map);
-        else if (const Block* slopes = at.block_at("slope_map"_w)) at.next(), r.slopes.clear(), read_slope_map(build, *slopes, r.slopes);
+        else if (const Block* map = at.block_at("normal_map"_w)) at.next(), read_normal_map(build, *map, r.pattern.map);
+        else if (const Block* slopes = at.block_at("slope_map"_w)) at.next(), read_slope_map(build, *slopes, r.slopes);
         else if (at.accept("bump_size"_w)) r.amount = at.number("the depth of a normal");
         else if (at.accept("accuracy"_w)) r.accuracy = at.number("the accuracy of a normal");
         else if (at.accept("no_bump_scale"_w)) r.scaled = !at.flag();
@@ -88,10 +79,7 @@ SignalId build_normal(Build& build, const Block& block, std::optional<SignalId> 
     Cursor at(build, block, skipped);
     read_normal(build, at, relief);
     if (!(relief.accuracy > 0)) build.p.fail(block.place, "the accuracy of a normal must be greater than 0");
-    Signal& signal = build.scene.signals.emplace_back();
-    signal.what = std::move(relief);
-    signal.from = build.position(block.place);
-    const SignalId id{uint32_t(build.scene.signals.size() - 1)};
+    const SignalId id = build.add_signal(std::move(relief), block.place);
     build.normals.emplace(key, id);
     return id;
 }

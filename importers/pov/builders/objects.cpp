@@ -60,28 +60,37 @@ bool take_layer(Build& build, Draft& d, Cursor& at) {
     return take_layer_part(build, at, d.layers, d.transform);
 }
 
-void add_layers(Build& build, Draft& d, const Block& texture) {
-    begin_texture(d, texture.place);
-    TextureLayers more = build_texture(build, texture);
+void append(TextureLayers& layers, TextureLayers more) { layers.insert(layers.end(), more.begin(), more.end()); }
+
+void add_layers(Build& build, Draft& d, TextureLayers more, Place at) {
+    begin_texture(d, at);
     move_layers(build, more, inverse(d.transform).value_or(Transform()));   // what stood between the layers moves those before it alone
-    d.layers.insert(d.layers.end(), more.begin(), more.end());
+    append(d.layers, std::move(more));
 }
 
-void apply_material(Build& build, Draft& d, const Block& block) {
+/// The layers of `material { ... }`, moved by what stands behind them in it.
+TextureLayers read_material(Build& build, const Block& block, std::optional<InteriorId>& interior) {
     const Nested nested(build.p, block.place);
+    TextureLayers layers;
     for (Cursor at(build, block); !at.done();) {
-        if (const Block* base = at.block_at("material"_w)) at.next(), apply_material(build, d, *base);
-        else if (const Block* texture = at.block_at("texture"_w)) at.next(), add_layers(build, d, *texture);
-        else if (const Block* interior = at.block_at("interior"_w)) at.next(), d.node.interior = add_interior(build, *interior);
-        else if (at.at_transform()) at.transform();
+        if (const Block* base = at.block_at("material"_w)) at.next(), layers = read_material(build, *base, interior);
+        else if (const Block* texture = at.block_at("texture"_w)) at.next(), append(layers, build_texture(build, *texture));
+        else if (const Block* inside = at.block_at("interior"_w)) at.next(), interior = add_interior(build, *inside);
+        else if (at.at_transform()) move_layers(build, layers, at.transform());
         else at.skip_unmodelled();
     }
+    return layers;
+}
+
+void add_material(Build& build, Draft& d, const Block& block) {
+    TextureLayers layers = read_material(build, block, d.node.interior);
+    if (!layers.empty()) add_layers(build, d, std::move(layers), block.place);
 }
 
 bool take_surface(Build& build, Draft& d, Cursor& at) {
     if (take_layer(build, d, at)) return true;
-    if (const Block* texture = at.block_at("texture"_w)) add_layers(build, d, *texture);
-    else if (const Block* material = at.block_at("material"_w)) apply_material(build, d, *material);
+    if (const Block* texture = at.block_at("texture"_w)) add_layers(build, d, build_texture(build, *texture), texture->place);
+    else if (const Block* material = at.block_at("material"_w)) add_material(build, d, *material);
     else if (const Block* interior = at.block_at("interior"_w)) d.node.interior = add_interior(build, *interior);
     else return false;
     at.next();

@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "importers/pov/builders/patterns.h"
 
+#include "eval/noise/single.h"
 #include "eval/patterns/registry.h"
+#include "importers/pov/builders/pigments.h"
+#include "importers/pov/builders/textures.h"
 #include "importers/pov/builders/warps.h"
 
 #include <algorithm>
@@ -101,11 +104,17 @@ bool take_wave(Cursor& at, PatternSignal& s) {
 }  // namespace
 
 bool take_pattern(Build& build, Cursor& at, PatternSignal& s) {
+    if (const Block* pigment = at.block_at("pigment_pattern"_w)) {
+        at.next();
+        s.pattern = "pigment_pattern", s.parameters.clear();
+        s.source = build_pigment(build, *pigment, default_texture(build, pigment->defaults).pigment);
+        return true;
+    }
     if (at.done() || at.peek().kind != Item::Kind::word) return false;
     const WordId word = at.peek().word;
     const PatternOps* row = find_pattern(kWords[word]);
-    if (!row && word != "magnet"_w) return false;
-    s.parameters.clear();
+    if (row ? row->sourced : word != "magnet"_w) return false;
+    s.parameters.clear(), s.source.reset();
     s.noise = build.noise;
     if (!row) return take_magnet(build, at, s);
     at.next();
@@ -132,8 +141,10 @@ void move(PatternSignal& s, const Transform& transform) {
 MapPlace place_in_map(Build& build, const Block& entry) {
     Cursor at(build, entry);
     if (!at.at_number()) return {};
-    return {at.number("a place in a map"), 1};
+    return {map_position(at), 1};
 }
+
+double map_position(Cursor& at) { return single(at.number("a place in a map")); }
 
 size_t list_length(const PatternSignal& s) {
     static constexpr std::pair<std::string_view, size_t> kLists[] = {{"checker", 2}, {"brick", 2}, {"hexagon", 3}, {"square", 4}, {"triangular", 6}, {"cubic", 6}};

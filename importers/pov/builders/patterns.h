@@ -25,5 +25,18 @@ struct MapPlace {
     size_t skipped = 0;
 };
 MapPlace place_in_map(Build& build, const Block& entry);
+/// A number of a map, which POV-Ray keeps in single precision.
+double map_position(Cursor& at);
+
+/// Calls `read` with each entry, `[ ... ]`, of a map and of the declared maps that stand in it.
+template <class F>
+void for_each_entry(Build& build, const Block& map, const F& read) {
+    const Nested nested(build.p, map.place);
+    for (Cursor at(build, map); !at.done();) {
+        if (const Block* base = at.any_block()) at.next(), for_each_entry(build, *base, read);
+        else if (at.peek().kind == Item::Kind::entry) read(at.next().block());
+        else at.skip_unmodelled();
+    }
+}
 
 }  // namespace alidade::pov

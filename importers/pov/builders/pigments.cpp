@@ -11,42 +11,22 @@ namespace alidade::pov {
 
 namespace {
 
-SignalId add(Build& build, Signal signal, Place at) {
-    signal.from = build.position(at);
-    build.scene.signals.push_back(std::move(signal));
-    return {uint32_t(build.scene.signals.size() - 1)};
-}
-
-/// `color_map { [V COLOUR] ... }`, or the old `[V1 V2 COLOUR COLOUR]`; a declared map may stand in it.
-void read_color_map(Build& build, const Block& block, std::vector<MapEntry>& map) {
-    const Nested nested(build.p, block.place);
-    for (Cursor at(build, block); !at.done();) {
-        if (const Block* base = at.any_block()) at.next(), read_color_map(build, *base, map);
-        else if (at.peek().kind == Item::Kind::entry) {
-            const Block& entry = at.next().block();
-            Cursor in(build, entry);
-            const double first = in.number("the place of a colour");
-            const bool two = in.at_number();
-            const double second = two ? in.number("the place of a colour") : first;
-            map.push_back({first, add_colour(build, in.colour("the colour of a map"), entry.place)});
-            if (two && !in.done()) map.push_back({second, add_colour(build, in.colour("the colour of a map"), entry.place)});
-        } else at.skip_unmodelled();
-    }
+/// `[V COLOUR]`, or the old `[V1 V2 COLOUR COLOUR]`.
+void read_colour_entry(Build& build, const Block& entry, std::vector<MapEntry>& map) {
+    Cursor in(build, entry);
+    const double first = map_position(in);
+    const bool two = in.at_number();
+    const double second = two ? map_position(in) : first;
+    map.push_back({first, add_colour(build, in.colour("the colour of a map"), entry.place)});
+    if (two && !in.done()) map.push_back({second, add_colour(build, in.colour("the colour of a map"), entry.place)});
 }
 
 /// The pigment that a new one begins with.
 SignalId usual_pigment(Build& build, const Block& block) { return default_texture(build, block.defaults).pigment; }
 
-void read_pigment_map(Build& build, const Block& block, std::vector<MapEntry>& map) {
-    const Nested nested(build.p, block.place);
-    for (Cursor at(build, block); !at.done();) {
-        if (const Block* base = at.any_block()) at.next(), read_pigment_map(build, *base, map);
-        else if (at.peek().kind == Item::Kind::entry) {
-            const Block& entry = at.next().block();
-            const MapPlace place = place_in_map(build, entry);
-            map.push_back({place.value, build_pigment(build, entry, usual_pigment(build, entry), place.skipped)});
-        } else at.skip_unmodelled();
-    }
+void read_pigment_entry(Build& build, const Block& entry, std::vector<MapEntry>& map) {
+    const MapPlace place = place_in_map(build, entry);
+    map.push_back({place.value, build_pigment(build, entry, usual_pigment(build, entry), place.skipped)});
 }
 
 /// The colours or pigments behind the name of a pattern of blocks.
@@ -69,8 +49,7 @@ bool take_maps(Build& build, Cursor& at, PatternSignal& s) {
     s.map.clear();
     const Block& block = *at.any_block();
     at.next();
-    if (colours) read_color_map(build, block, s.map);
-    else read_pigment_map(build, block, s.map);
+    for_each_entry(build, block, [&](const Block& entry) { (colours ? read_colour_entry : read_pigment_entry)(build, entry, s.map); });
     return true;
 }
 
@@ -113,9 +92,7 @@ void tally_pattern(Build& build, const Item& item, const char* what) {
 }
 
 SignalId add_colour(Build& build, const std::array<double, 5>& c, Place at) {
-    Signal signal;
-    signal.what = ConstantSignal{Vec4(c[0], c[1], c[2], 1), c[3], c[4]};
-    return add(build, std::move(signal), at);
+    return build.add_signal(ConstantSignal{Vec4(c[0], c[1], c[2], 1), c[3], c[4]}, at);
 }
 
 SignalId build_pigment(Build& build, const Block& block, SignalId start, size_t skipped) {
@@ -131,7 +108,8 @@ SignalId build_pigment(Build& build, const Block& block, SignalId start, size_t 
         if (pattern->pattern.empty()) pigment = Signal(build.scene.signals[start.index]);
         else if (pattern->pattern != "average" || pattern->map.empty()) add_default_map(build, *pattern);
     }
-    const SignalId id = add(build, std::move(pigment), block.place);
+    pigment.from = build.position(block.place);
+    const SignalId id = build.add_signal(std::move(pigment));
     build.pigments.emplace(key, id);
     return id;
 }
@@ -141,8 +119,7 @@ SignalId moved(Build& build, SignalId id, const Transform& transform) {
     if (auto* pattern = std::get_if<PatternSignal>(&signal.what)) move(*pattern, transform);
     else if (auto* relief = std::get_if<ReliefSignal>(&signal.what)) move(relief->pattern, transform);
     else return id;
-    build.scene.signals.push_back(std::move(signal));
-    return {uint32_t(build.scene.signals.size() - 1)};
+    return build.add_signal(std::move(signal));
 }
 
 }  // namespace alidade::pov

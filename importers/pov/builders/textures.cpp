@@ -38,15 +38,11 @@ void add_entry(Draft& d, double value, MaterialId texture, SignalId unused) {
 }
 
 void read_texture_map(Build& build, const Block& block, Draft& d) {
-    const Nested nested(build.p, block.place);
-    for (Cursor at(build, block); !at.done();) {
-        if (const Block* base = at.any_block()) at.next(), read_texture_map(build, *base, d);
-        else if (at.peek().kind == Item::Kind::entry) {
-            const Block& entry = at.next().block();
-            const MapPlace place = place_in_map(build, entry);
-            add_entry(d, place.value, part(build, entry, place.skipped), default_texture(build, 0).pigment);
-        } else at.skip_unmodelled();
-    }
+    d.pattern.map.clear(), d.textures.clear();
+    for_each_entry(build, block, [&](const Block& entry) {
+        const MapPlace place = place_in_map(build, entry);
+        add_entry(d, place.value, part(build, entry, place.skipped), default_texture(build, 0).pigment);
+    });
 }
 
 void read_list(Build& build, Cursor& at, Draft& d) {
@@ -82,7 +78,6 @@ bool take_map(Build& build, Cursor& at, Draft& d) {
         read_tiles(build, *tiles, d);
     } else if (const Block* map = at.block_at("texture_map"_w)) {
         at.next();
-        d.pattern.map.clear(), d.textures.clear();
         read_texture_map(build, *map, d);
     } else {
         return !d.pattern.pattern.empty() && take_pattern_modifier(build, at, d.pattern);
@@ -108,9 +103,7 @@ void read_texture(Build& build, Cursor& at, Draft& d) {
         else at.skip_unmodelled();
     }
     if (d.textures.empty()) return;
-    Signal& signal = build.scene.signals.emplace_back();
-    signal.what = std::move(d.pattern);
-    d.layers = {PovTextureMap{SignalId{uint32_t(build.scene.signals.size() - 1)}, std::move(d.textures)}};
+    d.layers = {PovTextureMap{build.add_signal(std::move(d.pattern), at.place()), std::move(d.textures)}};
 }
 
 /// What `#default { ... }` makes of the default texture.
