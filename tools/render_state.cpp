@@ -80,16 +80,17 @@ std::unique_ptr<RenderState> RenderState::open(const std::string& path, const Ti
     if (::fstat(file, &status) != 0 || !S_ISREG(status.st_mode)) return without("it is not a regular file");
     if (::flock(file, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK) return without("another process is rendering this picture");
     const std::string head = as_text(identity);
-    const std::string why = continued ? state->take(head) : "";
+    const bool anew = !continued || status.st_size == 0;
+    const std::string why = anew ? "" : state->take(head);
     if (!why.empty()) warn(fmt::format("{} cannot be continued: {}; the picture is made from its beginning", path, why));
-    if (!continued || !why.empty()) state->begin(head);
+    if (anew || !why.empty()) state->begin(head);
     return state;
 }
 
 /// Takes what is there, or says why nothing can be used.
 std::string RenderState::take(const std::string& head) {
     std::byte first[kMagic.size() + sizeof(uint32_t)];
-    if (!read_at(file_, 0, first, sizeof first)) return ::lseek(file_, 0, SEEK_END) == 0 ? "it is empty" : kCutHead;
+    if (!read_at(file_, 0, first, sizeof first)) return kCutHead;
     if (std::memcmp(first, kMagic.data(), kMagic.size()) != 0) return "it is not a state of Alidade";
     const uint32_t size = get<uint32_t>(first + kMagic.size());
     if (size > kLongestText) return kDamagedHead;
