@@ -128,9 +128,9 @@ TEST(Regions, AreCutsOfTheWholePicture) {
 TEST(Regions, AreCutsOfTheWholePictureUnderAntialiasingToo) {
     const auto scene = compiled(everything());
     for (const int method : {1, 2})
-        for (const Region part : {Region{13, 7, 40, 31}, Region{32, 32, 61, 47}, Region{31, 31, 33, 33}, Region{60, 46, 61, 47}}) {
+        for (const Region part : {Region{13, 7, 40, 31}, Region{20, 20, 21, 21}, Region{17, 0, 18, 47}, Region{0, 25, 61, 26}, Region{32, 32, 61, 47}, Region{31, 31, 33, 33}}) {
             RenderOptions o = small_render();
-            o.supersampling = Supersampling{.method = method, .threshold = 0.02, .jitter = 1};
+            o.supersampling = Supersampling{.method = method, .threshold = 0.1, .jitter = 1};   // some pixels differ from the next alone
             const Film whole = *render(*scene, o);
             o.region = part;
             const Film cut = *render(*scene, o);
