@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "scene/dump_line.h"
-#include "scene/queries.h"
 
 namespace alidade {
 
@@ -73,13 +72,13 @@ void dump_settings(std::string& out, const RenderSettings& r) {
 
 }  // namespace
 
-std::string dump(const Scene& scene) {
+std::string dump(const Scene& scene, MeshLists lists) {
     std::string out;
     for (size_t i = 0; i < scene.files.size(); ++i) Line(out, fmt::format("file {}", i)).always("path", scene.files[i].path);
     dump_settings(out, scene.settings);
     dump_atmosphere(out, scene.atmosphere);
     dump_nodes(out, scene);
-    dump_shapes(out, scene);
+    dump_shapes(out, scene, lists);
     dump_surfaces(out, scene);
     for (size_t i = 0; i < scene.lights.size(); ++i) dump_light(out, i, scene.lights[i]);
     for (size_t i = 0; i < scene.cameras.size(); ++i) dump_camera(out, i, scene.cameras[i]);

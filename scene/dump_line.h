@@ -2,10 +2,12 @@
 /// The lines that dump() is made of.
 #pragma once
 
-#include "scene/scene.h"
+#include "core/fingerprint.h"
+#include "scene/queries.h"
 
 #include <fmt/format.h>
 
+#include <cstring>
 #include <iterator>
 #include <string_view>
 
@@ -54,6 +56,13 @@ template <class T> void put(std::string& out, const std::vector<T>& list) {
     out += ']';
 }
 
+/// True only if both are written alike, but found without writing them: most fields have their usual value.
+template <class T> bool surely_alike(const T& a, const T& b) {
+    if constexpr (std::is_trivially_destructible_v<T>) return std::memcmp(&a, &b, sizeof(T)) == 0;   // owns nothing: its bytes are its value
+    else if constexpr (requires { a.empty(); }) return a.empty() && b.empty();
+    else return false;
+}
+
 /// One line of the dump; ends itself.
 class Line {
   public:
@@ -64,6 +73,7 @@ class Line {
 
     /// ` name=value`, unless the value is written like `fallback`.
     template <class T> Line& field(std::string_view name, const T& value, const T& fallback = T()) {
+        if (surely_alike(value, fallback)) return *this;
         std::string text, usual;
         put(text, value), put(usual, fallback);
         if (text != usual) out_ += ' ', out_ += name, out_ += '=', out_ += text;
@@ -74,6 +84,12 @@ class Line {
         out_ += ' ', out_ += name, out_ += '=';
         put(out_, value);
         return *this;
+    }
+    /// ` name=[...]`, unless the list is empty; or ` name=LENGTH:FINGERPRINT`.
+    template <class T> Line& list(std::string_view name, const std::vector<T>& values, MeshLists how) {
+        static_assert(std::is_trivially_destructible_v<T>);
+        if (how == MeshLists::written || values.empty()) return field(name, values);
+        return word(fmt::format("{}={}:{:016x}", name, values.size(), fingerprint(std::as_bytes(std::span(values)))));
     }
     /// A word by itself.
     Line& word(std::string_view text) {
@@ -86,7 +102,7 @@ class Line {
 };
 
 void dump_nodes(std::string& out, const Scene& scene);
-void dump_shapes(std::string& out, const Scene& scene);
+void dump_shapes(std::string& out, const Scene& scene, MeshLists lists);
 /// Images, signals, materials and interiors.
 void dump_surfaces(std::string& out, const Scene& scene);
 void dump_media(std::string& out, const std::vector<Interior::Medium>& media);

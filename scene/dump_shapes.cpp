@@ -55,35 +55,39 @@ void dump_shape(std::string& out, const std::string& head, const ShapeEntry& ent
     for (size_t i = 0; i < e.outlines.size(); ++i) Line(out, fmt::format("  outline {}", i)).always("points", e.outlines[i].points);
 }
 
-template <class T> void dump_attribute(std::string& out, const std::string& name, const Attribute<T>& a) {
+template <class T> void dump_attribute(std::string& out, const std::string& name, const Attribute<T>& a, MeshLists how) {
     if (a.values.empty() && a.corners.empty()) return;
-    Line(out, "  " + name).always("values", a.values).field("corners", a.corners);
+    Line(out, "  " + name).list("values", a.values, how).list("corners", a.corners, how);
 }
 
-void dump_shape(std::string& out, const std::string& head, const ShapeEntry& entry, const Mesh& mesh) {
+void dump_mesh(std::string& out, const std::string& head, const ShapeEntry& entry, const Mesh& mesh, MeshLists how) {
     Line(out, head).word("mesh").field("name", entry.name).field("origin", mesh.origin).field("from", entry.from);
-    Line(out, "  positions").always("values", mesh.positions).field("exact", mesh.exact_positions);
-    Line(out, "  triangles").always("vertices", mesh.triangles).field("slots", mesh.slots).field("faces", mesh.faces);
-    dump_attribute(out, "normals", mesh.normals);
-    for (size_t i = 0; i < mesh.uvs.size(); ++i) dump_attribute(out, fmt::format("uv {}", i), mesh.uvs[i]);
-    dump_attribute(out, "tangents", mesh.tangents);
-    for (size_t i = 0; i < mesh.colors.size(); ++i) dump_attribute(out, fmt::format("colors {}", i), mesh.colors[i]);
+    Line(out, "  positions").list("values", mesh.positions, how).list("exact", mesh.exact_positions, how);
+    Line(out, "  triangles").list("vertices", mesh.triangles, how).list("slots", mesh.slots, how).list("faces", mesh.faces, how);
+    dump_attribute(out, "normals", mesh.normals, how);
+    for (size_t i = 0; i < mesh.uvs.size(); ++i) dump_attribute(out, fmt::format("uv {}", i), mesh.uvs[i], how);
+    dump_attribute(out, "tangents", mesh.tangents, how);
+    for (size_t i = 0; i < mesh.colors.size(); ++i) dump_attribute(out, fmt::format("colors {}", i), mesh.colors[i], how);
     for (size_t i = 0; i < mesh.morphs.size(); ++i) {
         const MorphTarget& target = mesh.morphs[i];
         Line(out, fmt::format("  morph {}", i))
-            .field("positions", target.positions).field("normals", target.normals).field("tangents", target.tangents);
+            .list("positions", target.positions, how).list("normals", target.normals, how).list("tangents", target.tangents, how);
     }
     if (!mesh.morph_weights.empty()) Line(out, "  morph weights").always("values", mesh.morph_weights);
     for (size_t i = 0; i < mesh.joint_sets.size(); ++i)
-        Line(out, fmt::format("  joints {}", i)).always("joints", mesh.joint_sets[i].joints).always("weights", mesh.joint_sets[i].weights);
+        Line(out, fmt::format("  joints {}", i)).list("joints", mesh.joint_sets[i].joints, how).list("weights", mesh.joint_sets[i].weights, how);
 }
 
 }  // namespace
 
-void dump_shapes(std::string& out, const Scene& scene) {
+void dump_shapes(std::string& out, const Scene& scene, MeshLists lists) {
     for (size_t i = 0; i < scene.shapes.size(); ++i) {
         const ShapeEntry& entry = scene.shapes[i];
-        std::visit([&](const auto& shape) { dump_shape(out, fmt::format("shape {}", i), entry, shape); }, entry.geometry);
+        const std::string head = fmt::format("shape {}", i);
+        std::visit([&](const auto& shape) {
+            if constexpr (std::is_same_v<decltype(shape), const Mesh&>) dump_mesh(out, head, entry, shape, lists);
+            else dump_shape(out, head, entry, shape);
+        }, entry.geometry);
     }
 }
 

@@ -5,13 +5,6 @@ namespace alidade {
 
 namespace {
 
-/// Stands for the bytes of a picture: 64-bit FNV-1a (Fowler, Noll, Vo), the constants of its authors.
-uint64_t fingerprint(const std::vector<std::byte>& bytes) {
-    uint64_t hash = 0xcbf29ce484222325u;
-    for (const std::byte b : bytes) hash = (hash ^ uint64_t(b)) * 0x100000001b3u;
-    return hash;
-}
-
 void dump_image(std::string& out, size_t i, const Image& image) {
     Line line(out, fmt::format("image {}", i));
     line.field("name", image.name).field("path", image.path);

@@ -38,8 +38,10 @@ Scene deform(Scene scene);
 /// The scene at `time` seconds, deformed: all animations at once, each clamped to its range. The scene must have passed validate().
 Scene pose(const Scene& scene, double time);
 
-/// One line a thing, numbers with the fewest digits that read back as the same number: equal scenes give equal text.
-std::string dump(const Scene& scene);
+/// One line a thing, numbers with the fewest digits that read back as the same number: equal scenes give equal text. What meshes have millions of
+/// is written, or stands as its fingerprint (core/fingerprint.h), as the bytes of pictures always do.
+enum class MeshLists { written, fingerprints };
+std::string dump(const Scene& scene, MeshLists lists = MeshLists::written);
 
 /// A node reached from a root, with everything that it inherits on the way.
 struct Visit {

@@ -4,6 +4,7 @@
 #include "tools/load.h"
 #include "tools/output.h"
 #include "tools/povray_words.h"
+#include "tools/render_state.h"
 #include "tools/verbs.h"
 #include "tracer/compiled_scene.h"
 
@@ -17,6 +18,8 @@
 namespace alidade {
 
 namespace {
+
+constexpr int kColorChannels = 3;   // of a film without layers
 
 /// A scene's name may come without its ending.
 std::string scene_path(const PovrayRequest& r) {
@@ -59,25 +62,58 @@ RenderOptions render_options(const PovrayRequest& r, int frame, const RenderSett
     return options;
 }
 
+void warn(const std::string& sentence) { fmt::print(stderr, "alidade: warning: {}\n", sentence); }
+
+/// A finished picture leaves no state: where there is one, the picture is not finished, or belongs to an earlier render.
+bool done_already(const PovrayRequest& r, const std::string& output) {
+    std::error_code ignored;
+    return r.continued && r.to_file && std::filesystem::exists(output, ignored) && !std::filesystem::exists(state_name(output), ignored);
+}
+
+/// The picture is there in part. Without a state it is not written: the next `+C` would take it for a finished one.
+int interrupted(const std::string& output, bool state) {
+    fmt::print(stderr, "alidade: interrupted; {}\n", state ? fmt::format("+C goes on from {}", state_name(output)) : fmt::format("{} is not written", output));
+    return kInterrupted;
+}
+
+/// Renders a picture that goes to the file `output`, and keeps its tiles beside it until it is there.
+int render_to_file(const PovrayRequest& r, const CompiledScene& scene, const RenderOptions& options, Monitor monitor, const std::string& output) {
+    const auto grid = tile_grid(options);
+    if (!grid) return fail(grid.error());
+    const auto state = RenderState::open(state_name(output), *grid, kColorChannels, identity(scene, options), r.continued, warn);
+    if (state) {
+        monitor.recall = [&](size_t tile, Picture& picture) { return state->recall(tile, picture); };
+        monitor.keep = [&](size_t tile, const Picture& picture) { state->keep(tile, picture); };
+        if (state->known()) fmt::print(stderr, "{}: {} of {} tiles are known from {}\n", output, state->known(), grid->count(), state_name(output));
+    }
+    const auto film = render(scene, options, monitor);
+    if (!film) return fail(film.error());
+    if (!film->complete && !state) return interrupted(output, false);
+    if (const auto files = write_film(output, film->picture); !files) return fail(fmt::format("{}: {}", output, files.error()));
+    if (!film->complete) return interrupted(output, true);
+    if (state) state->remove();
+    if (r.verbose) fmt::print(stderr, "{}: {}x{}, rendered in {:.2f} s\n", output, r.width, r.height, film->stats.seconds);
+    return kDone;
+}
+
 int render_frame(const PovrayRequest& r, int frame) {
+    const std::string output = output_name(r, frame);
+    if (done_already(r, output)) return fmt::print(stderr, "{}: rendered already, and +C: skipped\n", output), kDone;
     const Prepared prepared = prepare(request_of(r, frame));
     fmt::print(stderr, "{}", prepared.said.text());
     if (!prepared.scene) return kError;
     const StopOnSignal signals;
     Monitor monitor;
     monitor.stop = &signals.stop();
-    const auto film = render(*prepared.scene, render_options(r, frame, prepared.scene->scene.settings), monitor);
+    const RenderOptions options = render_options(r, frame, prepared.scene->scene.settings);
+    if (r.to_file) return render_to_file(r, *prepared.scene, options, std::move(monitor), output);
+    const auto film = render(*prepared.scene, options, monitor);
     if (!film) return fail(film.error());
-    if (r.to_file) {
-        const std::string name = output_name(r, frame);
-        if (const auto files = write_film(name, film->picture); !files) return fail(fmt::format("{}: {}", name, files.error()));
-        if (r.verbose) fmt::print(stderr, "{}: {}x{}, rendered in {:.2f} s\n", name, r.width, r.height, film->stats.seconds);
-    }
     return film->complete ? kDone : kInterrupted;
 }
 
 std::string help(const Verb& verb) {
-    return fmt::format("alidade {}\n\n{}\n\nThe words are POV-Ray's: +Iscene.pov +Oout.png +W320 +H240 +A<threshold> -A +AM<method> +R<depth> -J +L<folder> +FN +WT<threads> +K<clock> +KFI1 +KFF10 +SF +EF +SC +EC +SR +ER,\n"
+    return fmt::format("alidade {}\n\n{}\n\nThe words are POV-Ray's: +Iscene.pov +Oout.png +W320 +H240 +A<threshold> -A +AM<method> +R<depth> -J +L<folder> +FN +WT<threads> +C +K<clock> +KFI1 +KFF10 +SF +EF +SC +EC +SR +ER,\n"
                        "Key=Value, Declare=NAME=VALUE, scene.ini[section]. docs/pov-support.md lists what they do.\n\nExit codes: {}.\n",
                        verb.usage, verb.doc, verb.exits);
 }

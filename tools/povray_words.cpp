@@ -104,7 +104,6 @@ template <const char* const& Sentence> bool told(PovrayRequest& r, const Word& w
     if (w.on && std::find(r.notes.begin(), r.notes.end(), Sentence) == r.notes.end()) r.notes.emplace_back(Sentence);
     return true;
 }
-constexpr const char* kNoResume = "+C (Continue_Trace): pictures are always made from the beginning";
 constexpr const char* kNoAlpha = "+UA (Output_Alpha): pictures have no alpha channel yet";
 constexpr const char* kNoQuality = "+Q (Quality): pictures are always made in full quality";
 constexpr const char* kNoField = "+UF (Field_Render): all rows are rendered";
@@ -145,7 +144,7 @@ constexpr Row kTable[] = {
     {"Test_Abort", "X", nothing},
     {"Test_Abort_Count", "", nothing},
     {"Clockless_Animation", "", nothing},
-    {"Continue_Trace", "C", told<kNoResume>},
+    {"Continue_Trace", "C", flag<&PovrayRequest::continued>},
     {"Create_Continue_Trace_Log", "", nothing},
     {"Clock", "K", number<&PovrayRequest::clock>},
     {"Initial_Clock", "KI", number<&PovrayRequest::initial_clock>},
@@ -355,5 +354,7 @@ std::string output_name(const PovrayRequest& r, int frame) {
     if (r.animated()) name += fmt::format("{:0{}}", frame, std::to_string(r.final_frame).size());
     return name + ending;
 }
+
+std::string state_name(const std::string& output_name) { return std::filesystem::path(output_name).replace_extension(".pov-state").string(); }
 
 }  // namespace alidade

@@ -16,6 +16,7 @@ struct PovrayRequest {
     int bits = 8;
     int width = 160, height = 120;
     bool to_file = true, antialias = false, verbose = false;
+    bool continued = false;               ///< +C: what an earlier process has left is taken
     double antialias_threshold = 0.3, antialias_gamma = 2.5, jitter_amount = 1;
     int antialias_depth = 3, sampling_method = 1;
     bool jitter = true;
@@ -38,5 +39,7 @@ tl::expected<PovrayRequest, std::string> parse_povray_words(const std::vector<st
 double clock_of(const PovrayRequest& request, int frame);
 /// The output's name: for a frame of an animation with its number, as wide as that of the last one.
 std::string output_name(const PovrayRequest& request, int frame);
+/// The name of the file that keeps the tiles of a picture under way: as POV-Ray's.
+std::string state_name(const std::string& output_name);
 
 }  // namespace alidade

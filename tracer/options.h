@@ -3,6 +3,7 @@
 #pragma once
 
 #include "accel/accelerator.h"
+#include "core/image.h"
 #include "core/vec.h"
 
 #include <atomic>
@@ -60,10 +61,13 @@ struct RenderOptions {
     double time = 0;
 };
 
-/// How the caller watches a render and ends it early. `progress` is called under a lock, at most once a tile.
+/// How the caller watches a render, ends it early, and spares it what is done already. `progress` is called under a lock, at most once a tile;
+/// the others by several threads at once. Tiles are those of tile_grid(), by number.
 struct Monitor {
     std::function<void(size_t tiles_done, size_t tiles)> progress;
     const std::atomic<bool>* stop = nullptr;
+    std::function<bool(size_t tile, Picture& picture)> recall = {};       ///< puts the pixels of a tile that is known into the picture; false: it is rendered
+    std::function<void(size_t tile, const Picture& picture)> keep = {};   ///< after a tile was rendered
 };
 
 }  // namespace alidade

@@ -5,6 +5,7 @@
 #include "tracer/layers.h"
 #include "tracer/noise.h"
 #include "tracer/supersampling.h"
+#include "tracer/tiles.h"
 
 #include <charconv>
 #include <chrono>
@@ -22,10 +23,9 @@ struct Job {
     CameraRays camera;
     Radiance radiance;
     Layers layers;
-    Region region;
+    TileGrid grid;
     SamplePair sampler;
     int spp, max_depth;
-    int tile, tiles_x, tiles_y;
     const std::atomic<bool>* stop;
 
     bool stopped() const { return stop && stop->load(std::memory_order_relaxed); }
@@ -126,8 +126,8 @@ void write_pixel(const Job& job, PixelSamples pixel, int x, int y, Picture& pict
     job.layers.write(pixel, std::exp2(job.options.exposure), picture.at(x, y));
 }
 
-/// False if the render was stopped: then none of the block's pixels is there.
-bool render_block(const Job& job, Tracing& tracing, const Region& block, Picture& picture) {
+/// The pixels `tile` of a block. False if the render was stopped: then none of them is there.
+bool render_block(const Job& job, Tracing& tracing, const Region& square, const Region& tile, Picture& picture) {
     BlockRays rays;
     rays.take = [&](const PixelRay& r) {
         const SampleKey key = sample_key(job, r.x, r.y, r.index, r.count);
@@ -141,26 +141,24 @@ bool render_block(const Job& job, Tracing& tracing, const Region& block, Picture
     const RenderSettings& settings = job.scene.scene.settings;
     rays.comparable = [&](const Color& c) { return settings.srgb_coded ? c : linear(c, settings); };   // as POV-Ray does where no gamma is assumed
     rays.stopped = [&] { return job.stopped(); };
-    const auto pixels = supersample(*job.options.supersampling, block, rays);
+    const auto pixels = supersample(*job.options.supersampling, square, tile, rays);
     if (!pixels) return false;
     auto pixel = pixels->begin();
-    for (int y = block.y0; y < block.y1; ++y)
-        for (int x = block.x0; x < block.x1; ++x) write_pixel(job, *pixel++, x, y, picture);
+    for (int y = tile.y0; y < tile.y1; ++y)
+        for (int x = tile.x0; x < tile.x1; ++x) write_pixel(job, *pixel++, x, y, picture);
     tracing.stats.pixels += pixels->size();
     return true;
 }
 
 /// A tile's pixels depend on nothing but their own coordinates, so neither the order of tiles nor their size shows. False if the render was stopped:
 /// the pixel under way, and those after it, are left as they are.
-bool render_tile(const Job& job, size_t tile, Picture& picture, RenderStats& stats) {
+bool render_tile(const Job& job, size_t i, Picture& picture, RenderStats& stats) {
     const DefaultFloatMode mode;
     Tracing tracing{job.scene, job.max_depth, job.options.light_samples, job.scene.scene.settings.adc_bailout, stats};
-    const int size = job.tile;
-    const int x0 = job.region.x0 + int(tile % size_t(job.tiles_x)) * size, y0 = job.region.y0 + int(tile / size_t(job.tiles_x)) * size;
-    const Region block{x0, y0, std::min(x0 + size, job.region.x1), std::min(y0 + size, job.region.y1)};
-    if (job.options.supersampling) return render_block(job, tracing, block, picture);
-    for (int y = y0; y < block.y1; ++y)
-        for (int x = x0; x < block.x1; ++x) {
+    const Region tile = job.grid.tile(i);
+    if (job.options.supersampling) return render_block(job, tracing, job.grid.square(i), tile, picture);
+    for (int y = tile.y0; y < tile.y1; ++y)
+        for (int x = tile.x0; x < tile.x1; ++x) {
             const std::optional<PixelSamples> pixel = sample_pixel(job, tracing, x, y);
             if (!pixel) return false;
             write_pixel(job, *pixel, x, y, picture);
@@ -180,33 +178,17 @@ void add(RenderStats& sum, const RenderStats& b) {
 /// Of one pixel and light: samples are numbered in 32 bits.
 constexpr int64_t kMostSamples = int64_t(1) << 31;
 
-tl::expected<Region, std::string> checked_region(const RenderOptions& o) {
-    constexpr int kLargest = 1 << 16;
-    if (o.width < 1 || o.height < 1 || o.width > kLargest || o.height > kLargest)
-        return tl::unexpected(fmt::format("a picture of {}x{} pixels cannot be made: both sides must be 1 to {}", o.width, o.height, kLargest));
-    if (o.tile < 1 || o.tile > 4096) return tl::unexpected(fmt::format("a tile of {} pixels cannot be made: 1 to 4096", o.tile));
-    if (o.spp < 0 || o.light_samples < 1) return tl::unexpected(fmt::format("{} samples a pixel and {} a light cannot be taken", o.spp, o.light_samples));
-    if (const auto& s = o.supersampling; s && (s->method < 1 || s->method > 2 || s->depth < 1 || s->depth > 9 || !(s->gamma > 0)))
-        return tl::unexpected(fmt::format("antialiasing by the method {} with depth {} and gamma {} is not there: methods are 1 and 2, depths 1 to 9", s->method, s->depth, s->gamma));
-    if (!(o.adaptive >= 0)) return tl::unexpected(fmt::format("an error of {} cannot be sampled for", o.adaptive));
-    if (o.aperture.value_or(0) < 0 || o.focus.value_or(1) <= 0) return tl::unexpected(std::string("a lens needs an aperture of at least 0 and a focus distance above 0"));
-    const Region whole{0, 0, o.width, o.height};
-    if (!o.region) return whole;
-    const Region r = *o.region;
-    if (r.x0 < 0 || r.y0 < 0 || r.x1 > o.width || r.y1 > o.height || r.x0 >= r.x1 || r.y0 >= r.y1)
-        return tl::unexpected(fmt::format("the region {},{},{},{} is empty or leaves the picture of {}x{}", r.x0, r.y0, r.x1, r.y1, o.width, o.height));
-    return r;
-}
-
 /// Renders all tiles; false if stopped early. Costs are whole numbers: their sum does not depend on the order.
 bool run(const Job& job, const Monitor& monitor, Film& film) {
-    const size_t tiles = size_t(job.tiles_x) * size_t(job.tiles_y);
+    const size_t tiles = job.grid.count();
     std::mutex mutex;
     size_t done = 0;
     parallel_for(tiles, job.options.threads, [&](size_t tile) {
         if (job.stopped()) return;
         RenderStats stats;
-        const bool whole = render_tile(job, tile, film.picture, stats);
+        const bool known = monitor.recall && monitor.recall(tile, film.picture);
+        const bool whole = known || render_tile(job, tile, film.picture, stats);
+        if (whole && !known && monitor.keep) monitor.keep(tile, film.picture);
         const std::lock_guard lock(mutex);
         add(film.stats, stats);
         if (!whole) return;
@@ -221,8 +203,8 @@ bool run(const Job& job, const Monitor& monitor, Film& film) {
 }  // namespace
 
 tl::expected<Film, std::string> render(const CompiledScene& scene, const RenderOptions& options, const Monitor& monitor) {
-    const auto region = checked_region(options);
-    if (!region) return tl::unexpected(region.error());
+    const auto grid = tile_grid(options);
+    if (!grid) return tl::unexpected(grid.error());
     const auto camera = choose_camera(scene, options.camera);
     if (!camera) return tl::unexpected(camera.error());
     const auto kernel = choose_kernel(scene, options.integrator);
@@ -235,9 +217,7 @@ tl::expected<Film, std::string> render(const CompiledScene& scene, const RenderO
     if (int64_t(spp) * options.light_samples > kMostSamples)
         return tl::unexpected(fmt::format("{} samples a pixel times {} a light are more than {}", spp, options.light_samples, kMostSamples));
     const int depth = options.max_depth >= 0 ? options.max_depth : scene.scene.settings.max_depth.value_or(8);
-    Job job{scene, options, CameraRays(with_lens(**camera, options), options.width, options.height), *kernel, *layers, *region, sampler->pair, spp, depth, options.supersampling ? kSupersamplingBlock : options.tile, 0, 0, monitor.stop};
-    job.tiles_x = (region->x1 - region->x0 + job.tile - 1) / job.tile;
-    job.tiles_y = (region->y1 - region->y0 + job.tile - 1) / job.tile;
+    const Job job{scene, options, CameraRays(with_lens(**camera, options), options.width, options.height), *kernel, *layers, *grid, sampler->pair, spp, depth, monitor.stop};
     Film film;
     film.picture = Picture(options.width, options.height, layers->channels());
     const auto start = std::chrono::steady_clock::now();

@@ -25,8 +25,9 @@ class Difference {
 /// Method 1: every pixel has a ray through its centre. Where it differs from the pixel to its left or above, both get a grid of rays more, once.
 class GridBlock {
   public:
-    GridBlock(const Supersampling& how, const Region& block, const BlockRays& rays) : how_(how), block_(block), rays_(rays), difference_(how, rays), columns_(block.x1 - block.x0 + 1) {
-        pixels_.resize(size_t(columns_) * size_t(block.y1 - block.y0 + 1));
+    GridBlock(const Supersampling& how, const Region& block, const Region& wanted, const BlockRays& rays)
+        : how_(how), block_(needed(block, wanted)), wanted_(wanted), rays_(rays), difference_(how, rays), columns_(block_.x1 - block_.x0 + 1) {
+        pixels_.resize(size_t(columns_) * size_t(block_.y1 - block_.y0 + 1));
     }
 
     std::optional<std::vector<PixelSamples>> run() {
@@ -40,12 +41,15 @@ class GridBlock {
             }
         }
         std::vector<PixelSamples> out;
-        for (int y = block_.y0; y < block_.y1; ++y)
-            for (int x = block_.x0; x < block_.x1; ++x) out.push_back(at(x, y).samples);
+        for (int y = wanted_.y0; y < wanted_.y1; ++y)
+            for (int x = wanted_.x0; x < wanted_.x1; ++x) out.push_back(at(x, y).samples);
         return out;
     }
 
   private:
+    /// A pixel depends on those before it, which may have been refined, and on the first rays of the one to its right and the one below.
+    static Region needed(const Region& block, const Region& wanted) { return {block.x0, block.y0, std::min(block.x1, wanted.x1 + 1), std::min(block.y1, wanted.y1 + 1)}; }
+
     struct Pixel {
         PixelSamples samples;
         Color coded{0};
@@ -83,14 +87,15 @@ class GridBlock {
     }
 
     const Supersampling& how_;
-    const Region block_;
+    const Region block_, wanted_;
     const BlockRays& rays_;
     const Difference difference_;
     const int columns_;
     std::vector<Pixel> pixels_;
 };
 
-/// Method 2: rays go through the corners of pixels. A square whose corners differ is divided in four, else it is the mean of its corners.
+/// Method 2: rays go through the corners of pixels. A square whose corners differ is divided in four, else it is the mean of its corners. No pixel
+/// depends on another.
 class CornerBlock {
   public:
     CornerBlock(const Supersampling& how, const Region& block, const BlockRays& rays) : how_(how), block_(block), rays_(rays), difference_(how, rays), parts_(1 << (how.depth - 1)) {}
@@ -170,8 +175,8 @@ class CornerBlock {
 
 }  // namespace
 
-std::optional<std::vector<PixelSamples>> supersample(const Supersampling& how, const Region& block, const BlockRays& rays) {
-    return how.method == 2 ? CornerBlock(how, block, rays).run() : GridBlock(how, block, rays).run();
+std::optional<std::vector<PixelSamples>> supersample(const Supersampling& how, const Region& block, const Region& wanted, const BlockRays& rays) {
+    return how.method == 2 ? CornerBlock(how, wanted, rays).run() : GridBlock(how, block, wanted, rays).run();
 }
 
 }  // namespace alidade

@@ -27,7 +27,7 @@ struct BlockRays {
     std::function<bool()> stopped;
 };
 
-/// All pixels of `block`, row by row; nothing if the render was stopped.
-std::optional<std::vector<PixelSamples>> supersample(const Supersampling& how, const Region& block, const BlockRays& rays);
+/// The pixels `wanted` of `block`, row by row, as they are where all of the block is wanted; nothing if the render was stopped.
+std::optional<std::vector<PixelSamples>> supersample(const Supersampling& how, const Region& block, const Region& wanted, const BlockRays& rays);
 
 }  // namespace alidade

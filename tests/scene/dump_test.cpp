@@ -82,6 +82,17 @@ TEST(Dump, TextIsQuoted) {
     EXPECT_EQ(dump(s).substr(0, dump(s).find('\n')), R"(file 0 path="a \"b\"\\c\x0a\x01.obj")");
 }
 
+TEST(Dump, MeshesListsMayStandAsFingerprints) {
+    Scene s = test::sample_scene();
+    const std::string brief = dump(s, MeshLists::fingerprints);
+    EXPECT_NE(brief.find("  positions values=4:"), std::string::npos) << brief;
+    EXPECT_EQ(brief.find("<1 1 0>"), std::string::npos) << brief;
+    EXPECT_EQ(brief, dump(test::sample_scene(), MeshLists::fingerprints));
+    for (ShapeEntry& entry : s.shapes)
+        if (auto* mesh = std::get_if<Mesh>(&entry.geometry)) mesh->positions[2].x = 1.5f;
+    EXPECT_NE(brief, dump(s, MeshLists::fingerprints));
+}
+
 TEST(Dump, EqualScenesGiveEqualText) { EXPECT_EQ(dump(test::sample_scene()), dump(test::sample_scene())); }
 
 }  // namespace

@@ -67,8 +67,8 @@ class Povray(InFolder):
         self.assertEqual(list(self.folder.glob("*.png")), [])
 
     def test_words_without_effect_are_told_once(self):
-        said = self.render("+Is.pov", "+W8", "+H8", "+C", "+C", "+Q5", "+Q9")
-        self.assertEqual(said.count("Continue_Trace"), 1)
+        said = self.render("+Is.pov", "+W8", "+H8", "+UA", "+UA", "+Q5", "+Q9")
+        self.assertEqual(said.count("Output_Alpha"), 1)
         self.assertEqual(said.count("Quality"), 1)
         self.assertNotIn("Quality", self.render("+Is.pov", "+W8", "+H8", "+Q11"))
 

@@ -3,8 +3,10 @@
 #include "tests/tracer/scene_builder.h"
 #include "core/random.h"
 #include "tracer/shade_point.h"
+#include "tracer/tiles.h"
 
 #include <cstring>
+#include <mutex>
 #include <thread>
 
 namespace alidade::test {
@@ -120,6 +122,59 @@ TEST(Regions, AreCutsOfTheWholePicture) {
                 const bool inside = x >= 13 && x < 40 && y >= 7 && y < 31;
                 ASSERT_EQ(part.picture.at(x, y)[c], inside ? whole.picture.at(x, y)[c] : 0) << x << ' ' << y << ' ' << c;
             }
+}
+
+/// POV-Ray's antialiasing compares pixels with their neighbours: those beyond a part's border count as they do in the whole.
+TEST(Regions, AreCutsOfTheWholePictureUnderAntialiasingToo) {
+    const auto scene = compiled(everything());
+    for (const int method : {1, 2})
+        for (const Region part : {Region{13, 7, 40, 31}, Region{20, 20, 21, 21}, Region{17, 0, 18, 47}, Region{0, 25, 61, 26}, Region{32, 32, 61, 47}, Region{31, 31, 33, 33}}) {
+            RenderOptions o = small_render();
+            o.supersampling = Supersampling{.method = method, .threshold = 0.1, .jitter = 1};   // some pixels differ from the next alone
+            const Film whole = *render(*scene, o);
+            o.region = part;
+            const Film cut = *render(*scene, o);
+            for (int y = part.y0; y < part.y1; ++y)
+                for (int x = part.x0; x < part.x1; ++x)
+                    for (int c = 0; c < 3; ++c) ASSERT_EQ(cut.picture.at(x, y)[c], whole.picture.at(x, y)[c]) << method << ": " << x << ' ' << y;
+            EXPECT_LT(cut.stats.camera_rays, whole.stats.camera_rays);
+            EXPECT_EQ(cut.stats.pixels, uint64_t(part.x1 - part.x0) * uint64_t(part.y1 - part.y0));
+        }
+}
+
+/// Tiles that are known are not rendered; each of the others is kept once, with its pixels.
+TEST(Monitors, RecallSparesTilesAndKeepHasTheOthers) {
+    const auto scene = compiled(everything());
+    RenderOptions o = small_render();
+    o.region = Region{13, 7, 40, 31};
+    const TileGrid grid = *tile_grid(o);
+    ASSERT_EQ(grid.count(), 6u);
+    const Film whole = *render(*scene, o);
+    const auto copy = [&](size_t tile, const Picture& from, Picture& to) {
+        const Region r = grid.tile(tile);
+        for (int y = r.y0; y < r.y1; ++y) std::copy(from.at(r.x0, y), from.at(r.x0, y) + size_t(r.x1 - r.x0) * size_t(from.channels), to.at(r.x0, y));
+    };
+    Picture kept(o.width, o.height, whole.picture.names);
+    std::vector<int> times(grid.count());
+    std::mutex mutex;
+    size_t last = 0;
+    Monitor monitor{[&](size_t done, size_t) { last = done; }};
+    monitor.recall = [&](size_t tile, Picture& picture) { return tile % 3 == 1 && (copy(tile, whole.picture, picture), true); };
+    monitor.keep = [&](size_t tile, const Picture& picture) {
+        const std::lock_guard lock(mutex);
+        copy(tile, picture, kept);
+        ++times[tile];
+    };
+    const Film film = *render(*scene, o, monitor);
+    EXPECT_TRUE(film.complete);
+    EXPECT_EQ(last, 6u);
+    EXPECT_TRUE(same_bytes(film.picture, whole.picture));
+    EXPECT_EQ(times, (std::vector<int>{1, 0, 1, 1, 0, 1}));
+    for (const size_t tile : {1, 4}) copy(tile, whole.picture, kept);
+    EXPECT_TRUE(same_bytes(kept, whole.picture));
+    uint64_t recalled = 0;
+    for (const size_t tile : {1, 4}) recalled += uint64_t(grid.tile(tile).x1 - grid.tile(tile).x0) * uint64_t(grid.tile(tile).y1 - grid.tile(tile).y0);
+    EXPECT_EQ(film.stats.pixels, whole.stats.pixels - recalled);
 }
 
 TEST(Monitors, StopLeavesTheDoneTilesAndSaysSo) {
