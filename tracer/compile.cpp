@@ -43,7 +43,7 @@ size_t interior_carrier(const Scene& scene, const std::vector<NodeId>& path) {
 Mask mask_of(const NodeFlags& flags) {
     Mask mask = kMaskAll;
     if (!flags.image) mask &= ~kMaskCamera;
-    if (!flags.shadow) mask &= ~kMaskShadow;
+    if (!flags.shadow) mask &= ~(kMaskShadow | kMaskOpaque | kMaskFilter);
     if (!flags.reflection) mask &= ~kMaskReflection;
     return mask;
 }
@@ -169,6 +169,7 @@ class Placer {
         Instance instance;
         instance.to_world = to_world;
         instance.to_local = *to_local;
+        instance.stretch = to_world.norm(), instance.shrink = to_local->norm(), instance.local_shift = length(to_local->translation);
         instance.geometry = geometry(shape);
         instance.first_slot = uint32_t(out_.slots.size());
         instance.mask = kMaskAll;
@@ -321,11 +322,32 @@ void default_camera(CompiledScene& out, Diagnostics& said) {
     out.cameras.push_back({framing_camera(bounds)});
 }
 
+/// A solid lets light through if one of its parts does.
+void tell_opaque_from_clear(CompiledScene& out) {
+    std::map<uint32_t, bool> known;
+    const auto lets_through = [&](uint32_t material) {
+        const auto [at, added] = known.try_emplace(material, false);
+        if (added) at->second = lets_light_through(out.scene, material);
+        return at->second;
+    };
+    const auto is_clear = [&](const Instance& i) {
+        const auto first = out.slots.begin() + i.first_slot, end = first + slot_count(out.scene.shapes[out.geometries[i.geometry].shape.index].geometry);
+        return std::any_of(first, end, [&](const SlotMaterial& slot) { return lets_through(slot.material); });
+    };
+    for (Instance& i : out.instances) i.mask &= ~(is_clear(i) ? kMaskOpaque : kMaskFilter);
+    for (Solid& solid : out.solids) {
+        const auto nodes = solid.tree.nodes();
+        const bool clear = std::any_of(nodes.begin(), nodes.end(), [&](const CsgNode& n) { return n.op == CsgOp::leaf && n.leaf != kNoId && is_clear(out.instances[n.leaf]); });
+        solid.mask &= ~(clear ? kMaskOpaque : kMaskFilter);
+    }
+}
+
 void choose_kernel(CompiledScene& out, const CompileOptions& options, FeatureReasons& reasons) {
     if (out.sky->lights()) reasons.need(kSampledLights, "the sky");
     for (const PlacedLight& l : out.lights)
         if (l.sampled()) reasons.need(kSampledLights, fmt::format("light '{}'", l.light.name));
     out.filters_light = (reasons.mask() & (kAlpha | kTransmission)) != 0;
+    if (out.filters_light) tell_opaque_from_clear(out);
     if (options.full_kernel) reasons.need(kAllFeatures, "--full-kernel");
     out.features = reasons.mask();
     out.kernel = reasons.text();

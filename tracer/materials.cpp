@@ -76,18 +76,6 @@ bool is_pov(const Scene& scene, uint32_t material) {
     });
 }
 
-/// May light pass through all layers of one of the textures?
-bool lets_light_through(const Scene& scene, uint32_t material) {
-    const std::vector<uint32_t> parts = with_parts(scene, {material});
-    return std::any_of(parts.begin(), parts.end(), [&](uint32_t part) {
-        const auto& layers = scene.materials[part].layers;
-        return std::all_of(layers.begin(), layers.end(), [&](const auto& layer) {
-            const auto* f = std::get_if<PovFinish>(&layer);
-            return f && lets_light_through(scene, f->pigment);
-        });
-    });
-}
-
 /// All signals that are evaluated for a material itself, without its parts.
 std::vector<SignalId> read_signals(const Scene& scene, const Material& m) {
     std::vector<SignalId> out;
@@ -129,6 +117,18 @@ bool check_supported(const Scene& scene, uint32_t material, const std::vector<Si
 }
 
 }  // namespace
+
+bool lets_light_through(const Scene& scene, uint32_t material) {
+    const std::vector<uint32_t> parts = with_parts(scene, {material});
+    return std::any_of(parts.begin(), parts.end(), [&](uint32_t part) {
+        const auto& layers = scene.materials[part].layers;
+        return std::all_of(layers.begin(), layers.end(), [&](const auto& layer) {
+            if (const auto* g = std::get_if<GltfPbr>(&layer)) return (features_of(scene, *g) & (kAlpha | kTransmission)) != 0;
+            const auto* f = std::get_if<PovFinish>(&layer);
+            return f && lets_light_through(scene, f->pigment);
+        });
+    });
+}
 
 void FeatureReasons::need(unsigned features, const std::string& who) {
     for (int bit = 0; bit < kBits; ++bit)

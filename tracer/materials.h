@@ -29,6 +29,9 @@ class MaterialTable {
     std::map<uint32_t, bool> has_patterns_;   // by material
 };
 
+/// May light pass through all layers of the material, or of one of its parts?
+bool lets_light_through(const Scene& scene, uint32_t material);
+
 /// The feature mask of the render kernel, each bit with the first thing that asked for it.
 class FeatureReasons {
   public:

@@ -30,7 +30,10 @@ class SampleKey {
     SampleKey(SamplePair pair, RandomKey pixel, uint32_t index, uint32_t count) : pair_(pair), path_(pixel), index_(index), count_(count) {}
 
     SampleKey child(uint64_t branch) const { return {pair_, path_.child(branch), index_, count_}; }
-    Vec2 pair(uint64_t dimension) const { return pair_(path_.child(dimension ^ kDomain), index_, count_); }
+    Vec2 pair(uint64_t dimension) const {
+        const RandomKey domain = path_.child(dimension ^ kDomain);
+        return count_ == 1 ? Vec2(domain.uniform(0), domain.uniform(1)) : pair_(domain, index_, count_);   // one sample alone is spread over nothing
+    }
     /// Sample `part` of `parts` that this sample takes of one domain: so many more samples of that domain.
     Vec2 pair(uint64_t dimension, uint32_t part, uint32_t parts) const {
         return pair_(path_.child(dimension ^ kDomain), index_ * parts + part, count_ * parts);

@@ -63,9 +63,8 @@ void place(const CompiledScene& scene, const Instance& instance, const Hit& hit,
 /// grow by at most the norm of to_world. at() adds gamma_3.
 double world_error(const Instance& instance, const Ray& ray, const Hit& hit, const Vec3& position) {
     const double reach = length(ray.origin) + std::abs(hit.t) * length(ray.dir);
-    const double local_size = instance.to_local.norm() * reach + length(instance.to_local.translation);
-    const double stretch = instance.to_world.norm();
-    return stretch * (hit.error.along_normal + gamma_bound(5) * local_size) + gamma_bound(5) * (reach + length(position));
+    const double local_size = instance.shrink * reach + instance.local_shift;
+    return instance.stretch * (hit.error.along_normal + gamma_bound(5) * local_size) + gamma_bound(5) * (reach + length(position));
 }
 
 Vec3 geometric_normal(const CompiledScene& scene, const Ray& ray, const Hit& hit) {

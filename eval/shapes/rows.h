@@ -27,6 +27,12 @@ struct LineInterval {
 /// As computed in double: (plane - origin) / dir on each axis, a division, since a multiplication with the rounded 1 / dir would add a rounding.
 LineInterval inside_bounds(const Ray& ray, const Bounds& bounds);
 
+/// std::hypot, whose last half of a unit costs ten times as much, where nothing overflows or vanishes. Within 1 unit of 2^-52.
+inline double planar_length(double x, double y) {
+    const double square = x * x + y * y;
+    return square > 1e-280 && square < 1e280 ? std::sqrt(square) : std::hypot(x, y);
+}
+
 /// Bounds the rounding of one component of ray.at(t), whether or not the compiler fuses it.
 inline double at_rounding(const Ray& ray, double t, int axis) { return gamma_bound(2) * (std::abs(ray.origin[axis]) + std::abs(t * ray.dir[axis])); }
 /// Bounds how far the rounding of ray.at(t) moves the point, in any direction.

@@ -37,7 +37,7 @@ struct Line {
     /// The distance from the surface, negative inside, and its derivative by s.
     std::pair<double, double> distance(double s) const {
         const Vec3 at = p + s * u;
-        const double around = std::hypot(at.x, at.z), off = around - major, from_circle = std::hypot(off, at.y);
+        const double around = planar_length(at.x, at.z), off = around - major, from_circle = planar_length(off, at.y);
         return {from_circle - minor, (off * (at.x * u.x + at.z * u.z) / around + at.y * u.y) / from_circle};
     }
 
@@ -64,7 +64,7 @@ struct Line {
 ErrorBound distance_bound(const Torus& torus, const Ray& ray, double t) {
     const Vec3 p = ray.at(t) - torus.center;
     const double major = std::abs(torus.major), minor = std::abs(torus.minor);
-    const double off = std::hypot(std::hypot(p.x, p.z) - major, p.y) - minor;
+    const double off = planar_length(planar_length(p.x, p.z) - major, p.y) - minor;
     return {std::abs(off) + gamma_bound(10) * (length(p) + major + minor) + at_rounding(ray, t)};
 }
 
@@ -96,7 +96,7 @@ Crossings torus_crossings(const ShapeGeometry& geometry, const Ray& ray) {
 SurfacePoint torus_surface(const ShapeGeometry& geometry, const Vec3& point, uint32_t) {
     const Torus& torus = std::get<Torus>(geometry);
     const Vec3 p = point - torus.center;
-    const double around = std::hypot(p.x, p.z), off = around - std::abs(torus.major), tube = std::hypot(off, p.y);
+    const double around = planar_length(p.x, p.z), off = around - std::abs(torus.major), tube = planar_length(off, p.y);
     const Vec3 outwards = around > 0 ? Vec3(p.x / around, 0, p.z / around) : Vec3(1, 0, 0);
     const double cosine = tube > 0 ? off / tube : 1, sine = tube > 0 ? p.y / tube : 0;
     SurfacePoint out;
@@ -110,7 +110,7 @@ SurfacePoint torus_surface(const ShapeGeometry& geometry, const Vec3& point, uin
 bool torus_inside(const ShapeGeometry& geometry, const Vec3& point) {
     const Torus& torus = std::get<Torus>(geometry);
     const Vec3 p = point - torus.center;
-    return std::hypot(std::hypot(p.x, p.z) - std::abs(torus.major), p.y) <= std::abs(torus.minor);
+    return planar_length(planar_length(p.x, p.z) - std::abs(torus.major), p.y) <= std::abs(torus.minor);
 }
 
 }  // namespace

@@ -31,7 +31,7 @@ Vec3 GridPoints::offset(double u, double v) const {
     const bool round = grid_.circular || grid_.orient;
     const double centre = round ? 0.499 : 0.5;   // not on the middle itself, which has no direction
     double a = centred(u, grid_.size1, centre), b = centred(v, grid_.size2, centre);
-    const double radius = std::hypot(a, b);
+    const double radius = std::sqrt(a * a + b * b);
     if (round && radius > 0) {
         const double k = std::max(std::abs(a), std::abs(b)) / radius;
         a *= k, b *= k;
