@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: Apache-2.0
+/// Shapes under a transform: a ray is brought into a shape's own space, where t means the same.
+#pragma once
+
+#include "core/transform.h"
+#include "eval/shapes/shape_ops.h"
+
+namespace alidade {
+
+/// A crossing of a closed form, as a hit.
+inline Hit hit_of(const Crossing& crossing, uint32_t instance) {
+    Hit hit;
+    hit.t = crossing.t;
+    hit.instance = instance;
+    hit.primitive = 0;
+    hit.part = crossing.part;
+    hit.error = crossing.error;
+    return hit;
+}
+
+/// How far the true surface may be from `position`, a hit that was found with a transformed ray, in the space of the ray.
+///
+/// The local ray is the exact image of the ray up to gamma_4 of each product and sum in the transform; mapped back, that and the hit's own bound
+/// grow by at most the norm of to_world. Ray::at() adds gamma_3.
+inline double placed_error(const Transform& to_world, const Transform& to_local, const Ray& ray, const Hit& hit, const Vec3& position) {
+    const double reach = length(ray.origin) + std::abs(hit.t) * length(ray.dir);
+    const double local_size = to_local.norm() * reach + length(to_local.translation);
+    return to_world.norm() * (hit.error.along_normal + gamma_bound(5) * local_size) + gamma_bound(5) * (reach + length(position));
+}
+
+}  // namespace alidade
