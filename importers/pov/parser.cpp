@@ -4,6 +4,7 @@
 #include "importers/pov/directives.h"
 #include "importers/pov/macros.h"
 #include "importers/pov/object_queries.h"
+#include "importers/pov/space_functions.h"
 
 #include <fmt/format.h>
 
