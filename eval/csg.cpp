@@ -247,7 +247,19 @@ class Walk {
     uint32_t place_ = 0;   ///< counts the places on the line, from 1
 };
 
+bool node_inside(std::span<const CsgNode> nodes, uint32_t n, const Vec3& point, const CsgLeaves& leaves) {
+    const CsgNode& node = nodes[n];
+    if (!node.box.contains(point)) return node.far;
+    if (node.op == CsgOp::leaf) return node.inverted != (node.leaf != kNoId && leaves.inside(node.leaf, point));
+    const bool is_meet = meets(node);
+    for (uint32_t part = n + 1; part != node.end; part = nodes[part].end)
+        if (node_inside(nodes, part, point, leaves) != is_meet) return !is_meet;
+    return is_meet;
+}
+
 }  // namespace
+
+bool CsgTree::inside(const Vec3& point, const CsgLeaves& leaves) const { return node_inside(nodes_, 0, point, leaves); }
 
 bool CsgTree::first(const Ray& ray, const CsgLeaves& leaves, Hit& hit) const {
     Hit best;

@@ -98,6 +98,8 @@ class CsgTree {
     bool first(const Ray& ray, const CsgLeaves& leaves, Hit& hit) const;
     /// All of them, appended in order of t.
     void all(const Ray& ray, const CsgLeaves& leaves, std::vector<Hit>& hits) const;
+    /// Is the point inside of the whole? A surface without inside holds none.
+    bool inside(const Vec3& point, const CsgLeaves& leaves) const;
 
   private:
     std::vector<CsgNode> nodes_;    ///< each before its subtree

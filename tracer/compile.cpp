@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/float_mode.h"
 #include "core/parallel.h"
+#include "eval/csg_expression.h"
 #include "scene/queries.h"
 #include "tracer/cameras.h"
 #include "tracer/instance_leaves.h"
@@ -40,33 +41,8 @@ size_t interior_carrier(const Scene& scene, const std::vector<NodeId>& path) {
     return length;
 }
 
-Mask mask_of(const NodeFlags& flags) {
-    Mask mask = kMaskAll;
-    if (!flags.image) mask &= ~kMaskCamera;
-    if (!flags.shadow) mask &= ~(kMaskShadow | kMaskOpaque | kMaskFilter);
-    if (!flags.reflection) mask &= ~kMaskReflection;
-    return mask;
-}
-
-/// Is the node with all below it one solid? A union is its parts; but turned inside out or clipped, it is more than they.
-bool is_solid(const Node& node) {
-    const bool operation = node.csg == CsgKind::intersection || node.csg == CsgKind::difference || node.csg == CsgKind::merge;
-    return operation || !node.clips.empty() || (node.inverse && !node.children.empty());
-}
-
-CsgOp csg_op(CsgKind kind) {
-    switch (kind) {
-        case CsgKind::merge: return CsgOp::merge;
-        case CsgKind::intersection: return CsgOp::intersection;
-        case CsgKind::difference: return CsgOp::difference;
-        case CsgKind::none:
-        case CsgKind::union_: break;
-    }
-    return CsgOp::union_;
-}
-
 /// Walks the graph once and fills a CompiledScene with instances, lights and cameras.
-class Placer {
+class Placer : private CsgParts {
   public:
     Placer(CompiledScene& out, Diagnostics& said) : out_(out), said_(said), geometry_of_(out.scene.shapes.size(), kNoId), materials_(out), groups_(out.scene) {}
 
@@ -95,70 +71,23 @@ class Placer {
     void place_solid(Visit visit) {
         Mask mask = kMaskAll;
         for (const NodeId above : visit.path) mask &= mask_of(out_.scene.nodes[above.index].flags);
-        auto solid = expression(visit, mask);
+        auto solid = csg_expression(out_.scene, visit, mask, *this);
         if (!solid) return;
         solid->mask = mask;
         solids_.push_back(std::move(*solid));
     }
 
-    /// The node as a part of a solid, its shapes placed as instances. Nothing if it has none: lights may stand among the parts.
-    std::optional<CsgExpression> expression(Visit& visit, Mask seen) {
-        const Node& node = out_.scene.nodes[visit.node.index];
-        if (visit.path.size() > kDeepestSolid) {
-            if (!too_deep_) said_.error(node.from, fmt::format("set operations stand more than {} levels deep in one another", kDeepestSolid));
-            too_deep_ = true;
-            return std::nullopt;
-        }
+    bool enters(const Visit& visit) override {
+        if (visit.path.size() <= kDeepestSolid) return true;
+        if (!too_deep_) said_.error(out_.scene.nodes[visit.node.index].from, fmt::format("set operations stand more than {} levels deep in one another", kDeepestSolid));
+        too_deep_ = true;
+        return false;
+    }
+
+    uint32_t place(const Visit& visit) override {
         const size_t before = out_.instances.size();
-        place(visit, node);
-        CsgExpression e;
-        const bool has_shape = std::holds_alternative<ShapeId>(node.what);
-        if (has_shape && out_.instances.size() > before) e.leaf.id = uint32_t(before);   // else it is flat, and nothing
-        if (!node.children.empty()) {
-            CsgExpression parts = operation(visit, node, seen);
-            if (has_shape) parts.parts.push_back(std::move(e));
-            else if (parts.parts.empty()) return std::nullopt;
-            e = std::move(parts);
-        } else if (!has_shape) {
-            return std::nullopt;
-        }
-        e.inverse = node.inverse;
-        return node.clips.empty() ? std::move(e) : clipped(visit, node, std::move(e));
-    }
-
-    CsgExpression operation(Visit& visit, const Node& node, Mask seen) {
-        CsgExpression e;
-        e.op = csg_op(node.csg);
-        for (const NodeId child : node.children) {
-            const Mask below = seen & mask_of(out_.scene.nodes[child.index].flags);
-            auto part = part_at(visit, child, below);
-            // POV-Ray looks at the flags of a solid as a whole, and at these two of the parts of merges: for a camera ray, one without image is not there.
-            if (part && node.csg == CsgKind::merge) part->mask = below | ~(kMaskCamera | kMaskReflection);
-            if (part) e.parts.push_back(std::move(*part));
-            else if (node.csg == CsgKind::difference && e.parts.empty()) e.parts.emplace_back();   // nothing, from which something is taken
-        }
-        return e;
-    }
-
-    CsgExpression clipped(Visit& visit, const Node& node, CsgExpression of) {
-        CsgExpression e;
-        e.op = CsgOp::clip;
-        e.parts.push_back(std::move(of));
-        for (const NodeId clip : node.clips)
-            if (auto part = part_at(visit, clip, kMaskAll)) e.parts.push_back(std::move(*part));
-        return e;
-    }
-
-    std::optional<CsgExpression> part_at(Visit& visit, NodeId id, Mask seen) {
-        const Node& node = out_.scene.nodes[id.index];
-        if (!node.flags.visible) return std::nullopt;
-        const NodeId above = std::exchange(visit.node, id);
-        const Transform to_world = std::exchange(visit.to_world, visit.to_world * node.to_parent);
-        visit.path.push_back(id);
-        auto part = expression(visit, seen);
-        visit.path.pop_back();
-        visit.node = above, visit.to_world = to_world;
-        return part;
+        place(visit, out_.scene.nodes[visit.node.index]);
+        return out_.instances.size() > before ? uint32_t(before) : kNoId;
     }
 
     void place_shape(const Visit& visit, const Node& node, ShapeId shape) {
@@ -169,7 +98,7 @@ class Placer {
         Instance instance;
         instance.to_world = to_world;
         instance.to_local = *to_local;
-        instance.stretch = to_world.norm(), instance.shrink = to_local->norm(), instance.local_shift = length(to_local->translation);
+        instance.norms = {to_world, *to_local};
         instance.geometry = geometry(shape);
         instance.first_slot = uint32_t(out_.slots.size());
         instance.mask = kMaskAll;

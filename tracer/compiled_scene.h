@@ -3,7 +3,8 @@
 #pragma once
 
 #include "accel/accelerator.h"
-#include "eval/csg.h"
+#include "eval/csg_expression.h"
+#include "eval/placed.h"
 #include "eval/shapes/shape_ops.h"
 #include "tracer/lights.h"
 #include "tracer/render.h"
@@ -38,13 +39,10 @@ struct PatternSpace {
     bool uv_mapped = false;           ///< at (u, v, 0) instead
 };
 
-/// Shadow rays that ask for what stops all light, and for what lets a part of it through: each instance that throws a shadow has one of these bits of its mask.
-inline constexpr Mask kMaskOpaque = 16, kMaskFilter = 32;
-
 /// One path from a root to a node with a shape.
 struct Instance {
     Transform to_world, to_local;
-    double stretch = 1, shrink = 1, local_shift = 0;   ///< norms: of to_world, of to_local, of to_local's translation
+    PlacedNorms norms;
     Bounds bounds;                 ///< in world space; empty for parts of a solid, which are not met by themselves
     uint32_t geometry = 0;
     uint32_t first_slot = 0;       ///< into CompiledScene::slots, as many as the shape has

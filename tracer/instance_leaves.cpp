@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tracer/instance_leaves.h"
 
-#include "tracer/instance_set.h"
+#include "eval/placed.h"
 #include "tracer/shade_point.h"
 
 namespace alidade {

@@ -1,19 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tracer/instance_set.h"
 
+#include "eval/placed.h"
 #include "tracer/instance_leaves.h"
 
 namespace alidade {
-
-Hit hit_of(const Crossing& crossing, uint32_t instance) {
-    Hit hit;
-    hit.t = crossing.t;
-    hit.instance = instance;
-    hit.primitive = 0;
-    hit.part = crossing.part;
-    hit.error = crossing.error;
-    return hit;
-}
 
 namespace {
 

@@ -26,7 +26,4 @@ class InstanceSet final : public PrimitiveSet {
     const CompiledScene& scene_;
 };
 
-/// A crossing of a closed form, as a hit.
-Hit hit_of(const Crossing& crossing, uint32_t instance);
-
 }  // namespace alidade

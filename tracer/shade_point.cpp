@@ -1,34 +1,18 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tracer/shade_point.h"
 
+#include "eval/mesh_points.h"
+#include "eval/placed.h"
+
 namespace alidade {
 namespace {
-
-template <class T> T interpolate(const Attribute<T>& attribute, const Mesh& mesh, uint32_t triangle, double u, double v) {
-    const Index3& vertices = mesh.triangles[triangle];
-    using F = typename T::value_type;
-    const T& a = attribute.values[attribute.index(triangle, 0, vertices)];
-    const T& b = attribute.values[attribute.index(triangle, 1, vertices)];
-    const T& c = attribute.values[attribute.index(triangle, 2, vertices)];
-    return a * F(1 - u - v) + b * F(u) + c * F(v);
-}
-
-/// The two edges of a triangle from its first vertex, local space.
-void edges(const Mesh& mesh, uint32_t triangle, Vec3& e1, Vec3& e2) {
-    const Index3& i = mesh.triangles[triangle];
-    const auto at = [&](uint32_t v) { return mesh.exact_positions.empty() ? Vec3(mesh.positions[v]) : mesh.exact_positions[v]; };
-    e1 = at(i.y) - at(i.x);
-    e2 = at(i.z) - at(i.x);
-}
 
 void place_on_mesh(const Mesh& mesh, const Instance& instance, const Hit& hit, ShadePoint& p) {
     p.mesh = &mesh;
     p.triangle = hit.primitive;
     p.u = hit.u, p.v = hit.v;
     p.slot = mesh.slots.empty() ? 0 : mesh.slots[hit.primitive];
-    Vec3 e1, e2;
-    edges(mesh, hit.primitive, e1, e2);
-    p.geometric_normal = normalized(instance.to_local.transposed(normalized(cross(e1, e2))));
+    p.geometric_normal = normalized(instance.to_local.transposed(triangle_normal(mesh, hit.primitive)));
     p.shading_normal = p.geometric_normal;
     if (!mesh.normals.present()) return;
     const Vec3 n(interpolate(mesh.normals, mesh, hit.primitive, hit.u, hit.v));
@@ -59,13 +43,7 @@ void place(const CompiledScene& scene, const Instance& instance, const Hit& hit,
 
 }  // namespace
 
-/// The local ray is the exact image of the world ray up to gamma_4 of each product and sum in the transform; mapped back, that and the hit's own bound
-/// grow by at most the norm of to_world. at() adds gamma_3.
-double world_error(const Instance& instance, const Ray& ray, const Hit& hit, const Vec3& position) {
-    const double reach = length(ray.origin) + std::abs(hit.t) * length(ray.dir);
-    const double local_size = instance.shrink * reach + instance.local_shift;
-    return instance.stretch * (hit.error.along_normal + gamma_bound(5) * local_size) + gamma_bound(5) * (reach + length(position));
-}
+double world_error(const Instance& instance, const Ray& ray, const Hit& hit, const Vec3& position) { return placed_error(instance.norms, ray, hit, position); }
 
 Vec3 geometric_normal(const CompiledScene& scene, const Ray& ray, const Hit& hit) {
     const Instance& instance = scene.instances[hit.instance];

@@ -125,7 +125,7 @@ Textures::Value Textures::mapped(const PatternSignal& signal, const Pattern& pat
         return {Vec4(v, v, v, 1), 0, 0};
     }
     Value total;
-    share(signal.map, pattern, at, [&](uint32_t entry, double share) {
+    alidade::for_each_share(signal.map, pattern, at, [&](uint32_t entry, double share) {
         const Value own = value(signal.map[entry].signal, point, at);
         total = {total.rgba + own.rgba * share, total.filter + own.filter * share, total.transmit + own.transmit * share};
     });
@@ -164,7 +164,7 @@ Vec3 Textures::bent_there(SignalId id, const Vec3& place, const Vec3& n) const {
     const Vec3 at = relief.place(place), there = relief.inwards(n);
     if (map.empty()) return relief.outwards(relief.bent(at, there));
     Vec3 sum(0);
-    share(map, relief.pattern(), at, [&](uint32_t entry, double share) { sum += bent_there(map[entry].signal, at, there) * share; });
+    alidade::for_each_share(map, relief.pattern(), at, [&](uint32_t entry, double share) { sum += bent_there(map[entry].signal, at, there) * share; });
     return relief.outwards(sum);
 }
 

@@ -5,6 +5,7 @@
 #include "core/diagnostics.h"
 #include "core/image.h"
 #include "eval/patterns/relief.h"
+#include "eval/patterns/space_pigments.h"
 #include "scene/scene.h"
 #include "tracer/shade_point.h"
 
@@ -22,12 +23,6 @@ struct PatternFrame {
 
 /// The frame of a point's own material.
 PatternFrame pattern_frame(const ShadePoint& point);
-
-/// A colour of POV-Ray's: what part of the light that passes is coloured (filter), what part is not (transmit).
-struct PigmentColor {
-    Color color{0};
-    double filter = 0, transmit = 0;
-};
 
 /// The images that used materials read, each decoded once for each encoding that is asked of it.
 class Textures {
@@ -66,8 +61,6 @@ class Textures {
     Value mapped(const PatternSignal& signal, const Pattern& pattern, const ShadePoint& point, const Vec3& outside) const;
     /// The same in the space of the relief above.
     Vec3 bent_there(SignalId relief, const Vec3& place, const Vec3& n) const;
-    /// Calls f(entry, share).
-    template <class F> static void share(const std::vector<MapEntry>& map, const Pattern& pattern, const Vec3& at, const F& f);
     Vec4 lookup(const ImageSignal& image, const Picture& picture, const Vec2& uv) const;
 
     const std::vector<Signal>& signals_;
@@ -77,23 +70,10 @@ class Textures {
     std::vector<uint32_t> resource_of_;   ///< by signal: its picture, its pattern or its relief; kNoId where the signal is none of them
 };
 
-template <class F> void Textures::share(const std::vector<MapEntry>& map, const Pattern& pattern, const Vec3& at, const F& f) {
-    if (pattern.is_average()) {
-        double total = 0;
-        for (const MapEntry& entry : map) total += entry.value;
-        if (total == 0) return;
-        for (uint32_t i = 0; i < map.size(); ++i) f(i, map[i].value / total);
-        return;
-    }
-    const MapBlend blend = look_up(map, pattern.value_at(at));
-    f(blend.low, 1 - blend.t);
-    if (blend.t > 0) f(blend.high, blend.t);
-}
-
 template <class F> void Textures::for_each_share(SignalId signal, const PatternFrame& frame, const F& f) const {
     const Pattern& pattern = patterns_[resource_of_[signal.index]];
     const PatternFrame inner{pattern.place(frame.at), pattern.normal_in() * frame.normal_in, frame.normal_out * pattern.normal_out()};
-    share(std::get<PatternSignal>(signals_[signal.index].what).map, pattern, inner.at, [&](uint32_t entry, double share) { f(entry, share, inner); });
+    alidade::for_each_share(std::get<PatternSignal>(signals_[signal.index].what).map, pattern, inner.at, [&](uint32_t entry, double share) { f(entry, share, inner); });
 }
 
 }  // namespace alidade

@@ -68,4 +68,18 @@ class Pattern {
     bool displaced_ = false;
 };
 
+/// Calls f(entry, share) for the entries of a pattern's map that count at a place: their shares add up to 1.
+template <class F> void for_each_share(const std::vector<MapEntry>& map, const Pattern& pattern, const Vec3& place, const F& f) {
+    if (pattern.is_average()) {
+        double total = 0;
+        for (const MapEntry& entry : map) total += entry.value;
+        if (total == 0) return;
+        for (uint32_t i = 0; i < map.size(); ++i) f(i, map[i].value / total);
+        return;
+    }
+    const MapBlend blend = look_up(map, pattern.value_at(place));
+    f(blend.low, 1 - blend.t);
+    if (blend.t > 0) f(blend.high, blend.t);
+}
+
 }  // namespace alidade

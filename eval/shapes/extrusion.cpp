@@ -8,7 +8,7 @@ namespace alidade {
 namespace {
 
 /// Parts: the two flat faces, then for each arc the side above it, with the inside on its left (even) or on its right (odd).
-constexpr uint32_t kLow = 0, kHigh = 1, kFirstSide = 2;
+constexpr uint32_t kLow = 0, kHigh = 1, kFirstSide = kExtrusionSides;
 
 struct Slab {
     double low, high;

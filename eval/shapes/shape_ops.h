@@ -73,6 +73,9 @@ struct ShapeOps {
     Bounds (*narrow)(const ShapeGeometry&, bool outside, const Bounds& box) = nullptr;
 };
 
+/// The parts of an extrusion from here on are its sides; those before are its two flat faces.
+inline constexpr uint32_t kExtrusionSides = 2;
+
 /// One row for each closed-form shape. Meshes have none: accel/ intersects them.
 std::span<const ShapeOps> shapes();
 const ShapeOps* find_shape(const ShapeGeometry& geometry);

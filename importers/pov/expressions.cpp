@@ -77,9 +77,6 @@ Value identifier(Parser& p, const Token& name) {
 }
 
 [[noreturn]] void fail_no_value(Parser& p, const Token& token) {
-    static constexpr WordId kNotModelled[] = {"trace"_w, "inside"_w, "min_extent"_w, "max_extent"_w, "vturbulence"_w};
-    if (token.kind == TokenKind::word && std::find(std::begin(kNotModelled), std::end(kNotModelled), token.id) != std::end(kNotModelled))
-        p.fail(token.place(), fmt::format("{}() is not modelled yet", p.describe(token)));
     p.fail(token.place(), fmt::format("a number, a vector or another value is expected, not {}", p.describe(token)));
 }
 

@@ -4,6 +4,7 @@
 #include "importers/pov/functions.h"
 #include "importers/pov/integers.h"
 #include "importers/pov/operators.h"
+#include "importers/pov/space_functions.h"
 
 #include <cmath>
 #include <fmt/format.h>
@@ -43,10 +44,30 @@ constexpr FloatFunction kFunctions[] = {
     {"div"_w, 2, [](std::span<const double> a) { return std::trunc(a[0] / a[1]); }}, {"min"_w, 0, least}, {"max"_w, 0, greatest}, {"select"_w, 0, select_sign},
 };
 
+void check_count(const Parser& p, size_t parameters, size_t arguments, Place at) {
+    if (parameters != arguments) p.fail(at, fmt::format("the function has {} parameters, and {} arguments are given", parameters, arguments));
+}
+
+SpaceFunctions& space_functions(Parser& p) {
+    if (!p.functions) p.functions = std::make_unique<SpaceFunctions>(p);
+    return *p.functions;
+}
+
+/// Of a pattern or one of POV-Ray's own functions; nothing for others.
+std::optional<double> value_in_space(Parser& p, const Function& function, std::span<const double> arguments, Place at) {
+    const Block* block = block_of(function);
+    const InternalFunction* internal = internal_of(p, function);
+    const bool pattern = block && block->word == "pattern"_w;
+    if (!pattern && !internal) return std::nullopt;
+    check_count(p, 3 + (internal ? internal->parameters : 0), arguments.size(), at);
+    const Vec3 point(arguments[0], arguments[1], arguments[2]);
+    return internal ? internal->value(point, arguments.subspan(3), usual_noise(p)) : space_functions(p).pattern(*block, point);
+}
+
 /// Reads a function's parts from left to right, and calculates at once. Comparisons are exact here (probed).
 class Evaluation {
   public:
-    Evaluation(const Parser& p, const Function& function, std::span<const double> arguments, int calls) : p_(p), f_(function), arguments_(arguments), calls_(calls) {}
+    Evaluation(Parser& p, const Function& function, std::span<const double> arguments, int calls) : p_(p), f_(function), arguments_(arguments), calls_(calls) {}
 
     double all() {
         const double value = logical();
@@ -179,7 +200,12 @@ class Evaluation {
 
     double inner_call(const Function& inner, Place at) {
         const std::vector<double> values = call_arguments();
-        if (values.size() != inner.parameters.size()) p_.fail(at, fmt::format("the function has {} parameters, and {} arguments are given", inner.parameters.size(), values.size()));
+        if (const auto colour = function_colour(p_, inner, values, at)) {
+            if (!take('.')) p_.fail(at, "this function gives a colour, and a component of it is expected", "write .red, .green, .blue, .filter, .transmit or .gray behind it");
+            return component(*colour);
+        }
+        if (const auto value = value_in_space(p_, inner, values, at)) return *value;
+        check_count(p_, inner.parameters.size(), values.size(), at);
         if (calls_ >= kMostCalls) p_.fail_limit(at, fmt::format("more than {} functions call one another", kMostCalls));
         return Evaluation(p_, inner, values, calls_ + 1).all();
     }
@@ -188,12 +214,13 @@ class Evaluation {
         static constexpr std::pair<WordId, int> kComponents[] = {{"x"_w, 0}, {"y"_w, 1}, {"z"_w, 2}, {"t"_w, 3}, {"u"_w, 0}, {"v"_w, 1}, {"red"_w, 0},
                                                                   {"green"_w, 1}, {"blue"_w, 2}, {"filter"_w, 3}, {"transmit"_w, 4}};
         if (at_end()) not_expected();
+        if (token().is_word("gray"_w)) return ++at_, pov_grey({c[0], c[1], c[2]});
         for (const auto& [word, index] : kComponents)
             if (token().is_word(word)) return ++at_, c[size_t(index)];
         not_expected();
     }
 
-    const Parser& p_;
+    Parser& p_;
     const Function& f_;
     std::span<const double> arguments_;
     int calls_;
@@ -202,6 +229,17 @@ class Evaluation {
 
 }  // namespace
 
-double function_value(const Parser& p, const Function& function, std::span<const double> arguments, Place) { return Evaluation(p, function, arguments, 0).all(); }
+std::optional<std::array<double, 5>> function_colour(Parser& p, const Function& function, std::span<const double> arguments, Place at) {
+    const Block* block = block_of(function);
+    if (!block || block->word != "pigment"_w) return std::nullopt;
+    check_count(p, 3, arguments.size(), at);
+    return space_functions(p).pigment(*block, {arguments[0], arguments[1], arguments[2]});
+}
+
+double function_value(Parser& p, const Function& function, std::span<const double> arguments, Place at) {
+    if (const auto value = value_in_space(p, function, arguments, at)) return *value;
+    check_count(p, function.parameters.size(), arguments.size(), at);
+    return Evaluation(p, function, arguments, 0).all();
+}
 
 }  // namespace alidade::pov

@@ -8,7 +8,9 @@
 
 namespace alidade::pov {
 
-/// Fails with a place for what is not modelled (patterns, pigments, internal()).
-double function_value(const Parser& p, const Function& function, std::span<const double> arguments, Place at);
+/// Fails with a place, which is `at` for the call itself, for what is not modelled, and for the function of a pigment.
+double function_value(Parser& p, const Function& function, std::span<const double> arguments, Place at);
+/// Of the function of a pigment, its colour; nothing for others.
+std::optional<std::array<double, 5>> function_colour(Parser& p, const Function& function, std::span<const double> arguments, Place at);
 
 }  // namespace alidade::pov

@@ -5,6 +5,7 @@
 #include "importers/pov/builders/transforms.h"
 #include "importers/pov/expressions.h"
 #include "importers/pov/function_values.h"
+#include "importers/pov/space_functions.h"
 
 #include <fmt/format.h>
 
@@ -73,17 +74,6 @@ Value parse_function(Parser& p, Place at) {
     return Value::of(Kind::function, function);
 }
 
-namespace {
-
-/// `function { transform { ... } }`: the map, or null.
-const Block* transform_of(const Function& function) {
-    const bool one = function.parts.size() == 1 && function.parts[0].value.kind == Kind::block;
-    const Block* block = one ? &function.parts[0].value.as<Block>() : nullptr;
-    return block && block->word == "transform"_w ? block : nullptr;
-}
-
-}  // namespace
-
 Value call_function(Parser& p, const Function& function, Place at) {
     const Ref<Function> hold(const_cast<Function*>(&function));
     p.expect('(', "before the arguments of a function");
@@ -92,13 +82,12 @@ Value call_function(Parser& p, const Function& function, Place at) {
         arguments.push_back(parse_float(p));
         p.accept(',');
     }
-    if (arguments.size() != function.parameters.size())
-        p.fail(at, fmt::format("the function has {} parameters, and {} arguments are given", function.parameters.size(), arguments.size()));
-    if (const Block* transform = transform_of(function)) {
+    if (const Block* block = block_of(function); block && block->word == "transform"_w) {
         if (arguments.size() != 3) p.fail(at, "the function of a transformation takes three arguments");
-        const Vec3 q = build_transform(p, *transform).point({arguments[0], arguments[1], arguments[2]});
+        const Vec3 q = build_transform(p, *block).point({arguments[0], arguments[1], arguments[2]});
         return Value::vector(3, {q.x, q.y, q.z});
     }
+    if (const auto colour = function_colour(p, function, arguments, at)) return Value::colour(*colour);
     return Value::number(function_value(p, function, arguments, at));
 }
 

@@ -3,12 +3,16 @@
 
 #include "importers/pov/directives.h"
 #include "importers/pov/macros.h"
+#include "importers/pov/object_queries.h"
+#include "importers/pov/space_functions.h"
 
 #include <fmt/format.h>
 
 namespace alidade::pov {
 
 Parser::Parser(const ReadOptions& given, Diagnostics& diagnostics) : options(given), said(diagnostics), finder({}, {}) {}
+
+Parser::~Parser() = default;
 
 void Parser::check_budget(Place at) const {
     if (stream.tokens_read() > options.limits.tokens_read)

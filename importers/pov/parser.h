@@ -9,6 +9,7 @@
 #include "importers/pov/token_stream.h"
 
 #include <exception>
+#include <memory>
 
 namespace alidade::pov {
 
@@ -21,6 +22,7 @@ struct Failure {
 class Parser {
   public:
     Parser(const ReadOptions& options, Diagnostics& said);
+    ~Parser();
 
     // ---- tokens ----
     /// Directives before it have been obeyed; never a macro's name. Of kind `end` at the end of the scene.
@@ -86,6 +88,9 @@ class Parser {
     uint64_t loop_turns = 0;
     Ref<Meter> elements{new Meter}, items{new Meter};   ///< of all arrays, of all blocks
     std::vector<std::pair<Place, Value>> defaults;    ///< #default, in order
+    std::vector<Value> globals;                       ///< blocks of global_settings so far, in order
+    std::unique_ptr<class ObjectQueries> objects;     ///< made when an object is first asked for something
+    std::unique_ptr<class SpaceFunctions> functions;  ///< made when the function of a pattern or a pigment is first called
 
   private:
     friend class Nested;

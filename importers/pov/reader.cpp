@@ -79,6 +79,7 @@ class Reader {
         Item item;
         item.kind = Item::Kind::block, item.place = token.place(), item.word = token.id;
         item.value = parse_block(p_, token.id, token.place());
+        if (token.id == "global_settings"_w) p_.globals.push_back(item.value);
         program_.items.push_back(std::move(item));
     }
 

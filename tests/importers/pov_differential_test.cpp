@@ -110,6 +110,12 @@ void ask_strings(Questions& q) {
         q.line(std::string(e) == "vstr(5, rgbf .5, \"/\", 0, 0)" ? "vstr(5, C, \"/\", 0, 0)" : e, e);
 }
 
+void ask_turbulence(Questions& q) {
+    for (const char* e : {"vturbulence(2, .5, 6, <1.2,3.4,5.6>)", "vturbulence(3, .4, 0, <1.2,3.4,5.6>)", "vturbulence(3, .4, 12, <1.2,3.4,5.6>)", "vturbulence(3, .4, 2.7, <1.2,3.4,5.6>)", "vturbulence(3 .4, -3 <-1.2,-3.4,-5>)",
+                          "vturbulence(0, -1, 3, 1.5)", "vturbulence(2.13, .61, 5, <-7.125, 0, 40.5>)", "vturbulence(2, .5, 1, <0,0,17>)", "vturbulence(1.9, 1.1, 9, <.01,.02,-.03>) + x"})
+        q.vector(e, 3);
+}
+
 Questions questions() {
     Questions q;
     q.prelude = "#version 3.7;\nglobal_settings { assumed_gamma 1 }\n#declare K = 1.75;\n#declare A = array[2] {2, .6}\n#declare W = <.5, -.25, 4>;\n#declare C = rgb <.1, .7, .2>;\n"
@@ -122,6 +128,7 @@ Questions questions() {
                  "#declare T5 = function { transform { transform { T } rotate 90*y } }\n#declare T6 = function { transform { scale <0,2,1> } }\n";
     ask_listed(q);
     ask_strings(q);
+    ask_turbulence(q);
     Generator generate;
     for (int i = 0; i < 200; ++i) q.number(generate.number(1 + i % 3));
     for (int i = 0; i < 60; ++i) q.vector(generate.vector(1 + i % 3), 3);

@@ -9,8 +9,8 @@ namespace alidade {
 
 enum class Shadows { cast, ignored };
 
-/// What comes through all that is not opaque, on a shadow ray that starts inside of `inside`.
-Color filtered_light(Tracing& tracing, const Ray& ray, const InteriorStack& inside);
+/// What comes through everything on a shadow ray that starts inside of `inside`.
+Color filtered_light(Tracing& tracing, Ray ray, const InteriorStack& inside);
 
 /// What of the light `distance` away in the unit direction `direction` comes to the point. `kFilters` false: nothing in the scene lets a part of it through.
 template <bool kFilters> Color visible(Tracing& tracing, const ShadePoint& point, const RayState& state, const Vec3& direction, double distance) {
@@ -20,12 +20,7 @@ template <bool kFilters> Color visible(Tracing& tracing, const ShadePoint& point
     ray.mask = kMaskShadow;
     ray.time = state.time;
     if constexpr (kFilters) {
-        if (tracing.scene.filters_light) {
-            ray.mask = kMaskOpaque;
-            if (tracing.scene.top->occluded(ray, tracing.stats.work)) return Color(0);
-            ray.mask = kMaskFilter;
-            return filtered_light(tracing, ray, state.inside);
-        }
+        if (tracing.scene.filters_light) return filtered_light(tracing, ray, state.inside);
     }
     return tracing.scene.top->occluded(ray, tracing.stats.work) ? Color(0) : Color(1);
 }

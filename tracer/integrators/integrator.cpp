@@ -5,7 +5,11 @@
 namespace alidade {
 
 /// Filters are multiplied in the order of hits, so the product is the same, bit for bit, whatever structure found them.
-Color filtered_light(Tracing& tracing, const Ray& ray, const InteriorStack& start) {
+/// What is opaque is asked for first: it needs no list of hits.
+Color filtered_light(Tracing& tracing, Ray ray, const InteriorStack& start) {
+    ray.mask = kMaskOpaque;
+    if (tracing.scene.top->occluded(ray, tracing.stats.work)) return Color(0);
+    ray.mask = kMaskFilter;
     tracing.passed.clear();
     tracing.scene.top->all_hits(ray, tracing.passed, tracing.stats.work);
     InteriorStack inside = start;

@@ -34,6 +34,7 @@ struct Build {
     NoiseGenerator noise = NoiseGenerator::range_corrected;   ///< of patterns that give none
     int number_of_waves = 10;                           ///< of waves and ripples
 
+    bool shapes_alone = false;                          ///< textures, materials and interiors are passed over: the scene is asked where its shapes are, and not drawn
     int copying = 0;                                    ///< references that are being built anew because their texture changes
     size_t copies_of_copies = 0;                        ///< those among them that stood in another: each level can double them
 

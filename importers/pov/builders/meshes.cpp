@@ -51,6 +51,7 @@ class Slots {
     explicit Slots(Build& build) : build_(build), materials_(1) {}
 
     uint32_t of(const Block& texture) {
+        if (build_.shapes_alone) return 0;
         const auto [at, added] = known_.try_emplace(&texture, uint32_t(materials_.size()));
         if (added) materials_.emplace_back(add_material(build_, build_texture(build_, texture), texture.place));
         return at->second;

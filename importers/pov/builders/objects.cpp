@@ -88,6 +88,7 @@ void add_material(Build& build, Draft& d, const Block& block) {
 }
 
 bool take_surface(Build& build, Draft& d, Cursor& at) {
+    if (build.shapes_alone && !at.done() && (changes_texture(at.peek()) || at.at_block("interior"_w))) return at.next(), true;
     if (take_layer(build, d, at)) return true;
     if (const Block* texture = at.block_at("texture"_w)) add_layers(build, d, build_texture(build, *texture), texture->place);
     else if (const Block* material = at.block_at("material"_w)) add_material(build, d, *material);
@@ -126,27 +127,39 @@ void gather_lights(const Scene& scene, NodeId id, std::vector<LightId>& out) {
     for (const NodeId child : node.children) gather_lights(scene, child, out);
 }
 
-/// What clips an object is moved by the transformations behind it alone; `moved` are those before it.
-void add_clip(Build& build, Draft& d, const Block& clip, const Transform& moved) {
+/// What clips an object is moved by its `own` transformations, and by those of the object behind it; `moved` are those before it.
+void add_clip(Build& build, Draft& d, const Block& clip, const Transform& moved, const Transform& own) {
     const auto built = build_object(build, clip);
     if (!built) return;
     NodeId node = built->node;
-    if (!moved.is_identity()) {
+    if (!moved.is_identity() || !own.is_identity()) {
         const auto back = inverse(moved);
         if (!back) return build.p.warn(clip.place, "the object is flat or infinitely large here and cannot be clipped");
         Node placed;
         placed.from = build.position(clip.place);
-        placed.to_parent = *back;
+        placed.to_parent = *back * own;
         placed.children.push_back(node);
         node = build.add_node(std::move(placed));
     }
     d.node.clips.push_back(node);
 }
 
+/// The transformations in `clipped_by { ... }`, which move all of it.
+Transform moves_of_clips(Build& build, const Block& block) {
+    Transform all;
+    for (Cursor at(build, block); !at.done(); ) {
+        if (at.at_transform()) all = at.transform() * all;
+        else at.next();
+    }
+    return all;
+}
+
 void take_clips(Build& build, Draft& d, const Block& block, const Transform& moved) {
+    const Transform own = moves_of_clips(build, block);
     for (Cursor at(build, block); !at.done(); ) {
         const Block* clip = at.any_block();
-        if (clip && is_object(clip->word)) at.next(), add_clip(build, d, *clip, moved);
+        if (clip && is_object(clip->word)) at.next(), add_clip(build, d, *clip, moved, own);
+        else if (at.at_transform()) at.transform();
         else if (d.bound && at.accept("bounded_by"_w)) take_clips(build, d, *std::exchange(d.bound, nullptr), d.bound_transform);
         else at.skip_unmodelled();
     }
@@ -198,7 +211,7 @@ std::optional<Draft> object(Build& build, Cursor& at) {
     if (!inner || !is_object(inner->word)) build.p.fail(at.place(), "an object is expected in object { }");
     at.next();
     const std::vector<Item>& items = at.block().items;
-    if (!std::any_of(items.begin(), items.end(), changes_texture)) return reference(build, *inner);
+    if (build.shapes_alone || !std::any_of(items.begin(), items.end(), changes_texture)) return reference(build, *inner);
     constexpr size_t kMostCopies = 50'000;
     if (build.copying && ++build.copies_of_copies > kMostCopies) build.p.fail_limit(at.block().place, fmt::format("more than {} objects are copied in copies, because their textures change", kMostCopies));
     const Copying copying(build);

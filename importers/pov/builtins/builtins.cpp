@@ -11,7 +11,7 @@ namespace {
 
 std::array<Builtin, kWordCount> by_word() {
     std::array<Builtin, kWordCount> all{};
-    for (std::span<const BuiltinEntry> table : {float_functions(), vector_functions(), string_functions(), constants()})
+    for (std::span<const BuiltinEntry> table : {float_functions(), vector_functions(), string_functions(), object_functions(), constants()})
         for (const BuiltinEntry& entry : table) all[entry.word] = entry.evaluate;
     return all;
 }

@@ -19,6 +19,7 @@ struct BuiltinEntry {
 std::span<const BuiltinEntry> float_functions();
 std::span<const BuiltinEntry> vector_functions();
 std::span<const BuiltinEntry> string_functions();
+std::span<const BuiltinEntry> object_functions();
 std::span<const BuiltinEntry> constants();
 
 /// The built-in of a word, or null.

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 /// Functions of vectors (POV-Ray reference, 3.3.1.6.5).
+#include "eval/noise/noise.h"
 #include "importers/pov/builtins/builtins.h"
 #include "importers/pov/expressions.h"
 #include "importers/pov/rotation.h"
@@ -65,8 +66,21 @@ Value vaxis_rotate(Parser& p, Place) {
     return of_three(axis_rotation(axis, degrees) * v);
 }
 
+/// vturbulence(lambda, omega, octaves, point); of octaves there are 1 to 10.
+Value vturbulence(Parser& p, Place) {
+    p.expect('(', "before the arguments of a function");
+    Turbulence t;
+    t.lambda = parse_float(p), t.omega = next_float(p);
+    const double octaves = next_float(p);
+    t.octaves = octaves >= 1 ? octaves <= 10 ? int(octaves) : 10 : 1;
+    const Vec3 at = next_vector(p);
+    close(p);
+    return of_three(vector_turbulence(at, t));
+}
+
 constexpr BuiltinEntry kTable[] = {
     {"vcross"_w, vcross}, {"vdot"_w, vdot}, {"vlength"_w, vlength}, {"vnormalize"_w, vnormalize}, {"vrotate"_w, vrotate}, {"vaxis_rotate"_w, vaxis_rotate},
+    {"vturbulence"_w, vturbulence},
 };
 
 }  // namespace

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "eval/patterns/space_pigments.h"
+
+#include "scene/queries.h"
+
+namespace alidade {
+
+tl::expected<void, std::string> SpacePigments::prepare(SignalId root) {
+    std::vector<SignalId> read;
+    collect_signals(scene_, root, read);
+    for (const SignalId id : read) {
+        const auto& what = scene_.signals[id.index].what;
+        if (std::holds_alternative<ConstantSignal>(what) || patterns_.count(id.index)) continue;
+        const auto* pattern = std::get_if<PatternSignal>(&what);
+        if (!pattern) return tl::unexpected(std::string("only colours and patterns have a value in space"));
+        auto made = Pattern::make(*pattern);
+        if (!made) return tl::unexpected(made.error());
+        patterns_.emplace(id.index, std::move(*made));
+    }
+    return {};
+}
+
+PigmentColor SpacePigments::color(SignalId pigment, const Vec3& p) const {
+    const auto& what = scene_.signals[pigment.index].what;
+    if (const auto* constant = std::get_if<ConstantSignal>(&what)) return {Color(constant->value), constant->filter, constant->transmit};
+    const Pattern& pattern = patterns_.at(pigment.index);
+    const std::vector<MapEntry>& map = std::get<PatternSignal>(what).map;
+    const Vec3 at = pattern.place(p);
+    if (map.empty()) return {Color(pattern.value_at(at)), 0, 0};
+    PigmentColor total;
+    for_each_share(map, pattern, at, [&](uint32_t entry, double share) {
+        const PigmentColor own = color(map[entry].signal, at);
+        total = {total.color + own.color * share, total.filter + own.filter * share, total.transmit + own.transmit * share};
+    });
+    return total;
+}
+
+}  // namespace alidade

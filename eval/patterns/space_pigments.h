@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: Apache-2.0
+/// Pigments that stand nowhere but in space, asked point by point.
+#pragma once
+
+#include "eval/patterns/pattern.h"
+#include "scene/scene.h"
+
+#include <unordered_map>
+
+namespace alidade {
+
+/// A colour of POV-Ray's: what part of the light that passes is coloured (filter), what part is not (transmit).
+struct PigmentColor {
+    Color color{0};
+    double filter = 0, transmit = 0;
+};
+
+/// Constants, patterns, and maps of them. The scene may grow meanwhile.
+class SpacePigments {
+  public:
+    /// `scene` must outlive the pigments.
+    explicit SpacePigments(const Scene& scene) : scene_(scene) {}
+
+    /// Makes all that `root` reads ready; or says why it has no value in space.
+    tl::expected<void, std::string> prepare(SignalId root);
+    /// Of a pigment that is ready. As POV-Ray's own map from black to white where a pattern has none.
+    PigmentColor color(SignalId pigment, const Vec3& p) const;
+
+  private:
+    const Scene& scene_;
+    std::unordered_map<uint32_t, Pattern> patterns_;
+};
+
+}  // namespace alidade

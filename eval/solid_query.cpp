@@ -1,0 +1,180 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "eval/solid_query.h"
+
+#include "eval/csg_expression.h"
+#include "eval/mesh_points.h"
+#include "eval/placed.h"
+
+#include <algorithm>
+#include <unordered_map>
+
+namespace alidade {
+
+namespace {
+
+constexpr double kMostPaths = 1e6;
+constexpr uint32_t kMostLevels = 1000;
+
+/// How many paths begin at a node, and the length of the longest.
+struct Below {
+    double paths = 1;
+    uint32_t levels = 1;
+};
+
+/// Each node once, however many paths lead to it, those below it first.
+Below below(const Scene& scene, NodeId root) {
+    std::unordered_map<uint32_t, Below> known;
+    std::vector<NodeId> todo{root};
+    while (!todo.empty()) {
+        const NodeId id = todo.back();
+        const size_t before = todo.size();
+        Below sum;
+        const auto add = [&](NodeId child) {
+            const auto there = known.find(child.index);
+            if (there == known.end()) return todo.push_back(child);
+            sum.paths += there->second.paths;
+            sum.levels = std::max(sum.levels, there->second.levels + 1);
+        };
+        for (const NodeId child : scene.nodes[id.index].children) add(child);
+        for (const NodeId clip : scene.nodes[id.index].clips) add(clip);
+        if (todo.size() > before) continue;
+        known[id.index] = sum;
+        todo.pop_back();
+    }
+    return known[root.index];
+}
+
+const Mesh* as_mesh(const Scene& scene, ShapeId shape) { return std::get_if<Mesh>(&scene.shapes[shape.index].geometry); }
+
+}  // namespace
+
+const Accelerator& MeshAccelerators::of(ShapeId shape) {
+    std::unique_ptr<Accelerator>& made = made_[shape.index];
+    if (!made) {
+        const Mesh& mesh = *as_mesh(scene_, shape);
+        AccelOptions options;
+        options.precision = Precision::double_;      // the file's own numbers
+        made = find_accelerator("auto")->over_triangles({mesh.positions, mesh.exact_positions, mesh.triangles}, options);
+    }
+    return *made;
+}
+
+/// Places the shapes.
+class SolidQuery::Parts final : public CsgParts {
+  public:
+    Parts(SolidQuery& out, MeshAccelerators& meshes) : out_(out), meshes_(meshes) {}
+
+    bool enters(const Visit&) override { return true; }
+
+    uint32_t place(const Visit& at) override {
+        const auto* shape = std::get_if<ShapeId>(&out_.scene_.nodes[at.node.index].what);
+        if (!shape) return kNoId;
+        const Mesh* mesh = as_mesh(out_.scene_, *shape);
+        PlacedShape placed;
+        placed.shape = *shape;
+        placed.to_world = mesh ? at.to_world * Transform::translate(mesh->origin) : at.to_world;
+        const auto to_local = inverse(placed.to_world);
+        if (!to_local) return kNoId;
+        placed.to_local = *to_local;
+        placed.triangles = mesh ? &meshes_.of(*shape) : nullptr;
+        placed.ops = mesh ? nullptr : find_shape(out_.scene_.shapes[shape->index].geometry);
+        out_.shapes_.push_back(placed);
+        return uint32_t(out_.shapes_.size() - 1);
+    }
+
+    /// Fills in what the tree asks of its leaves.
+    void describe(CsgExpression& e) const {
+        for (CsgExpression& part : e.parts) describe(part);
+        if (e.op != CsgOp::leaf || e.leaf.id == kNoId) return;
+        const PlacedShape& placed = out_.shapes_[e.leaf.id];
+        const ShapeGeometry& geometry = out_.scene_.shapes[placed.shape.index].geometry;
+        e.leaf.inside = !placed.ops ? CsgInside::nowhere : placed.ops->solid(geometry) ? CsgInside::by_crossings : CsgInside::at_points;
+        e.leaf.bounds = placed.to_world.bounds(placed.ops ? placed.ops->bounds(geometry) : placed.triangles->bounds());
+    }
+
+  private:
+    SolidQuery& out_;
+    MeshAccelerators& meshes_;
+};
+
+/// The shapes, as the tree asks for them.
+class SolidQuery::Leaves final : public CsgLeaves {
+  public:
+    explicit Leaves(const SolidQuery& query) : query_(query) {}
+
+    bool crossings(uint32_t id, const Ray& ray, std::vector<CsgCrossing>& out) const override {
+        const PlacedShape& placed = query_.shapes_[id];
+        const Ray local = placed.to_local.ray(ray);
+        if (placed.triangles) {
+            WorkCounters unused;
+            thread_local std::vector<Hit> hits;
+            hits.clear();
+            placed.triangles->all_hits(local, hits, unused, id);
+            for (const Hit& hit : hits) out.push_back({hit, 0});
+            return false;
+        }
+        const ShapeGeometry& geometry = query_.scene_.shapes[placed.shape.index].geometry;
+        const Crossings crossings = placed.ops->crossings(geometry, local);
+        for (int i = 0; i < crossings.count; ++i) out.push_back({hit_of(crossings.at[i], id), 0});
+        return !placed.ops->bounds(geometry).finite() && begins_inside(*placed.ops, geometry, local, crossings);
+    }
+
+    bool inside(uint32_t id, const Vec3& point) const override {
+        const PlacedShape& placed = query_.shapes_[id];
+        return placed.ops && placed.ops->inside(query_.scene_.shapes[placed.shape.index].geometry, placed.to_local.point(point));
+    }
+
+    Sharpness sharpness(const Ray& ray, const Hit& hit) const override {
+        const PlacedShape& placed = query_.shapes_[hit.instance];
+        const FoundSurface found = query_.surface(ray, hit);
+        return {placed_error({placed.to_world, placed.to_local}, ray, hit, found.point), std::abs(dot(found.normal, ray.dir)) / length(ray.dir)};
+    }
+
+  private:
+    const SolidQuery& query_;
+};
+
+SolidQuery::SolidQuery(const Scene& scene, NodeId root, MeshAccelerators& meshes) : scene_(scene) {
+    const Below size = below(scene, root);
+    complete_ = size.paths <= kMostPaths && size.levels <= kMostLevels;
+    if (!complete_) return;
+    Visit at{root, scene.nodes[root.index].to_parent, {root}};
+    Parts parts(*this, meshes);
+    auto expression = csg_expression(scene, at, kMaskAll, parts);
+    if (!expression) return;
+    parts.describe(*expression);
+    tree_.emplace(*expression);
+    for (const CsgNode& node : tree_->nodes())
+        if (node.op == CsgOp::leaf && node.leaf != kNoId) shapes_[node.leaf].inverted = node.inverted;
+}
+
+FoundSurface SolidQuery::surface(const Ray& ray, const Hit& hit) const {
+    const PlacedShape& placed = shapes_[hit.instance];
+    FoundSurface found;
+    found.point = ray.at(hit.t);
+    found.shape = placed.shape, found.part = hit.part;
+    Vec3 normal;
+    if (placed.ops) {
+        normal = placed.ops->surface(scene_.shapes[placed.shape.index].geometry, placed.to_local.point(found.point), hit.part).normal;
+    } else {
+        const Mesh& mesh = *as_mesh(scene_, placed.shape);
+        found.facet = !mesh.normals.present();
+        normal = found.facet ? triangle_normal(mesh, hit.primitive) : Vec3(interpolate(mesh.normals, mesh, hit.primitive, hit.u, hit.v));
+    }
+    found.normal = normalized(placed.to_local.transposed(normal));
+    if (placed.inverted) found.normal = -found.normal;
+    return found;
+}
+
+std::optional<FoundSurface> SolidQuery::first(const Ray& asked) const {
+    if (!tree_) return std::nullopt;
+    Ray ray = asked;
+    ray.mask = kMaskCamera;
+    Hit hit;
+    if (!tree_->first(ray, Leaves(*this), hit)) return std::nullopt;
+    return surface(ray, hit);
+}
+
+bool SolidQuery::inside(const Vec3& point) const { return tree_ && tree_->inside(point, Leaves(*this)); }
+
+}  // namespace alidade

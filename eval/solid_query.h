@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: Apache-2.0
+/// What can be asked of a part of a scene without rendering it: what a ray meets first, and which points are inside.
+#pragma once
+
+#include "accel/accelerator.h"
+#include "eval/csg.h"
+#include "scene/scene.h"
+
+#include <map>
+#include <memory>
+#include <optional>
+
+namespace alidade {
+
+/// The accelerators of a scene's meshes, each built when it is first asked for. The scene may grow meanwhile.
+class MeshAccelerators {
+  public:
+    explicit MeshAccelerators(const Scene& scene) : scene_(scene) {}
+    const Accelerator& of(ShapeId shape);
+
+  private:
+    const Scene& scene_;
+    std::map<uint32_t, std::unique_ptr<Accelerator>> made_;
+};
+
+/// Where a ray meets a surface.
+struct FoundSurface {
+    Vec3 point{0};
+    Vec3 normal{0};         ///< unit, outwards, whichever side the ray comes from: of a smooth triangle, interpolated; of a part that is taken away, turned round
+    ShapeId shape;
+    uint32_t part = 0;      ///< of the shape (Hit::part)
+    bool facet = false;     ///< a triangle without normals of its own: outwards is where its corners are seen counter-clockwise
+};
+
+/// A node with all below it, as a solid. Shapes whose transform has no inverse are left out.
+///
+/// Method   the whole is one CsgTree over the shapes that the node leads to; meshes have their accelerators.
+/// Error    that of the shapes' own crossings (eval/shapes), and the roundings of the transform.
+class SolidQuery {
+  public:
+    /// Both must outlive the query. The nodes below `root` must be acyclic; they may not change any more. Space is that of the root's parent.
+    SolidQuery(const Scene& scene, NodeId root, MeshAccelerators& meshes);
+
+    /// Does it stand for all that the node leads to? Not where more than a million paths lead to its parts, or one of more than a thousand levels.
+    bool complete() const { return complete_; }
+    /// The nearest surface with tmin <= t <= tmax, of all that a camera sees.
+    std::optional<FoundSurface> first(const Ray& ray) const;
+    bool inside(const Vec3& point) const;
+    /// How many shapes it looks at.
+    size_t size() const { return shapes_.size(); }
+
+  private:
+    class Parts;
+    class Leaves;
+    struct PlacedShape {
+        ShapeId shape;
+        Transform to_world, to_local;
+        const Accelerator* triangles = nullptr;   ///< null for closed forms
+        const ShapeOps* ops = nullptr;            ///< null for meshes
+        bool inverted = false;
+    };
+
+    FoundSurface surface(const Ray& ray, const Hit& hit) const;
+
+    const Scene& scene_;
+    std::vector<PlacedShape> shapes_;
+    std::optional<CsgTree> tree_;                 ///< none where there are no shapes
+    bool complete_ = true;
+};
+
+}  // namespace alidade

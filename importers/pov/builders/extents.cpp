@@ -1,0 +1,285 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "importers/pov/builders/extents.h"
+
+#include "importers/pov/builders/objects.h"
+#include "importers/pov/builders/quadric_reach.h"
+#include "importers/pov/builders/shapes.h"
+#include "importers/pov/builders/texts.h"
+
+#include <algorithm>
+
+namespace alidade::pov {
+
+namespace {
+
+const Bounds kAllSpace{Vec3(-kInf), Vec3(kInf)};
+
+/// What an object is as long as its transformations are read.
+struct Extent {
+    enum class Rule { sphere, points, at_once, step_by_step };
+    Rule rule = Rule::step_by_step;
+    Bounds box;                          ///< in the shape's own space, or as it has become step by step
+    Transform transform;                 ///< at once
+    Sphere sphere;
+    std::vector<Vec3> points;
+    bool flat = false;                   ///< a polygon: has some thickness where it has none
+    bool inverse = false;
+    std::optional<Plane> plane;          ///< moved by `transform`
+    std::optional<Quadric> quadric;      ///< moved already
+    std::vector<Extent> clips, bounds;
+};
+
+double volume(const Bounds& b) {
+    const Vec3 e = b.extent();
+    return e.x * e.y * e.z;
+}
+
+Bounds own_box(const Extent& e) {
+    switch (e.rule) {
+        case Extent::Rule::sphere: return {e.sphere.center - std::abs(e.sphere.radius), e.sphere.center + std::abs(e.sphere.radius)};
+        case Extent::Rule::at_once: return e.box.finite() ? e.transform.bounds(e.box) : e.box;
+        case Extent::Rule::step_by_step: return e.box;
+        case Extent::Rule::points: break;
+    }
+    Bounds box;
+    for (const Vec3& p : e.points) box.extend(p);
+    constexpr double kThickness = 0.001;
+    for (int i = 0; i < 3; ++i)
+        if (e.flat && box.max[i] - box.min[i] < 1e-9) box.min[i] -= kThickness, box.max[i] += kThickness;
+    return box;
+}
+
+Bounds box_of(const Extent& e);
+
+void replace_by_smaller(Bounds& box, const std::vector<Extent>& others) {
+    if (others.empty()) return;
+    Bounds common = kAllSpace;
+    for (const Extent& other : others)
+        if (!other.inverse) common = intersection(common, box_of(other));
+    if (common.finite() && !common.empty() && (!box.finite() || volume(common) < volume(box))) box = common;
+}
+
+Bounds box_of(const Extent& e) {
+    Bounds box = own_box(e);
+    if (box.empty()) return box;
+    replace_by_smaller(box, e.bounds);
+    replace_by_smaller(box, e.clips);
+    return box;
+}
+
+/// Does it keep a sphere one?
+bool keeps_spheres(const Item& item, const Transform& t) {
+    if (item.kind != Item::Kind::word || item.word == "matrix"_w || item.word == "transform"_w) return false;
+    return item.word != "scale"_w || (t.linear[0].x == t.linear[1].y && t.linear[0].x == t.linear[2].z);
+}
+
+void move(Extent& e, const Item& item, const Transform& t) {
+    if (e.rule == Extent::Rule::sphere) {
+        if (keeps_spheres(item, t)) {
+            e.sphere.center = t.point(e.sphere.center);
+            if (item.word == "scale"_w) e.sphere.radius *= t.linear[0].x;
+        } else {
+            e.box = own_box(e), e.transform = t, e.rule = Extent::Rule::at_once;
+        }
+    } else if (e.rule == Extent::Rule::points) {
+        for (Vec3& p : e.points) p = t.point(p);
+    } else if (e.rule == Extent::Rule::at_once) {
+        e.transform = t * e.transform;
+    } else if (e.box.finite()) {
+        e.box = t.bounds(e.box);
+    }
+    if (e.quadric) e.quadric = moved(*e.quadric, t);
+    for (Extent& clip : e.clips) move(clip, item, t);
+    for (Extent& bound : e.bounds) move(bound, item, t);
+}
+
+/// Across `axis`, without turning more than it takes: z goes to the axis.
+Transform along(const Vec3& from, const Vec3& axis) {
+    const Vec3 d = normalized(axis);
+    if (d.z < -1 + 1e-12) return {Mat3(1, 0, 0, 0, -1, 0, 0, 0, -1), from};
+    const double k = 1 / (1 + d.z);
+    return {Mat3(1 - d.x * d.x * k, -d.x * d.y * k, -d.x, -d.x * d.y * k, 1 - d.y * d.y * k, -d.y, d.x, d.y, d.z), from};
+}
+
+void set_round(Extent& e, const Vec3& from, const Vec3& axis, double radius, double bottom, double top) {
+    e.rule = Extent::Rule::at_once;
+    e.transform = along(from, axis);
+    e.box = {Vec3(-radius, -radius, bottom), Vec3(radius, radius, top)};
+}
+
+Extent of_shape(const ShapeGeometry& geometry) {
+    Extent e;
+    e.rule = Extent::Rule::at_once;
+    if (const auto* s = std::get_if<Sphere>(&geometry)) {
+        e.rule = Extent::Rule::sphere, e.sphere = *s;
+    } else if (const auto* c = std::get_if<Cylinder>(&geometry)) {
+        set_round(e, c->b, c->a - c->b, std::abs(c->radius), 0, length(c->a - c->b));
+    } else if (const auto* k = std::get_if<Cone>(&geometry)) {
+        const bool grows = k->radius_a < k->radius_b;                  // the axis goes to the end with the larger radius, if that is not negative
+        const Vec3 axis = grows ? k->b - k->a : k->a - k->b;
+        set_round(e, grows ? k->a : k->b, axis, std::abs(std::max(k->radius_a, k->radius_b)), 0, length(axis));
+    } else if (const auto* d = std::get_if<Disc>(&geometry)) {
+        set_round(e, d->center, d->normal, std::abs(d->radius), -0.001, 0.001);
+    } else if (const auto* p = std::get_if<Polygon>(&geometry)) {
+        e.rule = Extent::Rule::points, e.flat = true;
+        for (const auto& loop : p->loops) e.points.insert(e.points.end(), loop.begin(), loop.end());
+    } else if (const auto* q = std::get_if<Quadric>(&geometry)) {
+        e.rule = Extent::Rule::step_by_step, e.quadric = *q, e.box = box_of_ellipsoid(*q);
+    } else if (std::holds_alternative<Mesh>(geometry)) {
+        e.rule = Extent::Rule::step_by_step, e.box = bounds(geometry);
+    } else {
+        if (const auto* plane = std::get_if<Plane>(&geometry)) e.plane = *plane;
+        e.box = bounds(geometry);
+    }
+    return e;
+}
+
+/// Corners of a triangle that stands alone.
+void set_corners(Extent& e, const ShapeGeometry& geometry) {
+    const auto* mesh = std::get_if<Mesh>(&geometry);
+    if (!mesh) return;
+    e.rule = Extent::Rule::points;
+    for (size_t i = 0; i < mesh->positions.size(); ++i) e.points.push_back(mesh->exact_positions.empty() ? Vec3(mesh->positions[i]) : mesh->exact_positions[i]);
+}
+
+/// Cuts the box where a plane along an axis bounds what is inside.
+void cut(Bounds& box, const Extent& e, bool inverse) {
+    const auto back = alidade::inverse(e.transform);
+    if (!back) return;
+    Vec3 normal = back->transposed(normalized(e.plane->normal));
+    double distance = e.plane->distance + dot(normal, e.transform.translation);
+    if (inverse) normal = -normal, distance = -distance;
+    for (int i = 0; i < 3; ++i) {
+        const double rest = std::max(std::abs(normal[(i + 1) % 3]), std::abs(normal[(i + 2) % 3]));
+        if (rest > 1e-10 * std::abs(normal[i])) continue;
+        if (normal[i] > 0) box.max[i] = std::min(box.max[i], distance / normal[i]);
+        else box.min[i] = std::max(box.min[i], distance / normal[i]);
+    }
+}
+
+Bounds common_box(const std::vector<Extent>& parts, bool difference) {
+    Bounds box = kAllSpace;
+    const auto inverted = [&](const Extent& part) { return part.inverse != (difference && &part != &parts.front()); };
+    for (const Extent& part : parts)
+        if (!inverted(part)) box = intersection(box, box_of(part));
+    for (const Extent& part : parts)
+        if (part.plane) cut(box, part, inverted(part));
+    for (const Extent& part : parts)
+        if (part.quadric && !inverted(part)) box = intersection(box, reach(*part.quadric, box));
+    return box.finite() && !box.empty() ? box : kAllSpace;
+}
+
+Bounds joined_box(const std::vector<Extent>& parts) {
+    Bounds box;
+    for (const Extent& part : parts) box.extend(box_of(part));
+    return box.empty() || !box.finite() ? kAllSpace : box;
+}
+
+/// Reads a block of an object.
+class Reader {
+  public:
+    explicit Reader(Build& build) : build_(build) {}
+
+    /// Each block once: a chain of references can double at every level.
+    Extent object(const Block& block) {
+        const auto known = known_.find(&block);
+        if (known != known_.end()) return known->second;
+        const Nested nested(build_.p, block.place);
+        Cursor at(build_, block);
+        Extent e = begin(block, at);
+        while (!at.done()) modifier(e, at);
+        return known_.emplace(&block, std::move(e)).first->second;
+    }
+
+  private:
+    Extent begin(const Block& block, Cursor& at) {
+        const Block* first = at.any_block();
+        const bool set = block.word == "union"_w || block.word == "merge"_w || block.word == "intersection"_w || block.word == "difference"_w || block.word == "light_group"_w;
+        if (first && is_object(first->word) && (block.word == "object"_w || (first->word == block.word && !set))) return at.next(), object(*first);
+        Extent e;
+        if (set) {
+            e.box = of_parts(block.word, parts(at));
+        } else if (block.word == "text"_w) {
+            e.box = of_text(at);
+        } else if (block.word == "light_source"_w) {
+            e.box = kAllSpace;
+        } else if (const auto shape = build_shape(build_, block.word, at)) {
+            e = of_shape(shape->geometry);
+            if (block.word == "triangle"_w || block.word == "smooth_triangle"_w) set_corners(e, shape->geometry);
+        }
+        return e;
+    }
+
+    std::vector<Extent> parts(Cursor& at) {
+        std::vector<Extent> all;
+        while (const Block* part = at.any_block()) {
+            if (!is_object(part->word)) break;
+            at.next();
+            all.push_back(object(*part));
+        }
+        return all;
+    }
+
+    static Bounds of_parts(WordId word, const std::vector<Extent>& parts) {
+        if (word == "intersection"_w || word == "difference"_w) return common_box(parts, word == "difference"_w);
+        return joined_box(parts);
+    }
+
+    /// Of its letters, which stand where their nodes move them.
+    Bounds of_text(Cursor& at) {
+        Bounds box;
+        for (const NodeId id : build_text(build_, at)) {
+            const Node& node = build_.scene.nodes[id.index];
+            if (const auto* shape = std::get_if<ShapeId>(&node.what)) box.extend(node.to_parent.bounds(bounds(build_.scene.shapes[shape->index].geometry)));
+        }
+        return box.empty() ? kAllSpace : box;
+    }
+
+    void modifier(Extent& e, Cursor& at) {
+        if (at.at_transform()) {
+            const Item& item = at.peek();
+            move(e, item, at.transform());
+        } else if (const Block* clip = at.block_at("clipped_by"_w)) {
+            at.next();
+            for (Extent& part : limits(*clip)) e.clips.push_back(std::move(part));
+        } else if (const Block* bound = at.block_at("bounded_by"_w)) {
+            at.next();
+            for (Extent& part : limits(*bound)) e.bounds.push_back(std::move(part));
+        } else if (at.accept("inverse"_w)) {
+            e.inverse = !e.inverse;
+        } else {
+            at.skip();
+        }
+    }
+
+    /// The objects in `clipped_by` or `bounded_by`, moved by the transformations behind them.
+    std::vector<Extent> limits(const Block& block) {
+        Cursor at(build_, block);
+        std::vector<Extent> all = parts(at);
+        while (!at.done()) {
+            const Item& item = at.peek();
+            if (!at.at_transform()) {
+                at.skip();
+                continue;
+            }
+            const Transform t = at.transform();
+            for (Extent& limit : all) move(limit, item, t);
+        }
+        return all;
+    }
+
+    Build& build_;
+    std::map<const Block*, Extent> known_;
+};
+
+}  // namespace
+
+Bounds extent(Build& build, const Block& block) {
+    const Bounds box = box_of(Reader(build).object(block));
+    if (box.empty()) return box;
+    if (!box.finite()) return {Vec3(-kUnboundedExtent), Vec3(kUnboundedExtent)};
+    const Vec3 low(Vec3f(box.min)), size(Vec3f(box.max - box.min));
+    return {low, low + size};
+}
+
+}  // namespace alidade::pov

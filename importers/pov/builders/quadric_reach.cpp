@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "importers/pov/builders/quadric_reach.h"
+
+#include <algorithm>
+
+namespace alidade::pov {
+
+namespace {
+
+bool has_products(const Quadric& q) { return max_abs(q.products) > 1e-10 * std::max(max_abs(q.squares), max_abs(q.products)); }
+
+/// The least of a x^2 + g x over a range.
+double least(double a, double g, double low, double high) {
+    if (a == 0 && g == 0) return 0;
+    const auto at = [&](double x) { return std::isfinite(x) ? (a * x + g) * x : a != 0 ? a * kInf : g * x; };
+    if (a > 0) return at(std::clamp(-g / (2 * a), low, high));
+    return std::min(at(low), at(high));
+}
+
+/// Where a x^2 + g x <= c allows x to be.
+void shorten(double a, double g, double c, double& low, double& high) {
+    if (!std::isfinite(c) || a < 0 || (a == 0 && g == 0)) return;
+    if (a == 0) {
+        if (g > 0) high = std::min(high, c / g);
+        else low = std::max(low, c / g);
+        return;
+    }
+    const double square = g * g + 4 * a * c;
+    if (!(square >= 0)) return;
+    low = std::max(low, (-g - std::sqrt(square)) / (2 * a));
+    high = std::min(high, (-g + std::sqrt(square)) / (2 * a));
+}
+
+}  // namespace
+
+Bounds box_of_ellipsoid(Quadric q) {
+    Bounds out{Vec3(-kInf), Vec3(kInf)};
+    if (has_products(q)) return out;
+    if (q.squares.x < 0) q.squares = -q.squares, q.linear = -q.linear, q.constant = -q.constant;
+    if (!(q.squares.x > 0 && q.squares.y > 0 && q.squares.z > 0)) return out;
+    const Vec3 center = q.linear / (-2.0 * q.squares);
+    const double square = dot(q.squares, center * center) - q.constant;
+    if (!(square > 0)) return out;
+    const Vec3 half = glm::sqrt(Vec3(square) / q.squares);
+    return {center - half, center + half};
+}
+
+Bounds reach(const Quadric& q, const Bounds& box) {
+    if (has_products(q)) return box;
+    Bounds out = box;
+    for (int pass = 0; pass < 2 && !out.empty(); ++pass)
+        for (int i = 0; i < 3 && !out.empty(); ++i) {
+            double rest = q.constant;
+            for (int j = 0; j < 3; ++j)
+                if (j != i) rest += least(q.squares[j], q.linear[j], out.min[j], out.max[j]);
+            shorten(q.squares[i], q.linear[i], -rest, out.min[i], out.max[i]);
+        }
+    return out;
+}
+
+/// With x = M y + m in x.A x + g.x + c.
+Quadric moved(const Quadric& q, const Transform& t) {
+    const auto back = inverse(t);
+    if (!back) return q;
+    const Vec3& p = q.products;
+    const Mat3 a(q.squares.x, p.x / 2, p.y / 2, p.x / 2, q.squares.y, p.z / 2, p.y / 2, p.z / 2, q.squares.z);
+    const Mat3& m = back->linear;
+    const Vec3& o = back->translation;
+    const Mat3 b = glm::transpose(m) * a * m;
+    Quadric out;
+    out.squares = Vec3(b[0].x, b[1].y, b[2].z);
+    out.products = 2.0 * Vec3(b[0].y, b[0].z, b[1].z);
+    out.linear = glm::transpose(m) * (2.0 * (a * o) + q.linear);
+    out.constant = dot(o, a * o) + dot(q.linear, o) + q.constant;
+    return out;
+}
+
+}  // namespace alidade::pov

@@ -1,0 +1,137 @@
+// SPDX-License-Identifier: Apache-2.0
+/// Functions of patterns and pigments, and POV-Ray's own, called while a scene is read: the same program in both.
+#include "importers/pov/reader.h"
+
+#include "core/diagnostics.h"
+#include "tests/povray/povray.h"
+
+#include <cmath>
+#include <fmt/format.h>
+#include <gmock/gmock.h>
+#include <sstream>
+
+using namespace alidade;
+using namespace alidade::pov;
+using testing::HasSubstr;
+
+namespace {
+
+constexpr size_t kPoints = 25;
+
+const char* const kPatterns[] = {
+    "bozo turbulence .3", "granite", "marble turbulence .4 frequency 2", "agate scale .5", "wrinkles noise_generator 1", "wood turbulence <.1,.2,.3> octaves 3 rotate 30*x", "crackle form <1,.5,0> metric 1",
+    "gradient <1,2,3> sine_wave", "spiral1 4", "checker", "hexagon", "brick brick_size 1 mortar .1", "cells", "leopard", "onion phase .3", "mandel 20", "julia <.3,.5>, 15", "quilted control0 .2", "radial frequency 5",
+    "spherical cubic_wave", "boxed", "dents", "spotted scale 2", "bumps warp { turbulence .5 } translate x", "cylindrical warp { repeat x }", "waves", "ripples", "magnet 1 mandel 10",
+};
+
+const char* const kPigments[] = {
+    "rgb <.1,.2,.3>", "rgbft <.1,.2,.3,.4,.5>", "bozo", "marble turbulence .5", "checker", "checker rgb x, rgbt <0,1,0,.5>", "brick", "hexagon rgb 1, rgb x, rgb y scale .3", "agate", "wood", "radial",
+    "granite color_map { [0 rgb <1,.2,0>] [.4 rgbf <0,1,.5,.2>] [.4 rgbt <1,1,1,.3>] [.8 rgb z] } scale 2 turbulence .2",
+    "gradient x pigment_map { [.2 rgb x] [.5 checker rgb y, rgb z scale .2] [.9 bozo turbulence 1] } rotate 20*y",
+    "average pigment_map { [1 granite] [2 rgb x] [.5 wood turbulence .1] }", "checker pigment { bozo }, pigment { rgb <.5,.2,.1> } scale .5", "Declared scale .4", "cubic",
+};
+
+std::vector<std::string> lines_of(const std::string& text) {
+    std::istringstream in(text);
+    std::vector<std::string> all;
+    for (std::string line; std::getline(in, line);) all.push_back(line);
+    return all;
+}
+
+std::string printed_by_us(const std::string& scene, Diagnostics& said) {
+    std::string printed;
+    ReadOptions options;
+    options.print = [&](TextStream, const std::string& text) { printed += text; };
+    read_program_text("scene.pov", scene, options, said);
+    return printed;
+}
+
+/// Both print the same number of lines, which name what was asked, and numbers within `allowed` of each other.
+void expect_same(const std::string& scene, double allowed, size_t least) {
+    Diagnostics said;
+    const std::vector<std::string> ours = lines_of(printed_by_us(scene, said)), theirs = lines_of(povray_debug(scene));
+    ASSERT_FALSE(said.has_errors()) << said.text();
+    ASSERT_EQ(ours.size(), theirs.size());
+    ASSERT_GE(ours.size(), least);
+    std::string about;
+    for (size_t i = 0; i < ours.size(); ++i) {
+        if (ours[i].find_first_not_of("-.0123456789") != std::string::npos) {
+            about = ours[i];
+            continue;
+        }
+        EXPECT_NEAR(std::strtod(ours[i].c_str(), nullptr), std::strtod(theirs[i].c_str(), nullptr), allowed) << about << ", line " << i;
+    }
+}
+
+const std::string kPrelude =
+    "#version 3.7;\nglobal_settings { assumed_gamma 1 }\n#declare Declared = pigment { granite color_map { [0 rgb y][1 rgb x] } }\n"
+    "#macro Say(S) #debug concat(S, \"\\n\") #end\n#macro Put(V) #debug concat(str(V, 0, 17), \"\\n\") #end\n#declare R = seed(3);\n#macro Place() <rand(R), rand(R), rand(R)>*4 - 2 #end\n";
+
+}  // namespace
+
+TEST(PovSpaceFunctions, PatternsAreNumbersAsInPovRay) {
+    if (!povray_is_installed()) GTEST_SKIP() << "povray is not installed";
+    std::string scene = kPrelude;
+    size_t number = 0;
+    for (const char* pattern : kPatterns)
+        scene += fmt::format("Say(\"pattern {}\") #local F = function {{ pattern {{ {} }} }} #local G = function(a, b) {{ 2*F(b, a, b) + 1 }}\n#for (I, 1, {}) #local P = Place(); Put(F(P.x, P.y, P.z)) Put(G(P.x, P.y)) #end #undef F #undef G\n", number++, pattern, kPoints);
+    expect_same(scene, 1e-9, std::size(kPatterns) * (2 * kPoints + 1));
+}
+
+TEST(PovSpaceFunctions, PigmentsAreColoursAsInPovRay) {
+    if (!povray_is_installed()) GTEST_SKIP() << "povray is not installed";
+    std::string scene = kPrelude + "#include \"functions.inc\"\n";
+    size_t number = 0;
+    for (const char* pigment : kPigments)
+        scene += fmt::format("Say(\"pigment {}\") #local F = function {{ pigment {{ {} }} }} #local G = function {{ F(x, y, z).gray + F(y, x, z).transmit*2 + F(x, x, y).red }}\n"
+                             "#for (I, 1, {}) #local P = Place(); #local C = F(P.x, P.y, P.z); Put(C.red) Put(C.green) Put(C.blue) Put(C.filter) Put(C.transmit) Put(F(P.x, P.y, P.z).gray) Put(G(P.x, P.y, P.z))\n"
+                             "#local C = eval_pigment(pigment {{ {} }}, P); Put(C.green) #end #undef F #undef G\n", number++, pigment, kPoints, pigment);
+    expect_same(scene, 2e-7, std::size(kPigments) * (8 * kPoints + 1));
+}
+
+TEST(PovSpaceFunctions, ThoseOfTheIncludeFileAreKnown) {
+    if (!povray_is_installed()) GTEST_SKIP() << "povray is not installed";
+    std::string scene = kPrelude + "#include \"functions.inc\"\n";
+    for (const char* call : {"f_noise3d(x, y, z)", "f_snoise3d(x, y, z)", "f_noise_generator(x, y, z, 3)", "f_r(x, y, z)", "f_th(x, y, z)", "f_ph(x, y, z)", "f_rounded_box(x, y, z, .1, 1, .8, 1.2)", "f_ridged_mf(x, y, z, .5, 2.1, 6, 1, 2, 2)",
+                             "f_sphere(x, y, z, 1)", "f_torus(x, y, z, 1, .25)", "f_superellipsoid(x, y, z, .5, .3)"})
+        scene += fmt::format("Say(\"{}\") #local F = function {{ {} }} #for (I, 1, {}) #local P = Place(); Put(F(P.x, P.y, P.z)) #end #undef F\n", call, call, kPoints);
+    scene += "#declare F = function { pattern { bozo } } Put(F(.1, .2, .3)) global_settings { noise_generator 1 } Put(F(.1, .2, .3)) Put(f_noise3d(.1, .2, .3)) Put(f_noise_generator(.1, .2, .3, 2)) global_settings { noise_generator 3 } Put(f_noise3d(.1, .2, .3))\n";
+    expect_same(scene, 1e-12, 11 * (kPoints + 1) + 5);
+}
+
+TEST(PovSpaceFunctions, WhatCannotBeCalledIsAnErrorWithItsPlace) {
+    const std::string s = "#declare P = function { pigment { bozo } }\n#declare F = function { pattern { bozo } }\n#declare N = function { internal(76) }\n";
+    const std::pair<const char*, const char*> cases[] = {
+        {"#declare K = F(1, 2);", "scene.pov:4:14: error: the function has 3 parameters, and 2 arguments are given"},
+        {"#declare K = P(1, 2);", "4:14: error: the function has 3 parameters, and 2 arguments are given"},
+        {"#declare K = N(1, 2, 3, 4);", "4:14: error: the function has 3 parameters, and 4 arguments are given"},
+        {"#declare M = function { internal(12) } #declare K = M(1, 2, 3);", "4:14: error: internal(12) is not modelled yet"},
+        {"#declare M = function { P(x, y, z) } #declare K = M(1, 2, 3);", "4:25: error: this function gives a colour, and a component of it is expected"},
+        {"#declare M = function { P(x, y, z) + 1 } #declare K = M(1, 2, 3);", "4:25: error: this function gives a colour"},
+        {"#declare M = function { P(x, y).red } #declare K = M(1, 2, 3);", "4:25: error: the function has 3 parameters"},
+        {"#declare M = function { pattern { slope y } } #declare K = M(1, 2, 3);", "4:35: error: slope in the pattern of a function is not modelled"},
+        {"#declare M = function { pattern { bozo color_map { [0 rgb 1] } } } #declare K = M(1, 2, 3);", "4:40: error: color_map in the pattern of a function is not modelled"},
+        {"#declare M = function { pattern { average } } #declare K = M(1, 2, 3);", "4:25: error: the pattern average has no number"},
+        {"#declare M = function { pattern { } } #declare K = M(1, 2, 3);", "4:25: error: the name of a pattern is expected"},
+        {"#declare M = function { pattern { bozo turbulence } } #declare K = M(1, 2, 3);", "error: a vector is expected as"},
+        {"#declare M = function { pigment { wood scale <1,2,3> warp { repeat 0 } } } #declare K = M(1, 2, 3);", "error:"},
+        {"#declare M = function { pigment { image_map { png \"a.png\" } } } #declare K = M(1, 2, 3);", "warning: the pattern image_map of a pigment is not modelled yet: middle grey stands for it"},
+    };
+    for (const auto& [text, words] : cases) {
+        Diagnostics said;
+        printed_by_us(s + text, said);
+        EXPECT_THAT(said.text(), HasSubstr(words)) << text;
+    }
+}
+
+/// As for objects: what is asked once in a loop is not kept for ever.
+TEST(PovSpaceFunctions, FunctionsThatAreGoneAreNotKept) {
+    ReadOptions options;
+    std::string printed;
+    options.print = [&](TextStream, const std::string& text) { printed += text; };
+    options.limits.items = 20'000;
+    Diagnostics said;
+    read_program_text("scene.pov", "#declare K = 0; #for (I, 1, 5000) #declare F = function { pigment { checker rgb 0, rgb I translate I*x } } #declare K = K + F(.5, .5, .5).red/I; #undef F #end #debug str(K, 0, 3)", options, said);
+    EXPECT_EQ(said.text(), "");
+    EXPECT_EQ(printed, "2500.000");
+}
