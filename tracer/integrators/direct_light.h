@@ -13,7 +13,8 @@ enum class Shadows { cast, ignored };
 Color filtered_light(Tracing& tracing, Ray ray, const InteriorStack& inside);
 
 /// What of the light `distance` away in the unit direction `direction` comes to the point. `kFilters` false: nothing in the scene lets a part of it through.
-template <bool kFilters> Color visible(Tracing& tracing, const ShadePoint& point, const RayState& state, const Vec3& direction, double distance) {
+/// Inline: once a light and a point, whatever the kernel can do else.
+template <bool kFilters> [[gnu::always_inline]] inline Color visible(Tracing& tracing, const ShadePoint& point, const RayState& state, const Vec3& direction, double distance) {
     if (!(distance > 0)) return Color(1);
     ++tracing.stats.shadow_rays;
     Ray ray = spawn_ray(point, direction, distance);
