@@ -30,6 +30,17 @@ struct Interval {
 
 double product(double a, double b) { return a == 0 || b == 0 ? 0 : a * b; }
 
+/// Adds the least value of s x^2 + l x over [a, b].
+void add_least(double s, double l, double a, double b, Interval& sum) {
+    const auto at = [&](double x) { return std::isfinite(x) ? s * x * x + l * x : s != 0 ? s * kInf : product(l, x); };
+    double least = std::min(at(a), at(b));
+    if (const double turn = -0.5 * l / s; s > 0 && turn > a && turn < b) least = std::min(least, at(turn));
+    sum.low += least;
+    for (const double x : {a, b})
+        if (std::isfinite(x)) sum.magnitude += std::abs(s) * x * x + std::abs(l * x);
+    if (s > 0) sum.magnitude += l * l / s;
+}
+
 struct Range {
     double low = kInf, high = -kInf;   ///< empty like this
     void extend(const Range& r) { low = std::min(low, r.low), high = std::max(high, r.high); }
@@ -57,10 +68,7 @@ Range solutions(const Quadric& f, double sign, const Bounds& box, int i) {
     b.add(products(i, k), box.min[k], box.max[k]);
     c.add(sign * f.constant, sign * f.constant);
     for (const int m : {j, k}) {
-        const double squares[] = {box.min[m] * box.min[m], box.max[m] * box.max[m]};
-        const bool holds_0 = box.min[m] <= 0 && box.max[m] >= 0;
-        c.add(sign * f.squares[m], holds_0 ? 0 : std::min(squares[0], squares[1]), std::max(squares[0], squares[1]));
-        c.add(sign * f.linear[m], box.min[m], box.max[m]);
+        add_least(sign * f.squares[m], sign * f.linear[m], box.min[m], box.max[m], c);
     }
     const double corners[] = {product(box.min[j], box.min[k]), product(box.min[j], box.max[k]), product(box.max[j], box.min[k]), product(box.max[j], box.max[k])};
     c.add(products(j, k), *std::min_element(corners, corners + 4), *std::max_element(corners, corners + 4));
