@@ -100,9 +100,10 @@ class SolidQuery::Parts final : public CsgParts {
 /// The shapes, as the tree asks for them.
 class SolidQuery::Leaves final : public CsgLeaves {
   public:
-    explicit Leaves(const SolidQuery& query) : query_(query) {}
+    Leaves(const SolidQuery& query, uint64_t& work) : query_(query), work_(work) {}
 
     bool crossings(uint32_t id, const Ray& ray, std::vector<CsgCrossing>& out) const override {
+        ++work_;
         const PlacedShape& placed = query_.shapes_[id];
         const Ray local = placed.to_local.ray(ray);
         if (placed.triangles) {
@@ -120,6 +121,7 @@ class SolidQuery::Leaves final : public CsgLeaves {
     }
 
     bool inside(uint32_t id, const Vec3& point) const override {
+        ++work_;
         const PlacedShape& placed = query_.shapes_[id];
         return placed.ops && placed.ops->inside(query_.scene_.shapes[placed.shape.index].geometry, placed.to_local.point(point));
     }
@@ -132,6 +134,7 @@ class SolidQuery::Leaves final : public CsgLeaves {
 
   private:
     const SolidQuery& query_;
+    uint64_t& work_;
 };
 
 SolidQuery::SolidQuery(const Scene& scene, NodeId root, MeshAccelerators& meshes) : scene_(scene) {
@@ -166,15 +169,15 @@ FoundSurface SolidQuery::surface(const Ray& ray, const Hit& hit) const {
     return found;
 }
 
-std::optional<FoundSurface> SolidQuery::first(const Ray& asked) const {
+std::optional<FoundSurface> SolidQuery::first(const Ray& asked, uint64_t& work) const {
     if (!tree_) return std::nullopt;
     Ray ray = asked;
     ray.mask = kMaskCamera;
     Hit hit;
-    if (!tree_->first(ray, Leaves(*this), hit)) return std::nullopt;
+    if (!tree_->first(ray, Leaves(*this, work), hit)) return std::nullopt;
     return surface(ray, hit);
 }
 
-bool SolidQuery::inside(const Vec3& point) const { return tree_ && tree_->inside(point, Leaves(*this)); }
+bool SolidQuery::inside(const Vec3& point, uint64_t& work) const { return tree_ && tree_->inside(point, Leaves(*this, work)); }
 
 }  // namespace alidade

@@ -44,8 +44,17 @@ class SolidQuery {
     /// Does it stand for all that the node leads to? Not where more than a million paths lead to its parts, or one of more than a thousand levels.
     bool complete() const { return complete_; }
     /// The nearest surface with tmin <= t <= tmax, of all that a camera sees.
-    std::optional<FoundSurface> first(const Ray& ray) const;
-    bool inside(const Vec3& point) const;
+    std::optional<FoundSurface> first(const Ray& ray) const {
+        uint64_t unused = 0;
+        return first(ray, unused);
+    }
+    bool inside(const Vec3& point) const {
+        uint64_t unused = 0;
+        return inside(point, unused);
+    }
+    /// The same; `work` grows by the number of shapes that were looked at.
+    std::optional<FoundSurface> first(const Ray& ray, uint64_t& work) const;
+    bool inside(const Vec3& point, uint64_t& work) const;
     /// How many shapes it looks at.
     size_t size() const { return shapes_.size(); }
 

@@ -1,13 +1,40 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "eval/patterns/space_pigments.h"
 
+#include "scene/graph.h"
 #include "scene/queries.h"
 
 namespace alidade {
 
+namespace {
+
+/// How many signals are looked up at a point, at the most: each as often as paths lead to it.
+double lookups(const Scene& scene, SignalId root) {
+    std::unordered_map<uint32_t, double> known;
+    std::vector<SignalId> todo{root};
+    while (!todo.empty()) {
+        const SignalId id = todo.back();
+        const size_t before = todo.size();
+        double sum = 1;
+        for_each_operand(scene.signals[id.index], [&](SignalId operand) {
+            const auto there = known.find(operand.index);
+            if (there == known.end()) todo.push_back(operand);
+            else sum += there->second;
+        });
+        if (todo.size() > before) continue;
+        known[id.index] = sum;
+        todo.pop_back();
+    }
+    return known[root.index];
+}
+
+}  // namespace
+
 tl::expected<void, std::string> SpacePigments::prepare(SignalId root) {
+    constexpr double kMostLookups = 1e6;
     std::vector<SignalId> read;
     collect_signals(scene_, root, read);
+    if (lookups(scene_, root) > kMostLookups) return tl::unexpected(std::string("the maps of this pigment lead to more than a million others"));
     for (const SignalId id : read) {
         const auto& what = scene_.signals[id.index].what;
         if (std::holds_alternative<ConstantSignal>(what) || patterns_.count(id.index)) continue;

@@ -50,9 +50,10 @@ struct ObjectQueries::Known {
 
 /// The scene that objects are built into. Blocks that are referred to stay alive by those that are known.
 struct ObjectQueries::Stage {
-    explicit Stage(Parser& p) : build(p), meshes(build.scene) { build.shapes_alone = true; }
+    explicit Stage(Parser& p) : build(p), meshes(build.scene), extents(build) { build.shapes_alone = true; }
     Build build;
     MeshAccelerators meshes;
+    Extents extents;
     std::unordered_map<const Shared*, Known> known;
     size_t first_size = 0;       ///< of the scene when the first object was in it
 
@@ -97,6 +98,7 @@ const SolidQuery& ObjectQueries::solid(const Value& object, Place at) {
         if (stage_->known.size() == 1) stage_->first_size = build.scene.nodes.size();
         it.patches = has_patches(build.scene, root);
         it.solid.emplace(build.scene, root, stage_->meshes);
+        p_.charge(it.solid->size(), at);
     }
     if (!it.solid->complete()) p_.fail(at, "the object has too many parts, or they stand too deep in one another, to be asked");
     return *it.solid;
@@ -113,7 +115,9 @@ Traced ObjectQueries::trace(const Value& object, const Vec3& origin, const Vec3&
         Ray ray;
         ray.origin = origin, ray.dir = unit;
         ray.tmin = kNearest, ray.tmax = kFarthest;
-        const auto found = query.first(ray);
+        uint64_t work = 0;
+        const auto found = query.first(ray, work);
+        p_.charge(work, at);
         if (!found) return Traced();
         return Traced{found->point, looks_the_other_way(stage_->build.scene, *found) ? -found->normal : found->normal};
     });
@@ -124,14 +128,17 @@ bool ObjectQueries::inside(const Value& object, const Vec3& point, Place at) {
         const SolidQuery& query = solid(object, at);
         if (*known(object).patches) p_.fail(at, "an object with triangles, meshes or lights in it has no inside", "ask inside() of solids");
         if (!is_finite(point)) p_.warn(at, "the point of inside() is not finite: it is outside");
-        return is_finite(point) && query.inside(point);
+        uint64_t work = 0;
+        const bool in = is_finite(point) && query.inside(point, work);
+        p_.charge(work, at);
+        return in;
     });
 }
 
 Bounds ObjectQueries::extent(const Value& object) {
     return asked([&] {
         Known& it = known(object);
-        if (!it.extent) it.extent = pov::extent(stage_->build, object.as<Block>());
+        if (!it.extent) it.extent = stage_->extents.of(object.as<Block>());
         return *it.extent;
     });
 }

@@ -15,8 +15,13 @@ Parser::Parser(const ReadOptions& given, Diagnostics& diagnostics) : options(giv
 Parser::~Parser() = default;
 
 void Parser::check_budget(Place at) const {
-    if (stream.tokens_read() > options.limits.tokens_read)
+    if (stream.tokens_read() + charged_ > options.limits.tokens_read)
         fail_limit(at, fmt::format("the scene has made more than {} steps: does a loop never end?", options.limits.tokens_read));
+}
+
+void Parser::charge(uint64_t steps, Place at) {
+    charged_ += steps;
+    check_budget(at);
 }
 
 /// The next token of the stream; what a directive has looked at and left comes first.

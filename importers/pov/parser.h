@@ -67,6 +67,8 @@ class Parser {
     void open_scene(const std::string& path, std::string text);
     void include(const std::string& name, Place at);
 
+    /// Work that was done at once counts as so many tokens: reading ends where there was too much of it.
+    void charge(uint64_t steps, Place at);
     /// There is room for so many array elements more, or reading ends.
     void check_array_elements(uint64_t elements, Place at) const;
     void check_items(Place at) const;
@@ -98,6 +100,7 @@ class Parser {
     void finish_frame();
     void check_budget(Place at) const;
 
+    uint64_t charged_ = 0;
     Token ahead_;
     bool has_ahead_ = false;     ///< peek() or put_back() has left a token
     size_t nesting_ = 0;

@@ -236,6 +236,15 @@ TEST(PovQueries, EndlessReferencesAreAnError) {
     EXPECT_EQ(printed_without_words(s + "#debug vstr(3, max_extent(A), \",\", 0, 0)"), "61,1,1") << "boxes are made once a block";
 }
 
+/// What shapes are asked counts as steps: a loop over an object of many parts ends as an endless loop does.
+TEST(PovQueries, TooMuchWorkIsAnError) {
+    ReadOptions options;
+    options.limits.tokens_read = 100'000;
+    Diagnostics said;
+    read_program_text("scene.pov", "#declare U = union { #for (I, 1, 500) sphere { 0, I } #end } #for (I, 1, 1000) #declare P = trace(U, 0, x); #end", options, said);
+    EXPECT_THAT(said.text(), HasSubstr("1:93: error: the scene has made more than 100000 steps"));
+}
+
 /// A loop of traces over a mesh must not cost a test of every triangle each.
 TEST(PovQueries, AMeshIsAskedManyTimes) {
     std::string s = "#declare M = mesh {\n";

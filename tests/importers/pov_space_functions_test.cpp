@@ -124,6 +124,12 @@ TEST(PovSpaceFunctions, WhatCannotBeCalledIsAnErrorWithItsPlace) {
     }
 }
 
+TEST(PovSpaceFunctions, EndlessMapsAreAnError) {
+    Diagnostics said;
+    printed_by_us("#declare P = pigment { bozo } #for (I, 1, 60) #declare P = pigment { average pigment_map { [1 P] [1 P] } } #end #declare F = function { pigment { P } } #declare K = F(1, 2, 3).red;", said);
+    EXPECT_THAT(said.text(), HasSubstr("error: the maps of this pigment lead to more than a million others"));
+}
+
 /// As for objects: what is asked once in a loop is not kept for ever.
 TEST(PovSpaceFunctions, FunctionsThatAreGoneAreNotKept) {
     ReadOptions options;

@@ -175,8 +175,10 @@ Bounds joined_box(const std::vector<Extent>& parts) {
     return box.empty() || !box.finite() ? kAllSpace : box;
 }
 
-/// Reads a block of an object.
-class Reader {
+}  // namespace
+
+/// Reads blocks of objects.
+class Extents::Reader {
   public:
     explicit Reader(Build& build) : build_(build) {}
 
@@ -272,10 +274,11 @@ class Reader {
     std::map<const Block*, Extent> known_;
 };
 
-}  // namespace
+Extents::Extents(Build& build) : reader_(std::make_unique<Reader>(build)) {}
+Extents::~Extents() = default;
 
-Bounds extent(Build& build, const Block& block) {
-    const Bounds box = box_of(Reader(build).object(block));
+Bounds Extents::of(const Block& block) {
+    const Bounds box = box_of(reader_->object(block));
     if (box.empty()) return box;
     if (!box.finite()) return {Vec3(-kUnboundedExtent), Vec3(kUnboundedExtent)};
     const Vec3 low(Vec3f(box.min)), size(Vec3f(box.max - box.min));
