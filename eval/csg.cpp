@@ -155,10 +155,11 @@ class Walk {
                 ranges.crossings = inside_leaf(part, first, ranges.crossings);
                 ranges.boxes = {std::max(ranges.boxes.entry, ranges.crossings.entry), std::min(ranges.boxes.exit, ranges.crossings.exit)};
             }
-            // One part that is outside all along empties an intersection, one that is inside fills a merge.
-            if (part_varies || inside == is_meet || node.op == CsgOp::union_) continue;
+            // One part that is outside all along empties an intersection, and so do parts that the line is in one after the other; one that is inside fills a merge.
+            const bool apart = is_meet && ranges.boxes.empty();
+            if (!apart && (part_varies || inside == is_meet || node.op == CsgOp::union_)) continue;
             s_.crossings.resize(had), s_.at_points.resize(points);
-            return s_.states[n].inside = inside, false;
+            return s_.states[n].inside = !is_meet, false;
         }
         s_.states[n].count = count;
         s_.states[n].inside = is_meet ? count == node.children : count > 0;

@@ -63,7 +63,7 @@ double ridged_mf(const Vec3& start, Arguments a, NoiseGenerator) {
 /// H, lacunarity, octaves, offset, T, generator: each octave is weighted by what was added up before, T times.
 double hetero_mf(const Vec3& start, Arguments a, NoiseGenerator) {
     const double h = a[0], lacunarity = a[1], octaves = std::min(a[2], kMostOctaves), offset = a[3];
-    const int times = int(std::clamp(a[4], 0.0, kMostOctaves));
+    const int times = a[4] > 0 ? int(std::min(a[4], kMostOctaves)) : 0;   // none if it is no number
     Vec3 p = start;
     const auto height = [&](int i) { return ((2 * noise_of(p, a[5]) - 1) + offset) * std::pow(lacunarity, -h * i); };
     double sum = height(0);

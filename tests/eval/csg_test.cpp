@@ -148,6 +148,18 @@ TEST(Csg, SurfacesAreWhereTheWholeChanges) {
     EXPECT_GT(inner, 100) << "unions must be among them";
 }
 
+/// A cap of a sphere above a plane: the line leaves the sphere below the plane, and comes into a corner of the cap's box after that.
+TEST(Csg, WhereALineIsInThePartsOneAfterTheOtherThereIsNothing) {
+    ShapeLeaves leaves;
+    const CsgExpression cap = of(CsgOp::intersection, {leaves.add(Sphere{Vec3(0), 1}), inverse(leaves.add(Plane{Vec3(0, 1, 0), 0.5}))});
+    const CsgExpression floor = leaves.add(Plane{Vec3(0, 1, 0), -5});   // endless, so that the whole line is looked at
+    Ray ray;
+    ray.origin = Vec3(0, -0.2, 0), ray.dir = Vec3(1, 0.875, 1);
+    const std::vector<Hit> found = surfaces(of(CsgOp::merge, {cap, floor}), leaves, whole_line(ray));
+    ASSERT_EQ(found.size(), 1u);
+    EXPECT_NEAR(found[0].t, -4.8 / 0.875, 1e-12);
+}
+
 TEST(Csg, TheFirstSurfaceIsTheFirstOfAll) {
     test::Draw draw(2);
     int found = 0;
