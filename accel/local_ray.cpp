@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "accel/local_ray.h"
 
+#include "core/next_up.h"
+#include "core/powers_of_two.h"
+
 namespace alidade {
 
 bool can_hit(const Ray& ray, double largest) {
@@ -8,11 +11,11 @@ bool can_hit(const Ray& ray, double largest) {
 }
 
 double LocalRay::upper(double caller) const {
-    return padded_up((std::nextafter(caller, kInf) - shift * to_caller) * to_local);
+    return padded_up((next_up(caller) - shift * to_caller) * to_local);
 }
 
 double LocalRay::lower(double caller) const {
-    return padded_down((std::nextafter(caller, -kInf) - shift * to_caller) * to_local);
+    return padded_down((-next_up(-caller) - shift * to_caller) * to_local);
 }
 
 namespace {
@@ -45,14 +48,16 @@ void clip_to_box(LocalRay& ray, const Bounds& box, double tmin, double tmax) {
 LocalRay local_ray(const Ray& ray, const Bounds& bounds, bool move) {
     LocalRay local;
     if (bounds.empty()) return local;
-    const int exponent = std::clamp(std::ilogb(max_abs(ray.dir)), -1000, 1000);
-    local.to_local = std::ldexp(1.0, exponent), local.to_caller = std::ldexp(1.0, -exponent);
+    const int exponent = std::clamp(exponent_of(max_abs(ray.dir)), -1000, 1000);
+    local.to_local = power_of_two(exponent), local.to_caller = power_of_two(-exponent);
     local.origin = quantized(ray.origin), local.dir = quantized(ray.dir * local.to_caller);
-    clip_to_box(local, bounds, -kInf, kInf);
-    if (!local.enters_box()) return local;
-    if (move && (local.tmin > 0 || local.tmax < 0)) {
-        local.shift = local.tmin;
-        local.origin = quantized(local.origin + local.shift * local.dir);
+    if (move) {
+        clip_to_box(local, bounds, -kInf, kInf);
+        if (!local.enters_box()) return local;
+        if (local.tmin > 0 || local.tmax < 0) {
+            local.shift = local.tmin;
+            local.origin = quantized(local.origin + local.shift * local.dir);
+        }
     }
     clip_to_box(local, bounds, local.lower(ray.tmin), local.upper(ray.tmax));
     return local;

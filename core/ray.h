@@ -32,7 +32,7 @@ struct Hit {
     double t = kInf;
     uint32_t instance = kNoId, primitive = kNoId, part = 0;
     float u = 0, v = 0;
-    ErrorBound error;
+    ErrorBound error;   ///< of triangles; closed forms are asked for theirs (eval/shapes/shape_ops.h)
 
     bool valid() const { return primitive != kNoId; }
 };

@@ -48,8 +48,12 @@ template <class R> R max_abs(const Vec3T<R>& v) { return std::max({std::abs(v.x)
 
 template <class R> bool is_finite(const Vec3T<R>& v) { return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z); }
 
+/// Do the squares neither overflow nor vanish?
+inline bool is_plain_square(double square) { return square > 1e-280 && square < 1e280; }
+
 /// Euclidean length without overflow or underflow of the squares (GLM's squares first).
 inline double length(const Vec3& v) {
+    if (const double square = dot(v, v); is_plain_square(square)) return std::sqrt(square);
     const double m = max_abs(v);
     if (!(m > 0) || !std::isfinite(m)) return std::abs(v.x) + std::abs(v.y) + std::abs(v.z);   // 0, infinite, or NaN
     return m * std::sqrt(dot(v / m, v / m));
@@ -57,6 +61,7 @@ inline double length(const Vec3& v) {
 
 /// `v` over its length; the zero vector and non-finite vectors come back unchanged, so that a caller can test for them.
 inline Vec3 normalized(const Vec3& v) {
+    if (const double square = dot(v, v); is_plain_square(square)) return v / std::sqrt(square);
     const double m = max_abs(v);
     if (!(m > 0) || !std::isfinite(m)) return v;
     const Vec3 scaled = v / m;

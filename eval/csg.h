@@ -31,6 +31,7 @@ struct CsgLeaf {
     uint32_t id = kNoId;
     CsgInside inside = CsgInside::nowhere;
     Bounds bounds;                  ///< of the surface and, unless it is asked at points, of what is inside
+    bool costly = false;            ///< asked last, if its siblings leave the question open
 };
 
 /// What a file says: operations on parts, any of them turned inside out. Without parts an intersection is everything, every other operation nothing.
@@ -73,7 +74,7 @@ struct CsgNode {
     bool inverted = false;          ///< leaves alone
     bool far = false;               ///< is it inside everywhere outside of `box`?
     uint32_t leaf = kNoId;
-    uint32_t parent = 0, place = 0; ///< the number among its siblings
+    uint32_t parent = 0, place = 0; ///< the number among its siblings, which need not stand in that order
     uint32_t end = 0;               ///< the first node behind the subtree
     uint32_t children = 0;
     Mask mask = kMaskAll;

@@ -15,7 +15,7 @@ struct Plain {
     CsgLeaf leaf;
     Mask mask = kMaskAll;
     std::vector<Plain> parts;
-    bool far = false;
+    bool far = false, costly = false;
     Bounds box;
 };
 
@@ -100,6 +100,7 @@ void finish(Plain& p, const CsgNarrow& narrow) {
     if (p.op != CsgOp::leaf && p.op != CsgOp::clip) sort_by_place(p, narrow);
     find_box(p);
     narrow_box(p, narrow);
+    p.costly = std::any_of(p.parts.begin(), p.parts.end(), [](const Plain& part) { return part.costly; }) || (p.op == CsgOp::leaf && p.leaf.costly);
 }
 
 Plain plain(const CsgExpression& e, bool inverse, Mask mask) {
@@ -116,7 +117,7 @@ Plain plain(const CsgExpression& e, bool inverse, Mask mask) {
         if (made.op == out.op && out.op != CsgOp::clip) std::move(made.parts.begin(), made.parts.end(), std::back_inserter(out.parts));
         else out.parts.push_back(std::move(made));
     }
-    if (out.op == CsgOp::leaf) find_box(out);
+    if (out.op == CsgOp::leaf) find_box(out), out.costly = out.leaf.costly;
     if (out.parts.size() == 1) return Plain(std::move(out.parts.front()));
     return out;
 }
@@ -133,7 +134,9 @@ void emit(const Plain& p, uint32_t parent, uint32_t place, std::vector<CsgNode>&
     node.parent = parent, node.place = place, node.children = uint32_t(p.parts.size());
     node.mask = p.mask, node.box = p.box;
     out.push_back(node);
-    for (uint32_t i = 0; i < node.children; ++i) emit(p.parts[i], self, i, out);
+    for (const bool costly : {false, true})
+        for (uint32_t i = 0; i < node.children; ++i)
+            if (p.parts[i].costly == costly) emit(p.parts[i], self, i, out);
     out[self].end = uint32_t(out.size());
 }
 

@@ -14,7 +14,6 @@ inline Hit hit_of(const Crossing& crossing, uint32_t instance) {
     hit.instance = instance;
     hit.primitive = 0;
     hit.part = crossing.part;
-    hit.error = crossing.error;
     return hit;
 }
 
@@ -25,14 +24,15 @@ struct PlacedNorms {
     PlacedNorms(const Transform& world, const Transform& local) : to_world(world.norm()), to_local(local.norm()), local_shift(length(local.translation)) {}
 };
 
-/// How far the true surface may be from `position`, a hit that was found with a transformed ray, in the space of the ray.
+/// How far the true surface may be from `position`, a hit that was found with a transformed ray, in the space of the ray; `own` is the bound of the shape's
+/// own space.
 ///
 /// The local ray is the exact image of the ray up to gamma_4 of each product and sum in the transform; mapped back, that and the hit's own bound
 /// grow by at most the norm of to_world. Ray::at() adds gamma_3.
-inline double placed_error(const PlacedNorms& norms, const Ray& ray, const Hit& hit, const Vec3& position) {
-    const double reach = length(ray.origin) + std::abs(hit.t) * length(ray.dir);
+inline double placed_error(const PlacedNorms& norms, const ErrorBound& own, const Ray& ray, double t, const Vec3& position) {
+    const double reach = length(ray.origin) + std::abs(t) * length(ray.dir);
     const double local_size = norms.to_local * reach + norms.local_shift;
-    return norms.to_world * (hit.error.along_normal + gamma_bound(5) * local_size) + gamma_bound(5) * (reach + length(position));
+    return norms.to_world * (own.along_normal + gamma_bound(5) * local_size) + gamma_bound(5) * (reach + length(position));
 }
 
 }  // namespace alidade

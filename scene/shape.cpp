@@ -23,7 +23,7 @@ Bounds bounds_of(const Box& box) { return {glm::min(box.a, box.b), glm::max(box.
 /// The box of discs of these radii, all perpendicular to `axis`: along each coordinate a disc reaches radius sin(angle to the axis) far.
 /// Widened by the roundings of that, of the axis and of the sums.
 Bounds bounds_of_discs(const Vec3& a, double radius_a, const Vec3& b, double radius_b, const Vec3& axis) {
-    const Vec3 w = normalized(axis), reach(std::hypot(w.y, w.z), std::hypot(w.z, w.x), std::hypot(w.x, w.y));
+    const Vec3 w = normalized(axis), reach(std::sqrt(w.y * w.y + w.z * w.z), std::sqrt(w.z * w.z + w.x * w.x), std::sqrt(w.x * w.x + w.y * w.y));
     Bounds out;
     for (const auto& [center, radius] : {std::pair(a, std::abs(radius_a)), std::pair(b, std::abs(radius_b))}) {
         const Vec3 rounding = gamma_bound(16) * (glm::abs(center) + radius);

@@ -36,9 +36,9 @@ Camera framing_camera(const Bounds& bounds) {
 
 CameraRays::CameraRays(const Camera& camera, int width, int height) : camera_(camera), width_(width), height_(height) {
     const double own = length(camera.right) / length(camera.up), asked = width_ / height_;
-    if (camera.fit == Fit::stretch) return;
-    if (camera.fit == Fit::height || asked > own) camera_.right = camera.right * (asked / own);
-    else camera_.up = camera.up * (own / asked);
+    if (camera.fit == Fit::height || (camera.fit != Fit::stretch && asked > own)) camera_.right = camera.right * (asked / own);
+    else if (camera.fit != Fit::stretch) camera_.up = camera.up * (own / asked);
+    unit_right_ = normalized(camera_.right), unit_up_ = normalized(camera_.up), unit_normal_ = normalized(cross(camera_.right, camera_.up));
 }
 
 Ray CameraRays::at(double x, double y, const Vec2& lens) const {
@@ -51,10 +51,9 @@ Ray CameraRays::at(double x, double y, const Vec2& lens) const {
     ray.dir = normalized(parallel ? camera_.direction : camera_.direction + offset);
     if (!has_lens()) return ray;
     // The plane of focus is parallel to the picture's.
-    const Vec3 normal = normalized(cross(camera_.right, camera_.up));
-    const Vec3 in_focus = ray.at(dot(camera_.focal_point - ray.origin, normal) / dot(ray.dir, normal));
+    const Vec3 in_focus = ray.at(dot(camera_.focal_point - ray.origin, unit_normal_) / dot(ray.dir, unit_normal_));
     const Vec2 disc = concentric_disc(lens) * (camera_.aperture / 2);
-    ray.origin += normalized(camera_.right) * disc.x + normalized(camera_.up) * disc.y;
+    ray.origin += unit_right_ * disc.x + unit_up_ * disc.y;
     ray.dir = normalized(in_focus - ray.origin);
     return ray;
 }

@@ -26,6 +26,7 @@ class CameraRays {
   private:
     Camera camera_;   // right and up as the picture's size makes them
     double width_, height_;
+    Vec3 unit_right_, unit_up_, unit_normal_;   // of the picture's plane
 };
 
 }  // namespace alidade

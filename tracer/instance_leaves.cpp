@@ -31,7 +31,7 @@ bool InstanceLeaves::inside(uint32_t id, const Vec3& point) const {
 
 CsgLeaves::Sharpness InstanceLeaves::sharpness(const Ray& ray, const Hit& hit) const {
     const double cosine = std::abs(dot(geometric_normal(scene_, ray, hit), ray.dir)) / length(ray.dir);
-    return {world_error(scene_.instances[hit.instance], ray, hit, ray.at(hit.t)), cosine};
+    return {world_error(scene_, ray, hit, ray.at(hit.t)), cosine};
 }
 
 Bounds narrowed_leaf(const CompiledScene& scene, uint32_t id, bool inverted, const Bounds& box) {
@@ -49,6 +49,7 @@ CsgLeaf csg_leaf(const CompiledScene& scene, uint32_t id) {
     leaf.id = id;
     leaf.inside = geometry.mesh ? CsgInside::nowhere : geometry.ops->solid(*geometry.source) ? CsgInside::by_crossings : CsgInside::at_points;
     leaf.bounds = instance.bounds;
+    leaf.costly = geometry.mesh || geometry.ops->costly;
     return leaf;
 }
 

@@ -3,6 +3,7 @@
 /// where that is silent; colours are calculated with as the scene gives them, before any gamma.
 #pragma once
 
+#include "core/short_list.h"
 #include "tracer/surface.h"
 #include "tracer/textures.h"
 
@@ -49,8 +50,8 @@ class PovSurface {
     void add_reflections(const CompiledScene& scene, const PovTexture& texture, const RayState& state, double relative_ior, const Vec3* totally, const Vec3& facing, Secondaries& out) const;
     void add_reflection(const CompiledScene& scene, const PovTexture& texture, size_t first, const RayState& state, double relative_ior, const Vec3& facing, Secondaries& out) const;
 
-    std::vector<PovTexture> textures_;
-    std::vector<PovLayer> layers_;   ///< of all textures, from the top
+    ShortList<PovTexture, 2> textures_;
+    ShortList<PovLayer, 4> layers_;   ///< of all textures, from the top
     double grain(const Vec3& wi) const;
 
     Vec3 dir_, normal_, position_;

@@ -25,12 +25,15 @@ uint32_t owen_scrambled(uint32_t x, uint32_t seed) {
     return reversed(x);
 }
 
-/// The second dimension of Sobol's sequence: direction numbers of the polynomial x + 1. The first is the reversed index itself.
-uint32_t sobol_second(uint32_t index) {
-    uint32_t out = 0;
-    for (uint32_t v = 1u << 31; index; index >>= 1, v ^= v >> 1)
-        if (index & 1) out ^= v;
-    return out;
+/// The second dimension of Sobol's sequence, direction numbers of the polynomial x + 1, from the first, which is the reversed index. The matrix of that
+/// map is Pascal's triangle modulo 2, a Kronecker power of (1 1; 0 1): one step for each factor.
+uint32_t sobol_second(uint32_t first) {
+    uint32_t x = first;
+    x ^= x << 16;
+    x ^= (x & 0x00ff00ffu) << 8;
+    x ^= (x & 0x0f0f0f0fu) << 4;
+    x ^= (x & 0x33333333u) << 2;
+    return x ^ ((x & 0x55555555u) << 1);
 }
 
 double to_unit(uint32_t x) { return x * 0x1p-32; }
@@ -39,7 +42,8 @@ double to_unit(uint32_t x) { return x * 0x1p-32; }
 Vec2 sobol(RandomKey domain, uint32_t index, uint32_t) {
     const uint64_t shuffle = domain.bits(0), scramble = domain.bits(1);
     const uint32_t shuffled = owen_scrambled(index, uint32_t(shuffle));   // permutes aligned blocks of 2^k: each stays a net
-    return {to_unit(owen_scrambled(reversed(shuffled), uint32_t(scramble))), to_unit(owen_scrambled(sobol_second(shuffled), uint32_t(scramble >> 32)))};
+    const uint32_t first = reversed(shuffled);
+    return {to_unit(owen_scrambled(first, uint32_t(scramble))), to_unit(owen_scrambled(sobol_second(first), uint32_t(scramble >> 32)))};
 }
 
 /// The place of `index` in a permutation of 0 .. count - 1: a Feistel network over the next power of four, walked until it lands inside.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tracer/shade_point.h"
 
+#include "core/next_up.h"
 #include "eval/mesh_points.h"
 #include "eval/placed.h"
 
@@ -43,7 +44,12 @@ void place(const CompiledScene& scene, const Instance& instance, const Hit& hit,
 
 }  // namespace
 
-double world_error(const Instance& instance, const Ray& ray, const Hit& hit, const Vec3& position) { return placed_error(instance.norms, ray, hit, position); }
+double world_error(const CompiledScene& scene, const Ray& ray, const Hit& hit, const Vec3& position) {
+    const Instance& instance = scene.instances[hit.instance];
+    const Geometry& geometry = scene.geometries[instance.geometry];
+    const ErrorBound own = geometry.mesh ? hit.error : geometry.ops->error(*geometry.source, instance.to_local.ray(ray), hit.t, hit.part);
+    return placed_error(instance.norms, own, ray, hit.t, position);
+}
 
 Vec3 geometric_normal(const CompiledScene& scene, const Ray& ray, const Hit& hit) {
     const Instance& instance = scene.instances[hit.instance];
@@ -74,7 +80,7 @@ ShadePoint shade_point(const CompiledScene& scene, const Ray& ray, const Hit& hi
     ShadePoint p;
     p.instance = hit.instance;
     p.position = ray.at(hit.t);
-    p.error = world_error(instance, ray, hit, p.position);
+    p.error = world_error(scene, ray, hit, p.position);
     place(scene, instance, hit, p);
     p.front = dot(ray.dir, p.geometric_normal) <= 0;
     const uint32_t space = slot_at(scene, p).space;
@@ -106,7 +112,7 @@ Ray spawn_ray(const ShadePoint& point, const Vec3& dir, double tmax) {
     const Vec3 offset = point.geometric_normal * (side * 2 * point.error);
     for (int k = 0; k < 3; ++k) {
         const double moved = point.position[k] + offset[k];
-        ray.origin[k] = offset[k] == 0 ? moved : std::nextafter(moved, offset[k] > 0 ? kInf : -kInf);   // never rounded back
+        ray.origin[k] = offset[k] == 0 ? moved : offset[k] > 0 ? next_up(moved) : -next_up(-moved);   // never rounded back
     }
     ray.dir = dir;
     ray.tmin = 0;

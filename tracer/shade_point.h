@@ -32,7 +32,7 @@ struct ShadePoint {
 ShadePoint shade_point(const CompiledScene& scene, const Ray& ray, const Hit& hit);
 
 /// How far the true surface may be from a hit that was found with a transformed ray, in world space.
-double world_error(const Instance& instance, const Ray& ray, const Hit& hit, const Vec3& position);
+double world_error(const CompiledScene& scene, const Ray& ray, const Hit& hit, const Vec3& position);
 
 /// The unit normal of what was hit, in world space, on its outside.
 Vec3 geometric_normal(const CompiledScene& scene, const Ray& ray, const Hit& hit);

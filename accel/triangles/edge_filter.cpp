@@ -105,7 +105,7 @@ template <class T> constexpr FilterEntry<T> kFilters[] = {
 };
 
 bool machine_has(Isa isa) {
-    const int64_t targets = hwy::SupportedTargets();
+    static const int64_t targets = hwy::SupportedTargets();   // asks the processor, which takes long on a virtual machine
     switch (isa) {
         case Isa::best:
         case Isa::scalar: return true;

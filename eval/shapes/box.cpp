@@ -23,9 +23,9 @@ uint32_t face_at(const Bounds& box, const Ray& ray, double t, bool entering) {
 }
 
 /// A bound on the distance of ray.at(t) from the plane of the face: the distance found there and the roundings of ray.at(t).
-ErrorBound distance_bound(const Bounds& box, const Ray& ray, double t, uint32_t face) {
+ErrorBound box_error(const ShapeGeometry& geometry, const Ray& ray, double t, uint32_t face) {
     const int axis = int(face / 2);
-    return {(std::abs(ray.at(t)[axis] - plane_of(box, face)) + at_rounding(ray, t, axis)) * (1 + gamma_bound(4))};
+    return {(std::abs(ray.at(t)[axis] - plane_of(box_bounds(geometry), face)) + at_rounding(ray, t, axis)) * (1 + gamma_bound(4))};
 }
 
 /// The line is in the box where it is between all three pairs of planes. A line in the plane of a face, or along an edge, is in the box; a box that is
@@ -38,8 +38,7 @@ Crossings box_crossings(const ShapeGeometry& geometry, const Ray& ray) {
     if (inside.empty() || !std::isfinite(inside.entry) || !std::isfinite(inside.exit)) return out;
     for (const bool entering : {true, false}) {
         const double t = entering ? inside.entry : inside.exit;
-        const uint32_t face = face_at(box, ray, t, entering);
-        out.add(t, face, distance_bound(box, ray, t, face));
+        out.add(t, face_at(box, ray, t, entering));
     }
     return out;
 }
@@ -80,6 +79,6 @@ bool box_inside(const ShapeGeometry& geometry, const Vec3& point) { return box_b
 
 }  // namespace
 
-const ShapeOps kBoxOps = {"box", "the solid between two opposite corners", kind_of<Box>(), box_bounds, box_crossings, box_surface, box_inside, always_solid};
+const ShapeOps kBoxOps = {"box", "the solid between two opposite corners", kind_of<Box>(), box_bounds, box_crossings, box_error, box_surface, box_inside, always_solid};
 
 }  // namespace alidade

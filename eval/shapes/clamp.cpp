@@ -20,6 +20,7 @@ LineInterval inside_bounds(const Ray& ray, const Bounds& bounds) {
 }
 
 double clamp_to_bounds(double t, const Ray& ray, const Bounds& bounds) {
+    if (bounds.min == Vec3(-kInf) && bounds.max == Vec3(kInf)) return t;
     const LineInterval inside = inside_bounds(ray, bounds);
     return inside.empty() ? t : std::clamp(t, inside.entry, inside.exit);
 }

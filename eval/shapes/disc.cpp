@@ -10,9 +10,10 @@ Bounds disc_bounds(const ShapeGeometry& geometry) { return bounds(geometry); }
 
 /// A bound on the distance of ray.at(t) from the plane: the height found by evaluating it there, and the roundings of that (of the unit normal, the
 /// difference and the product) and of ray.at(t).
-ErrorBound distance_bound(const Disc& d, const Vec3& normal, const Ray& ray, double t) {
+ErrorBound disc_error(const ShapeGeometry& geometry, const Ray& ray, double t, uint32_t) {
+    const Disc& d = std::get<Disc>(geometry);
     const Vec3 p = ray.at(t) - d.center;
-    return {std::abs(dot(normal, p)) + gamma_bound(10) * length(p) + at_rounding(ray, t)};
+    return {std::abs(dot(normalized(d.normal), p)) + gamma_bound(10) * length(p) + at_rounding(ray, t)};
 }
 
 /// Units    the shape's space; `t` counts multiples of |ray.dir|.
@@ -31,8 +32,7 @@ Crossings disc_crossings(const ShapeGeometry& geometry, const Ray& ray) {
     if (!(from_center <= std::abs(d.radius)) || from_center < std::abs(d.hole)) return out;
     const LineInterval inside = inside_bounds(ray, disc_bounds(geometry));
     if (inside.empty()) return out;
-    const double t = std::clamp(p.shift + (p.rest + way), inside.entry, inside.exit);
-    out.add(t, 0, distance_bound(d, normal, ray, t));
+    out.add(std::clamp(p.shift + (p.rest + way), inside.entry, inside.exit), 0);
     return out;
 }
 
@@ -59,6 +59,6 @@ bool disc_solid(const ShapeGeometry&) { return false; }
 
 }  // namespace
 
-const ShapeOps kDiscOps = {"disc", "a flat disc, with or without a hole", kind_of<Disc>(), disc_bounds, disc_crossings, disc_surface, disc_inside, disc_solid};
+const ShapeOps kDiscOps = {"disc", "a flat disc, with or without a hole", kind_of<Disc>(), disc_bounds, disc_crossings, disc_error, disc_surface, disc_inside, disc_solid};
 
 }  // namespace alidade

@@ -21,7 +21,6 @@ Bounds extrusion_bounds(const ShapeGeometry& geometry) { return bounds(geometry)
 struct End {
     double s;
     uint32_t part;
-    Vec2 point{0};   ///< on the arc, if the part is a side
 };
 
 uint32_t side_of(const Cut& cut, bool entry) { return kFirstSide + 2 * cut.arc + (entry == (cut.turn > 0) ? 1 : 0); }
@@ -63,7 +62,7 @@ class Line {
             winding += cut.turn, ++count;
             const bool now_inside = is_inside(e_, winding, count);
             if (was_inside == now_inside) continue;
-            const End end{cut.s, side_of(cut, now_inside), cut.point + origin};
+            const End end{cut.s, side_of(cut, now_inside)};
             if (now_inside) from = end.s > enter.s ? end : enter;
             else add_stretch(from, end.s < leave.s ? end : leave);
         }
@@ -75,16 +74,7 @@ class Line {
     }
 
     void add(const End& end) {
-        const double t = std::clamp(nearest_.shift + (nearest_.rest + end.s), inside_.entry, inside_.exit);
-        const Vec3 p = ray_.at(t);
-        const Slab slab(e_);
-        double off;
-        if (end.part < kFirstSide) {
-            off = std::abs(p.z - (end.part == kLow ? slab.low : slab.high));
-        } else {
-            off = std::hypot(p.x - end.point.x, p.y - end.point.y) + gamma_bound(16) * (std::abs(end.point.x) + std::abs(end.point.y) + std::abs(center_.x) + std::abs(center_.y));
-        }
-        out_.add(t, end.part, {(1 + gamma_bound(4)) * off + at_rounding(ray_, t)});
+        out_.add(std::clamp(nearest_.shift + (nearest_.rest + end.s), inside_.entry, inside_.exit), end.part);
     }
 
     const Extrusion& e_;
@@ -111,6 +101,24 @@ Crossings extrusion_crossings(const ShapeGeometry& geometry, const Ray& ray) {
     return Line(e, ray, nearest, center, inside).crossings();
 }
 
+/// The distance from the plane of a flat face, or from the point of the arc that is nearest.
+ErrorBound extrusion_error(const ShapeGeometry& geometry, const Ray& ray, double t, uint32_t part) {
+    const Extrusion& e = std::get<Extrusion>(geometry);
+    const Vec3 p = ray.at(t);
+    const Slab slab(e);
+    double off;
+    if (part < kFirstSide) {
+        off = std::abs(p.z - (part == kLow ? slab.low : slab.high));
+    } else {
+        const Vec2 at(p.x, p.y);
+        const BezierArc arc = arc_of(e, (part - kFirstSide) / 2, at);
+        const Vec2 nearest = arc.at(arc.nearest(Vec2(0)));
+        const Vec2 size = glm::abs(at) + glm::abs(arc.a) + glm::abs(arc.control) + glm::abs(arc.b);   // which the roundings are relative to
+        off = std::hypot(nearest.x, nearest.y) + gamma_bound(8) * (size.x + size.y);
+    }
+    return {(1 + gamma_bound(4)) * off + at_rounding(ray, t)};
+}
+
 SurfacePoint extrusion_surface(const ShapeGeometry& geometry, const Vec3& point, uint32_t part) {
     SurfacePoint out;
     out.uv = {point.x, point.y};
@@ -133,6 +141,6 @@ bool extrusion_inside(const ShapeGeometry& geometry, const Vec3& point) {
 
 }  // namespace
 
-const ShapeOps kExtrusionOps = {"extrusion", "outlines with a depth: letters", kind_of<Extrusion>(), extrusion_bounds, extrusion_crossings, extrusion_surface, extrusion_inside, always_solid};
+const ShapeOps kExtrusionOps = {"extrusion", "outlines with a depth: letters", kind_of<Extrusion>(), extrusion_bounds, extrusion_crossings, extrusion_error, extrusion_surface, extrusion_inside, always_solid, nullptr, true};
 
 }  // namespace alidade

@@ -74,7 +74,7 @@ int Frustum::stretches(const Line& line, Stretch (&out)[2]) const {
     return 2;
 }
 
-ErrorBound Frustum::distance_bound(const Ray& ray, double t, uint32_t part) const {
+ErrorBound Frustum::error(const Ray& ray, double t, uint32_t part) const {
     if (part != 0) {
         const Vec3 p = ray.at(t) - (part == 1 ? a_ : b_);
         return {std::abs(dot(p, axis_)) + gamma_bound(10) * length(p) + at_rounding(ray, t)};
@@ -87,11 +87,10 @@ ErrorBound Frustum::distance_bound(const Ray& ray, double t, uint32_t part) cons
     return {(off + rounding) / std::hypot(1.0, steep) * (1 + gamma_bound(4)) + at_rounding(ray, t)};
 }
 
-Crossings Frustum::crossings(const Ray& ray, const Bounds& bounds) const {
+Crossings Frustum::crossings(const Ray& ray, const ShapeGeometry& geometry) const {
     Crossings out;
     const Approach p = approach(a_, ray);
-    const LineInterval box = inside_bounds(ray, bounds);
-    if (!is_finite(ray) || !std::isfinite(p.shift) || !(length_ > 0) || box.empty()) return out;
+    if (!is_finite(ray) || !std::isfinite(p.shift) || !(length_ > 0)) return out;
     const double along = dot(ray.dir, axis_);
     const Line line{place(p.nearest), along, ray.dir - along * axis_, slope_ * along, length(ray.dir)};
 
@@ -105,14 +104,16 @@ Crossings Frustum::crossings(const Ray& ray, const Bounds& bounds) const {
     }
     Stretch found[2];
     const int count = stretches(line, found);
+    if (count == 0) return out;
+    const LineInterval box = inside_bounds(ray, bounds(geometry));
+    if (box.empty()) return out;
     for (int i = 0; i < count; ++i) {
         const End enter = found[i].enter.t >= between.enter.t ? found[i].enter : between.enter;
         const End leave = found[i].leave.t <= between.leave.t ? found[i].leave : between.leave;
         if (!(enter.t <= leave.t)) continue;
         for (const End& end : {enter, leave}) {
             if ((open_ && end.part != 0) || !std::isfinite(end.t)) continue;
-            const double t = std::clamp(p.shift + (p.rest + end.t), box.entry, box.exit);
-            out.add(t, end.part, distance_bound(ray, t, end.part));
+            out.add(std::clamp(p.shift + (p.rest + end.t), box.entry, box.exit), end.part);
         }
     }
     return out;

@@ -18,7 +18,8 @@ class Frustum {
     ///          stretches with |q| <= |r| are cut to those between the caps.
     /// Error    of t: <= 4 units of 2^-52 (|t| + size / |d|) / cosine of the angle to the normal, size being that of the shape. Held by
     ///          tests/eval/frustum_test.cpp against 113-bit arithmetic.
-    Crossings crossings(const Ray& ray, const Bounds& bounds) const;
+    Crossings crossings(const Ray& ray, const ShapeGeometry& geometry) const;
+    ErrorBound error(const Ray& ray, double t, uint32_t part) const;
     SurfacePoint surface(const Vec3& point, uint32_t part) const;
     bool inside(const Vec3& point) const;
 
@@ -38,7 +39,6 @@ class Frustum {
     Place place(const Vec3& from_a) const;
     double polished(const Line& line, double t) const;
     int stretches(const Line& line, Stretch (&out)[2]) const;
-    ErrorBound distance_bound(const Ray& ray, double t, uint32_t part) const;
 
     Vec3 a_, b_, axis_;
     double length_, radius_a_, radius_b_, slope_;

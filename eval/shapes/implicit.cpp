@@ -6,6 +6,7 @@ namespace alidade {
 ErrorBound implicit_bound(const ImplicitValue& f, int roundings, const Vec3& p, double at_rounding) {
     const double off = std::abs(f.value) + gamma_bound(roundings) * f.magnitude, slope = length(f.gradient);
     const double straight = slope > 0 ? 1.5 * off / slope : kInf;
+    if (straight < 1e-5 * length(p)) return {straight + at_rounding};   // less than 4 cbrt(one rounding)
     const double singular = f.magnitude > 0 ? 4 * length(p) * std::cbrt(off / f.magnitude) : 0;
     return {std::min(straight, singular) + at_rounding};
 }

@@ -22,7 +22,8 @@ struct Equation {
 Bounds plane_bounds(const ShapeGeometry& geometry) { return bounds(geometry); }
 
 /// The height found by evaluating it at ray.at(t), and the roundings of that evaluation and of ray.at(t).
-ErrorBound distance_bound(const Equation& plane, const Ray& ray, double t) {
+ErrorBound plane_error(const ShapeGeometry& geometry, const Ray& ray, double t, uint32_t) {
+    const Equation plane(std::get<Plane>(geometry));
     const Vec3 p = ray.at(t), moved{at_rounding(ray, t, 0), at_rounding(ray, t, 1), at_rounding(ray, t, 2)};
     const double bound = std::abs(plane.height(p)) + plane.height_rounding(p) + dot(glm::abs(plane.normal), moved);
     return {bound * (1 + gamma_bound(8)) / plane.size};
@@ -33,7 +34,7 @@ Crossings plane_crossings(const ShapeGeometry& geometry, const Ray& ray) {
     const Equation plane(std::get<Plane>(geometry));
     Crossings out;
     const double t = -plane.height(ray.origin) / dot(plane.normal, ray.dir);
-    if (is_finite(ray) && std::isfinite(t)) out.add(t, 0, distance_bound(plane, ray, t));
+    if (is_finite(ray) && std::isfinite(t)) out.add(t, 0);
     return out;
 }
 
@@ -64,6 +65,6 @@ Bounds plane_narrow(const ShapeGeometry& geometry, bool outside, const Bounds& b
 
 }  // namespace
 
-const ShapeOps kPlaneOps = {"plane", "a half space: the side opposite to a normal", kind_of<Plane>(), plane_bounds, plane_crossings, plane_surface, plane_inside, always_solid, plane_narrow};
+const ShapeOps kPlaneOps = {"plane", "a half space: the side opposite to a normal", kind_of<Plane>(), plane_bounds, plane_crossings, plane_error, plane_surface, plane_inside, always_solid, plane_narrow};
 
 }  // namespace alidade

@@ -40,9 +40,10 @@ class FlatView {
 
 /// A bound on the distance of ray.at(t) from the plane: the height found by evaluating it there, and the roundings of that (of the unit normal, the
 /// difference and the product) and of ray.at(t).
-ErrorBound distance_bound(const Vec3& first, const Vec3& normal, const Ray& ray, double t) {
-    const Vec3 p = ray.at(t) - first;
-    return {std::abs(dot(normal, p)) + gamma_bound(10) * length(p) + at_rounding(ray, t)};
+ErrorBound polygon_error(const ShapeGeometry& geometry, const Ray& ray, double t, uint32_t) {
+    const Polygon& polygon = std::get<Polygon>(geometry);
+    const Vec3 p = ray.at(t) - polygon.loops.front().front();
+    return {std::abs(dot(normal_of(polygon), p)) + gamma_bound(10) * length(p) + at_rounding(ray, t)};
 }
 
 /// Units    the shape's space; `t` counts multiples of |ray.dir|.
@@ -59,8 +60,7 @@ Crossings polygon_crossings(const ShapeGeometry& geometry, const Ray& ray) {
     if (!is_finite(ray) || !std::isfinite(p.shift) || !std::isfinite(way) || !FlatView(polygon, normal).holds(p.nearest + way * ray.dir)) return out;
     const LineInterval inside = inside_bounds(ray, bounds(geometry));
     if (inside.empty()) return out;
-    const double t = std::clamp(p.shift + (p.rest + way), inside.entry, inside.exit);
-    out.add(t, 0, distance_bound(first, normal, ray, t));
+    out.add(std::clamp(p.shift + (p.rest + way), inside.entry, inside.exit), 0);
     return out;
 }
 
@@ -74,6 +74,6 @@ bool polygon_solid(const ShapeGeometry&) { return false; }
 
 }  // namespace
 
-const ShapeOps kPolygonOps = {"polygon", "a flat face between loops", kind_of<Polygon>(), polygon_bounds, polygon_crossings, polygon_surface, polygon_inside, polygon_solid};
+const ShapeOps kPolygonOps = {"polygon", "a flat face between loops", kind_of<Polygon>(), polygon_bounds, polygon_crossings, polygon_error, polygon_surface, polygon_inside, polygon_solid};
 
 }  // namespace alidade

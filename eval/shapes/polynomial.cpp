@@ -18,6 +18,13 @@ struct Jet {
     double value = 0, by_x = 0, by_y = 0, by_z = 0, magnitude = 0;
 };
 
+/// How many of the first `most` are 0: Horner's rule begins behind them. Most coefficients of most polynomials are.
+int leading_zeros(const double* c, int most) {
+    int count = 0;
+    while (count < most && c[count] == 0) ++count;
+    return count;
+}
+
 /// Horner's rule in x, of polynomials in y, of polynomials in z: the order in which the coefficients stand. At most 2 roundings a power in a row.
 ImplicitValue evaluate(const Polynomial& f, const Vec3& p) {
     const Vec3 a = glm::abs(p);
@@ -27,7 +34,9 @@ ImplicitValue evaluate(const Polynomial& f, const Vec3& p) {
         Jet in_y;
         for (int j = f.order - i; j >= 0; --j) {
             Jet in_z;
-            for (int k = f.order - i - j; k >= 0; --k, ++c) {
+            const int zeros = leading_zeros(c, f.order - i - j + 1);
+            c += zeros;
+            for (int k = f.order - i - j - zeros; k >= 0; --k, ++c) {
                 in_z.by_z = in_z.by_z * p.z + in_z.value;
                 in_z.value = in_z.value * p.z + *c;
                 in_z.magnitude = in_z.magnitude * a.z + std::abs(*c);
@@ -46,43 +55,93 @@ ImplicitValue evaluate(const Polynomial& f, const Vec3& p) {
     return {in_x.value, {in_x.by_x, in_x.by_y, in_x.by_z}, in_x.magnitude};
 }
 
+/// The value and its derivative along u, by the same rule.
+std::pair<double, double> evaluate_along(const Polynomial& f, const Vec3& p, const Vec3& u) {
+    struct Dual {
+        double value = 0, slope = 0;
+        void step(double x, double by) { slope = slope * x + value * by, value *= x; }
+        void add(const Dual& d) { value += d.value, slope += d.slope; }
+    };
+    const double* c = f.coefficients.data();
+    Dual in_x;
+    for (int i = f.order; i >= 0; --i) {
+        Dual in_y;
+        for (int j = f.order - i; j >= 0; --j) {
+            Dual in_z;
+            const int zeros = leading_zeros(c, f.order - i - j + 1);
+            c += zeros;
+            for (int k = f.order - i - j - zeros; k >= 0; --k) in_z.step(p.z, u.z), in_z.value += *c++;
+            in_y.step(p.y, u.y), in_y.add(in_z);
+        }
+        in_x.step(p.x, u.x), in_x.add(in_y);
+    }
+    return {in_x.value, in_x.slope};
+}
+
 int roundings(const Polynomial& f) { return 2 * f.order + 4; }
 
-/// A polynomial in s, and what its coefficients would be if no term cancelled. Only the first degree + 1 are set.
-struct Powers {
-    double c[Polynomial::kMostOrder + 1], magnitude[Polynomial::kMostOrder + 1];
+/// A polynomial in s, and `kMagnitudes`: what its coefficients would be if no term cancelled. Only the first degree + 1 are set.
+template <bool kMagnitudes> struct Powers {
+    double c[Polynomial::kMostOrder + 1], magnitude[kMagnitudes ? Polynomial::kMostOrder + 1 : 1];
     int degree = 0;
+    bool is_zero = true;
 
-    explicit Powers(double value) { c[0] = value, magnitude[0] = std::abs(value); }
+    Powers() { set(0, 0, 0); }
 
+    void set(int i, double value, double of) {
+        c[i] = value;
+        if constexpr (kMagnitudes) magnitude[i] = of;
+    }
+    double size(int i) const {
+        if constexpr (kMagnitudes) return magnitude[i];
+        return 0;
+    }
     /// Becomes itself times (a + b s).
     void times(double a, double b) {
+        if (is_zero) return;
         const double abs_a = std::abs(a), abs_b = std::abs(b);
-        c[degree + 1] = b * c[degree], magnitude[degree + 1] = abs_b * magnitude[degree];
-        for (int i = degree; i > 0; --i) c[i] = a * c[i] + b * c[i - 1], magnitude[i] = abs_a * magnitude[i] + abs_b * magnitude[i - 1];
-        c[0] *= a, magnitude[0] *= abs_a;
+        set(degree + 1, b * c[degree], abs_b * size(degree));
+        for (int i = degree; i > 0; --i) set(i, a * c[i] + b * c[i - 1], abs_a * size(i) + abs_b * size(i - 1));
+        set(0, a * c[0], abs_a * size(0));
         ++degree;
     }
-    /// `other` has no higher degree.
     void add(const Powers& other) {
-        for (int i = 0; i <= other.degree; ++i) c[i] += other.c[i], magnitude[i] += other.magnitude[i];
+        if (other.is_zero) return;
+        is_zero = false;
+        for (; degree < other.degree; ++degree) set(degree + 1, 0, 0);
+        for (int i = 0; i <= other.degree; ++i) set(i, c[i] + other.c[i], size(i) + other.size(i));
+    }
+    void add(double value) {
+        is_zero = is_zero && value == 0;
+        set(0, c[0] + value, size(0) + std::abs(value));
     }
 };
 
 /// f(p + s u) as a polynomial in s, by the same rule as evaluate().
-Powers on_line(const Polynomial& f, const Vec3& p, const Vec3& u) {
+template <bool kMagnitudes> Powers<kMagnitudes> on_line(const Polynomial& f, const Vec3& p, const Vec3& u) {
     const double* c = f.coefficients.data();
-    Powers in_x(*c++);
-    for (int i = f.order - 1; i >= 0; --i) {
-        Powers in_y(*c++);
-        for (int j = f.order - i - 1; j >= 0; --j) {
-            Powers in_z(*c++);
-            for (int k = f.order - i - j - 1; k >= 0; --k) in_z.times(p.z, u.z), in_z.add(Powers(*c++));
+    Powers<kMagnitudes> in_x;
+    for (int i = f.order; i >= 0; --i) {
+        Powers<kMagnitudes> in_y;
+        for (int j = f.order - i; j >= 0; --j) {
+            Powers<kMagnitudes> in_z;
+            const int zeros = leading_zeros(c, f.order - i - j + 1);
+            c += zeros;
+            for (int k = f.order - i - j - zeros; k >= 0; --k) in_z.times(p.z, u.z), in_z.add(*c++);
             in_y.times(p.y, u.y), in_y.add(in_z);
         }
         in_x.times(p.x, u.x), in_x.add(in_y);
     }
     return in_x;
+}
+
+/// No magnitude of a coefficient on the line is larger: the sum of those of f, with every power of s at 1.
+double largest_magnitude(const Polynomial& f, const Vec3& p, const Vec3& u) {
+    double sum = 0;
+    for (const double c : f.coefficients) sum += std::abs(c);
+    const double reach = std::max(1.0, max_abs(glm::abs(p) + glm::abs(u)));
+    for (int i = 0; i < f.order; ++i) sum *= reach;
+    return sum;
 }
 
 /// A line p + s u, |u| = 1, and where it crosses the surface.
@@ -92,11 +151,15 @@ struct Line {
 
     /// In order. The highest coefficients are left out where all of them is rounding: they would make crossings far away from everything.
     int crossings(double* out) const {
-        const Powers on = on_line(f, p, u);
+        const Powers<false> on = on_line<false>(f, p, u);
         int degree = on.degree;
-        while (degree > 0 && std::abs(on.c[degree]) <= gamma_bound(roundings(f)) * on.magnitude[degree]) --degree;
+        // Most are larger than any rounding could be.
+        if (!(std::abs(on.c[degree]) > 2 * gamma_bound(roundings(f)) * largest_magnitude(f, p, u))) {
+            const Powers<true> sized = on_line<true>(f, p, u);
+            while (degree > 0 && std::abs(on.c[degree]) <= gamma_bound(roundings(f)) * sized.magnitude[degree]) --degree;
+        }
         const int count = real_roots({on.c, size_t(degree + 1)}, out);
-        for (int i = 0; i < count; ++i) out[i] = polished([&](const Vec3& x) { return evaluate(f, x); }, p, u, out[i]);
+        for (int i = 0; i < count; ++i) out[i] = polished([&](const Vec3& x) { return evaluate_along(f, x, u); }, p, u, out[i]);
         std::sort(out, out + count);
         return count;
     }
@@ -118,8 +181,14 @@ Crossings polynomial_crossings(const ShapeGeometry& geometry, const Ray& ray) {
     if (!is_complete(f) || !is_finite(ray) || !std::isfinite(nearest.shift) || !(speed > 0)) return out;
     double roots[kMostRoots];
     const int count = Line{f, nearest.nearest, ray.dir / speed}.crossings(roots);
-    for (int i = 0; i < count; ++i) add_crossing([&](const Vec3& x) { return evaluate(f, x); }, roundings(f), ray, nearest.shift + (nearest.rest + roots[i] / speed), out);
+    for (int i = 0; i < count; ++i) add_crossing(ray, nearest.shift + (nearest.rest + roots[i] / speed), out);
     return out;
+}
+
+ErrorBound polynomial_error(const ShapeGeometry& geometry, const Ray& ray, double t, uint32_t) {
+    const Polynomial& f = std::get<Polynomial>(geometry);
+    const Vec3 p = ray.at(t);
+    return implicit_bound(evaluate(f, p), roundings(f), p, at_rounding(ray, t));
 }
 
 SurfacePoint polynomial_surface(const ShapeGeometry& geometry, const Vec3& point, uint32_t) {
@@ -134,6 +203,6 @@ bool polynomial_inside(const ShapeGeometry& geometry, const Vec3& point) {
 
 }  // namespace
 
-const ShapeOps kPolynomialOps = {"polynomial", "where a polynomial in x, y and z is negative", kind_of<Polynomial>(), polynomial_bounds, polynomial_crossings, polynomial_surface, polynomial_inside, always_solid};
+const ShapeOps kPolynomialOps = {"polynomial", "where a polynomial in x, y and z is negative", kind_of<Polynomial>(), polynomial_bounds, polynomial_crossings, polynomial_error, polynomial_surface, polynomial_inside, always_solid, nullptr, true};
 
 }  // namespace alidade

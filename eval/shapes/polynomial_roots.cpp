@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "eval/shapes/polynomial_roots.h"
 
+#include "core/powers_of_two.h"
 #include "eval/shapes/bracketed_root.h"
 
 namespace alidade {
@@ -21,11 +22,11 @@ struct Univariate {
 
 /// k such that all roots lie within 2^k, and for x scaled by a power of two, the k changed by its exponent.
 int bound_exponent(std::span<const double> a) {
-    const int degree = int(a.size()) - 1, leading = std::ilogb(a.back());
+    const int degree = int(a.size()) - 1, leading = exponent_of(a.back());
     int bound = std::numeric_limits<int>::min();
     for (int i = 0; i < degree; ++i) {
         if (a[size_t(i)] == 0) continue;
-        const int ratio = std::ilogb(a[size_t(i)]) - leading + 1, order = degree - i;
+        const int ratio = exponent_of(a[size_t(i)]) - leading + 1, order = degree - i;
         bound = std::max(bound, ratio >= 0 ? (ratio + order - 1) / order : -(-ratio / order));
     }
     return bound + 1;
@@ -37,8 +38,8 @@ Univariate scaled(std::span<const double> a, int exponent) {
     f.degree = int(a.size()) - 1;
     int largest = std::numeric_limits<int>::min();
     for (int i = 0; i <= f.degree; ++i)
-        if (a[size_t(i)] != 0) largest = std::max(largest, std::ilogb(a[size_t(i)]) + i * exponent);
-    for (int i = 0; i <= f.degree; ++i) f.a[i] = std::scalbn(a[size_t(i)], i * exponent - largest);
+        if (a[size_t(i)] != 0) largest = std::max(largest, exponent_of(a[size_t(i)]) + i * exponent);
+    for (int i = 0; i <= f.degree; ++i) f.a[i] = scaled_by(a[size_t(i)], i * exponent - largest);
     return f;
 }
 
@@ -101,7 +102,7 @@ int real_roots(std::span<const double> coefficients, double* roots) {
         count = roots_between(chain[i], extremes, count, i < degree ? kOfExtremes : kOfRoots, roots);
         std::copy(roots, roots + count, extremes);
     }
-    for (int i = 0; i < count; ++i) roots[i] = std::scalbn(roots[i], exponent);
+    for (int i = 0; i < count; ++i) roots[i] = scaled_by(roots[i], exponent);
     return count;
 }
 

@@ -64,7 +64,7 @@ struct Line {
         const OnLine there(q, p + shift * u, u);   // where f has its extreme: nothing is left to cancel
         const bool nearer = shift != 0 && std::abs(there.constant) < std::abs(here.constant);
         const int count = (nearer ? there : here).roots(out);
-        for (int i = 0; i < count; ++i) out[i] = polished([&](const Vec3& x) { return evaluate(q, x); }, p, u, nearer ? shift + out[i] : out[i]);
+        for (int i = 0; i < count; ++i) out[i] = polished([&](const Vec3& x) { return along(evaluate(q, x), u); }, p, u, nearer ? shift + out[i] : out[i]);
         if (count == 2 && out[1] < out[0]) std::swap(out[0], out[1]);
         return count;
     }
@@ -82,12 +82,18 @@ Crossings quadric_crossings(const ShapeGeometry& geometry, const Ray& ray) {
     const Approach nearest = approach(Vec3(0), ray);
     const double speed = std::sqrt(dot(ray.dir, ray.dir));
     if (!is_finite(ray) || !std::isfinite(nearest.shift) || !(speed > 0)) return out;
-    const LineInterval inside = inside_bounds(ray, bounds(geometry));
-    if (inside.empty()) return out;
     double roots[2];
     const int count = Line{q, nearest.nearest, ray.dir / speed}.crossings(roots);
-    for (int i = 0; i < count; ++i) add_crossing([&](const Vec3& x) { return evaluate(q, x); }, kRoundings, ray, std::clamp(nearest.shift + (nearest.rest + roots[i] / speed), inside.entry, inside.exit), out);
+    if (count == 0) return out;
+    const LineInterval inside = inside_bounds(ray, bounds(geometry));
+    if (inside.empty()) return out;
+    for (int i = 0; i < count; ++i) add_crossing(ray, std::clamp(nearest.shift + (nearest.rest + roots[i] / speed), inside.entry, inside.exit), out);
     return out;
+}
+
+ErrorBound quadric_error(const ShapeGeometry& geometry, const Ray& ray, double t, uint32_t) {
+    const Vec3 p = ray.at(t);
+    return implicit_bound(evaluate(std::get<Quadric>(geometry), p), kRoundings, p, at_rounding(ray, t));
 }
 
 SurfacePoint quadric_surface(const ShapeGeometry& geometry, const Vec3& point, uint32_t) {
@@ -100,6 +106,6 @@ Bounds quadric_narrow(const ShapeGeometry& geometry, bool outside, const Bounds&
 
 }  // namespace
 
-const ShapeOps kQuadricOps = {"quadric", "where a polynomial of order 2 is negative", kind_of<Quadric>(), quadric_bounds, quadric_crossings, quadric_surface, quadric_inside, always_solid, quadric_narrow};
+const ShapeOps kQuadricOps = {"quadric", "where a polynomial of order 2 is negative", kind_of<Quadric>(), quadric_bounds, quadric_crossings, quadric_error, quadric_surface, quadric_inside, always_solid, quadric_narrow};
 
 }  // namespace alidade

@@ -4,10 +4,10 @@
 
 #include "core/bounds.h"
 #include "core/ray.h"
+#include "core/short_list.h"
 #include "scene/shape.h"
 
 #include <span>
-#include <vector>
 
 namespace alidade {
 
@@ -15,40 +15,13 @@ namespace alidade {
 struct Crossing {
     double t = 0;
     uint32_t part = 0;
-    ErrorBound error;   ///< distance of ray.at(t) from the true surface along its normal, in the shape's space
-};
-
-/// A list that needs no memory of its own while it is short.
-class CrossingList {
-  public:
-    static constexpr int kShort = 8;
-    Crossing& operator[](int i) { return data()[i]; }
-    const Crossing& operator[](int i) const { return data()[i]; }
-    Crossing* data() { return long_.empty() ? short_ : long_.data(); }
-    const Crossing* data() const { return long_.empty() ? short_ : long_.data(); }
-
-    /// Makes `crossing` the last one, with the index `count`.
-    void put(int count, const Crossing& crossing) {
-        if (count < kShort && long_.empty()) short_[count] = crossing;
-        else put_long(count, crossing);
-    }
-
-  private:
-    void put_long(int count, const Crossing& crossing) {
-        if (long_.empty()) long_.assign(short_, short_ + kShort);
-        long_.resize(size_t(count));
-        long_.push_back(crossing);
-    }
-
-    Crossing short_[kShort];
-    std::vector<Crossing> long_;   ///< all of them, where they are more
 };
 
 /// The crossings of one line, in order of t.
 struct Crossings {
-    CrossingList at;
+    ShortList<Crossing, 8> at;
     int count = 0;
-    void add(double t, uint32_t part, ErrorBound error) { at.put(count++, {t, part, error}); }
+    void add(double t, uint32_t part) { at.push_back({t, part}), ++count; }
 };
 
 /// What shading needs of a point on a shape, in the shape's space.
@@ -65,12 +38,15 @@ struct ShapeOps {
     Bounds (*bounds)(const ShapeGeometry&);                              ///< infinite where the shape is
     /// All crossings of the whole line of the ray (its tmin and tmax do not matter). With bounds b: entry(b) <= t <= exit(b), as computed in double.
     Crossings (*crossings)(const ShapeGeometry&, const Ray&);
+    /// The distance of ray.at(t), a crossing with that part, from the true surface along its normal. Asked where a surface is shaded, and not at each crossing.
+    ErrorBound (*error)(const ShapeGeometry&, const Ray&, double t, uint32_t part);
     SurfacePoint (*surface)(const ShapeGeometry&, const Vec3& point, uint32_t part);
     bool (*inside)(const ShapeGeometry&, const Vec3& point);             ///< on the surface counts as inside
     /// Do the crossings bound what is inside, so that the line is in and out by turns? Not those of a disc, nor of a cylinder or cone without caps.
     bool (*solid)(const ShapeGeometry&);
     /// A box around what is inside (`outside`: outside or on the surface) of the shape within a box, whose sides may be infinite. Null: `bounds` says all.
     Bounds (*narrow)(const ShapeGeometry&, bool outside, const Bounds& box) = nullptr;
+    bool costly = false;                                                 ///< crossings cost many times those of a quadric
 };
 
 /// The parts of an extrusion from here on are its sides; those before are its two flat faces.

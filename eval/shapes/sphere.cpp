@@ -8,7 +8,8 @@ namespace {
 
 /// A bound on the distance of ray.at(t) from the sphere: the distance found by evaluating it there, and the roundings of that evaluation (of the
 /// difference, the square root of the sum of squares, and the last difference: 5 at the most) and of ray.at(t) itself.
-ErrorBound distance_bound(const Sphere& s, const Ray& ray, double t) {
+ErrorBound sphere_error(const ShapeGeometry& geometry, const Ray& ray, double t, uint32_t) {
+    const Sphere& s = std::get<Sphere>(geometry);
     const Vec3 p = ray.at(t) - s.center;
     const double from_center = std::sqrt(dot(p, p)), radius = std::abs(s.radius);
     return {std::abs(from_center - radius) + gamma_bound(8) * (from_center + radius) + at_rounding(ray, t)};
@@ -32,10 +33,7 @@ Crossings sphere_crossings(const ShapeGeometry& geometry, const Ray& ray) {
     const LineInterval inside = inside_bounds(ray, sphere_bounds(geometry));
     if (inside.empty()) return out;   // accelerators would not ask
     const double half = std::sqrt(square / dot(ray.dir, ray.dir));
-    for (const double t : {p.shift + (p.rest - half), p.shift + (p.rest + half)}) {
-        const double clamped = std::clamp(t, inside.entry, inside.exit);
-        out.add(clamped, 0, distance_bound(s, ray, clamped));
-    }
+    for (const double t : {p.shift + (p.rest - half), p.shift + (p.rest + half)}) out.add(std::clamp(t, inside.entry, inside.exit), 0);
     return out;
 }
 
@@ -63,6 +61,6 @@ bool sphere_inside(const ShapeGeometry& geometry, const Vec3& point) {
 
 }  // namespace
 
-const ShapeOps kSphereOps = {"sphere", "all points at one distance from a centre", kind_of<Sphere>(), sphere_bounds, sphere_crossings, sphere_surface, sphere_inside, always_solid};
+const ShapeOps kSphereOps = {"sphere", "all points at one distance from a centre", kind_of<Sphere>(), sphere_bounds, sphere_crossings, sphere_error, sphere_surface, sphere_inside, always_solid};
 
 }  // namespace alidade

@@ -61,7 +61,8 @@ struct Line {
 };
 
 /// The distance found by evaluating it at ray.at(t), and the roundings of that evaluation and of ray.at(t).
-ErrorBound distance_bound(const Torus& torus, const Ray& ray, double t) {
+ErrorBound torus_error(const ShapeGeometry& geometry, const Ray& ray, double t, uint32_t) {
+    const Torus& torus = std::get<Torus>(geometry);
     const Vec3 p = ray.at(t) - torus.center;
     const double major = std::abs(torus.major), minor = std::abs(torus.minor);
     const double off = planar_length(planar_length(p.x, p.z) - major, p.y) - minor;
@@ -85,8 +86,7 @@ Crossings torus_crossings(const ShapeGeometry& geometry, const Ray& ray) {
     if (!is_finite(ray) || !std::isfinite(nearest.shift) || !(line.minor > 0) || inside.empty() || !(dot(line.p, line.p) <= 2 * size * size)) return out;
     const auto distance = [&](double s) { return line.distance(s); };
     line.extremes(2 * size).roots(distance, [&](double s) {
-        const double t = std::clamp(nearest.shift + (nearest.rest + s / speed), inside.entry, inside.exit);
-        out.add(t, 0, distance_bound(torus, ray, t));
+        out.add(std::clamp(nearest.shift + (nearest.rest + s / speed), inside.entry, inside.exit), 0);
     });
     return out;
 }
@@ -115,6 +115,6 @@ bool torus_inside(const ShapeGeometry& geometry, const Vec3& point) {
 
 }  // namespace
 
-const ShapeOps kTorusOps = {"torus", "all points near a circle", kind_of<Torus>(), torus_bounds, torus_crossings, torus_surface, torus_inside, always_solid};
+const ShapeOps kTorusOps = {"torus", "all points near a circle", kind_of<Torus>(), torus_bounds, torus_crossings, torus_error, torus_surface, torus_inside, always_solid, nullptr, true};
 
 }  // namespace alidade

@@ -22,7 +22,7 @@ class ShapeLeaves final : public CsgLeaves {
     CsgExpression leaf(uint32_t id) const {
         const ShapeOps& ops = *find_shape(shapes[id]);
         CsgExpression e;
-        e.leaf = {id, ops.solid(shapes[id]) ? CsgInside::by_crossings : CsgInside::at_points, ops.bounds(shapes[id])};
+        e.leaf = {id, ops.solid(shapes[id]) ? CsgInside::by_crossings : CsgInside::at_points, ops.bounds(shapes[id]), ops.costly};
         return e;
     }
     bool crossings(uint32_t id, const Ray& ray, std::vector<CsgCrossing>& out) const override {
@@ -31,7 +31,7 @@ class ShapeLeaves final : public CsgLeaves {
         const Crossings found = ops.crossings(shapes[id], ray);
         for (int i = 0; i < found.count; ++i) {
             Hit hit;
-            hit.t = found.at[i].t, hit.instance = id, hit.primitive = 0, hit.part = found.at[i].part, hit.error = found.at[i].error;
+            hit.t = found.at[i].t, hit.instance = id, hit.primitive = 0, hit.part = found.at[i].part;
             out.push_back({hit, 0});
         }
         return begins_inside(ops, shapes[id], ray, found);
@@ -45,7 +45,7 @@ class ShapeLeaves final : public CsgLeaves {
     bool inside(uint32_t id, const Vec3& p) const override { return find_shape(shapes[id])->inside(shapes[id], p); }
     Sharpness sharpness(const Ray& ray, const Hit& hit) const override {
         const ShapeGeometry& shape = shapes[hit.instance];
-        return {hit.error.along_normal, std::abs(dot(find_shape(shape)->surface(shape, ray.at(hit.t), hit.part).normal, normalized(ray.dir)))};
+        return {find_shape(shape)->error(shape, ray, hit.t, hit.part).along_normal, std::abs(dot(find_shape(shape)->surface(shape, ray.at(hit.t), hit.part).normal, normalized(ray.dir)))};
     }
 };
 

@@ -72,7 +72,7 @@ TEST(Narrow, ClosedForms) {
 
 CsgExpression leaf(uint32_t id) {
     CsgExpression e;
-    e.leaf = {id, CsgInside::by_crossings, {Vec3(-kInf), Vec3(kInf)}};
+    e.leaf = {id, CsgInside::by_crossings, {Vec3(-kInf), Vec3(kInf)}, false};
     return e;
 }
 

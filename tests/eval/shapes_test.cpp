@@ -42,7 +42,7 @@ TEST_P(EveryShape, BoundsHoldTheHits) {
             for (int i = 0; i < crossings.count; ++i) {
                 const Crossing& c = crossings.at[i];
                 ASSERT_TRUE(std::isfinite(c.t));
-                ASSERT_GE(c.error.along_normal, 0);
+                ASSERT_GE(row.error(shape, ray, c.t, c.part).along_normal, 0);
                 ASSERT_TRUE(i == 0 || crossings.at[i - 1].t <= c.t);
                 ASSERT_EQ(clamp_to_bounds(c.t, ray, box), c.t);
                 const double slack = 4 * std::numeric_limits<double>::epsilon() * (max_abs(ray.origin) + std::abs(c.t) * max_abs(ray.dir));
@@ -66,8 +66,8 @@ TEST_P(EveryShape, IsMetAgainFromItsHitPoints) {
                 const Crossings second = row.crossings(shape, again);
                 double nearest = kInf, error = 0;
                 for (int k = 0; k < second.count; ++k)
-                    if (std::abs(second.at[k].t) < nearest) nearest = std::abs(second.at[k].t), error = second.at[k].error.along_normal;
-                ASSERT_LE(nearest * speed, 1.5 * (crossings.at[i].error.along_normal + error));
+                    if (std::abs(second.at[k].t) < nearest) nearest = std::abs(second.at[k].t), error = row.error(shape, again, second.at[k].t, second.at[k].part).along_normal;
+                ASSERT_LE(nearest * speed, 1.5 * (row.error(shape, ray, crossings.at[i].t, crossings.at[i].part).along_normal + error));
             }
         });
     }
@@ -206,7 +206,7 @@ TEST_P(EveryShape, BrokenRaysHitNothing) {
 }
 
 #ifdef ALIDADE_HAS_QUAD
-/// The promise that shadow rays are built on: the true surface is within error.along_normal, of ray.at(t) as computed and as it is exactly.
+/// The promise that shadow rays are built on: the true surface is within the error, along the normal, of ray.at(t) as computed and as it is exactly.
 TEST_P(EveryShape, ErrorBoundsHoldAgainst113Bits) {
     test::Draw draw(48);
     double tightest = 0;   // the largest part of a bound that was needed
@@ -225,11 +225,12 @@ TEST_P(EveryShape, ErrorBoundsHoldAgainst113Bits) {
         const Crossings crossings = row.crossings(shape, ray);
         for (int k = 0; k < crossings.count; ++k, ++hits) {
             const Crossing& c = crossings.at[k];
+            const double bound = row.error(shape, ray, c.t, c.part).along_normal;
             const test::QuadVec exact = test::QuadVec(ray.origin) + test::Quad(c.t) * test::QuadVec(ray.dir), computed(ray.at(c.t));
             for (const test::QuadVec& p : {exact, computed}) {
                 const double distance = double(std::visit([&](const auto& s) { return test::distance(s, p, c.part); }, shape));
-                ASSERT_LE(distance, c.error.along_normal) << row.name << " " << i;
-                tightest = std::max(tightest, distance / c.error.along_normal);
+                ASSERT_LE(distance, bound) << row.name << " " << i;
+                tightest = std::max(tightest, distance / bound);
             }
         }
     }
