@@ -51,21 +51,28 @@ template <class R> bool is_finite(const Vec3T<R>& v) { return std::isfinite(v.x)
 /// Do the squares neither overflow nor vanish?
 inline bool is_plain_square(double square) { return square > 1e-280 && square < 1e280; }
 
+/// `v`, finite and not zero, with the largest component between 1 and 2, by a power of two: no digit changes.
+[[gnu::noinline]] inline Vec3 of_plain_size(const Vec3& v, int& exponent) {
+    exponent = std::ilogb(max_abs(v));
+    return {std::scalbn(v.x, -exponent), std::scalbn(v.y, -exponent), std::scalbn(v.z, -exponent)};
+}
+
 /// Euclidean length without overflow or underflow of the squares (GLM's squares first).
 inline double length(const Vec3& v) {
     if (const double square = dot(v, v); is_plain_square(square)) return std::sqrt(square);
-    const double m = max_abs(v);
-    if (!(m > 0) || !std::isfinite(m)) return std::abs(v.x) + std::abs(v.y) + std::abs(v.z);   // 0, infinite, or NaN
-    return m * std::sqrt(dot(v / m, v / m));
+    if (v == Vec3(0) || !is_finite(v)) return std::abs(v.x) + std::abs(v.y) + std::abs(v.z);
+    int exponent;
+    const Vec3 plain = of_plain_size(v, exponent);
+    return std::scalbn(std::sqrt(dot(plain, plain)), exponent);
 }
 
 /// `v` over its length; the zero vector and non-finite vectors come back unchanged, so that a caller can test for them.
 inline Vec3 normalized(const Vec3& v) {
     if (const double square = dot(v, v); is_plain_square(square)) return v / std::sqrt(square);
-    const double m = max_abs(v);
-    if (!(m > 0) || !std::isfinite(m)) return v;
-    const Vec3 scaled = v / m;
-    return scaled / std::sqrt(dot(scaled, scaled));
+    if (v == Vec3(0) || !is_finite(v)) return v;
+    int exponent;
+    const Vec3 plain = of_plain_size(v, exponent);
+    return plain / std::sqrt(dot(plain, plain));
 }
 
 /// Rec.709 luminance.

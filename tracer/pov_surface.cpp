@@ -42,7 +42,7 @@ Color reflectivity(const PovLayer& layer, double cosine, double relative_ior) {
             toward_max = 1;
         }
     } else if (f.reflection_min != f.reflection_max) {
-        toward_max = std::pow(1 - std::clamp(cosine, 0.0, 1.0), f.reflection_falloff);
+        toward_max = std::pow(1 - std::min(cosine, 1.0), f.reflection_falloff);   // beyond max where a bent normal turns away
     }
     return (f.reflection_max * toward_max + f.reflection_min * (1 - toward_max)) * metallic(layer.color, f.reflection_metallic, cosine);
 }

@@ -32,7 +32,8 @@ template <unsigned F> Vec4 base_color(const CompiledScene& scene, const GltfPbr&
     return base;
 }
 
-template <unsigned F> Surface shade_metal_rough(const CompiledScene& scene, const GltfPbr& m, const ShadePoint& point, const Vec3& dir) {
+/// Inline, so that a kernel leaves out what it does not ask of the surface.
+template <unsigned F> [[gnu::always_inline]] inline Surface shade_metal_rough(const CompiledScene& scene, const GltfPbr& m, const ShadePoint& point, const Vec3& dir) {
     Surface s;
     s.point_ = &point;
     s.wo_ = -dir;
@@ -54,7 +55,6 @@ template <unsigned F> Surface shade_metal_rough(const CompiledScene& scene, cons
     const Color tint = m.specular_color ? Color(scene.textures->evaluate(*m.specular_color, point)) : Color(1);
     const Color dielectric_f0 = glm::min(tint * std::pow((m.ior - 1) / (m.ior + 1), 2), Color(1)) * specular;
     s.diffuse_ = s.albedo_ * ((1 - metallic) * (1 - transmission));
-    s.transmission_ = s.albedo_ * transmission;
     s.f0_ = dielectric_f0 * (1 - metallic) + s.albedo_ * metallic;
     s.f90_ = specular * (1 - metallic) + metallic;
     s.alpha_ = roughness * roughness;
@@ -66,6 +66,10 @@ template <unsigned F> Surface shade_metal_rough(const CompiledScene& scene, cons
             s.emitted_ *= 1 - s.coat_.weight;
         }
     }
+    if constexpr ((F & kTransmission) != 0) {
+        if (transmission > 0) s.transmission_ = s.albedo_ * transmission;
+    }
+    s.mirrors_or_refracts_ = s.mirror_ > 0 || transmission > 0 || s.coat_.weight > 0;
     return s;
 }
 

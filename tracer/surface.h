@@ -52,7 +52,7 @@ class Surface {
     /// The part of the surface that is there: 1 for opaque ones.
     double coverage() const { return coverage_; }
     /// Is there any direction to follow?
-    bool mirrors_or_refracts() const { return pov_ || mirror_ > 0 || coat_.weight > 0 || !is_black(transmission_); }
+    bool mirrors_or_refracts() const { return mirrors_or_refracts_; }
     /// Appends the directions to follow. `state` is that of the ray that arrived.
     void secondary(const CompiledScene& scene, const RayState& state, Secondaries& out) const;
 
@@ -75,7 +75,7 @@ class Surface {
     Color albedo_{0}, diffuse_{0}, f0_{0}, emitted_{0}, transmission_{0};
     double alpha_ = 1, mirror_ = 0, coverage_ = 1, ior_ = 1.5, f90_ = 1;
     Coat coat_;
-    bool unlit_ = false;
+    bool unlit_ = false, mirrors_or_refracts_ = false;
     std::shared_ptr<const PovSurface> pov_;   ///< takes the place of all the rest but the normal
 };
 

@@ -41,7 +41,9 @@ class ObjReader {
         uint32_t index;
         const Indexed* what;
     };
-    static const Indexed kVertex, kUv, kNormal;
+    static constexpr Indexed kVertex{"vertex", &Corner::position, [](const ObjText& t) { return t.positions.size(); }};
+    static constexpr Indexed kUv{"texture coordinate", &Corner::uv, [](const ObjText& t) { return t.uvs.size(); }};
+    static constexpr Indexed kNormal{"normal", &Corner::normal, [](const ObjText& t) { return t.normals.size(); }};
 
     static std::span<const Statement> statements();
 
@@ -61,7 +63,8 @@ class ObjReader {
     void set_color(const double (&values)[6], const Mark& at);
     std::optional<size_t> numbers(std::span<double> values, size_t least, const char* what);
     bool corner(Corner& corner);
-    bool index(Corner& corner, const Indexed& what);
+    template <const Indexed& kWhat> bool index(Corner& corner);
+    bool any_index(Corner& corner, const Indexed& what);
     bool names_nothing(const Mark& at, int64_t index, size_t known, const Indexed& what);
     bool whole_corner(const Mark& at);
     void begin_section();
@@ -80,10 +83,6 @@ class ObjReader {
     std::unordered_map<std::string, uint32_t> material_of_;
     bool number_exceeds_float_ = false;
 };
-
-const ObjReader::Indexed ObjReader::kVertex{"vertex", &Corner::position, [](const ObjText& t) { return t.positions.size(); }};
-const ObjReader::Indexed ObjReader::kUv{"texture coordinate", &Corner::uv, [](const ObjText& t) { return t.uvs.size(); }};
-const ObjReader::Indexed ObjReader::kNormal{"normal", &Corner::normal, [](const ObjText& t) { return t.normals.size(); }};
 
 std::span<const ObjReader::Statement> ObjReader::statements() {
     static constexpr Statement table[] = {
@@ -189,7 +188,19 @@ bool ObjReader::names_nothing(const Mark& at, int64_t index, size_t known, const
     return &what != &kVertex;
 }
 
-bool ObjReader::index(Corner& corner, const Indexed& what) {
+/// Nearly all indices are plain numbers of what stands before them.
+template <const ObjReader::Indexed& kWhat> bool ObjReader::index(Corner& corner) {
+    const Mark at = cursor_.mark();
+    const uint32_t n = cursor_.small_natural();
+    if (n > 0 && n <= kWhat.count(out_)) {
+        corner.*kWhat.member = n - 1;
+        return true;
+    }
+    cursor_.back_to(at);
+    return any_index(corner, kWhat);
+}
+
+bool ObjReader::any_index(Corner& corner, const Indexed& what) {
     const Mark at = cursor_.mark();
     const std::optional<int32_t> read = cursor_.integer();
     const size_t known = what.count(out_);
@@ -210,15 +221,15 @@ bool ObjReader::index(Corner& corner, const Indexed& what) {
 
 bool ObjReader::corner(Corner& corner) {
     const Mark at = cursor_.mark();
-    if (!index(corner, kVertex)) return false;
+    if (!index<kVertex>(corner)) return false;
     if (!cursor_.accept('/')) return whole_corner(at);
     if (!cursor_.accept('/')) {
         if (cursor_.at_word_end()) return true;   // "1/": some writers leave an empty index
-        if (!index(corner, kUv)) return false;
+        if (!index<kUv>(corner)) return false;
         if (!cursor_.accept('/')) return whole_corner(at);
     }
     if (cursor_.at_word_end()) return true;
-    return index(corner, kNormal) && whole_corner(at);
+    return index<kNormal>(corner) && whole_corner(at);
 }
 
 bool ObjReader::whole_corner(const Mark& at) {

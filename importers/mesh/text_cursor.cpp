@@ -19,32 +19,42 @@ bool is_digit(char c) { return c >= '0' && c <= '9'; }
 struct Decimal {
     uint64_t digits = 0;
     int exponent = 0;
-    int count = 0;         ///< of digits, without leading zeros
+    int count = 0;         ///< of digits; if they are more than 19, without those that lead with 0
     bool valid = false;
     const char* end = nullptr;
 };
 
-const char* read_digits(const char* at, const char* end, Decimal& d, bool& any) {
-    for (; at != end && is_digit(*at); ++at) {
-        any = true;
+/// More than 64 bits may hold.
+void read_many_digits(const char* at, const char* end, Decimal& d) {
+    for (; at != end; ++at) {
         if (d.count < 19) d.digits = d.digits * 10 + uint64_t(*at - '0');
-        d.count += d.count > 0 || *at != '0';
+        d.count += d.digits > 0;
     }
+}
+
+const char* read_digits(const char* at, const char* end, Decimal& d) {
+    const char* begin = at;
+    uint64_t digits = d.digits;
+    for (; at != end && is_digit(*at); ++at) digits = digits * 10 + uint64_t(*at - '0');
+    if (d.count + (at - begin) > 19) read_many_digits(begin, at, d);
+    else d.digits = digits, d.count += int(at - begin);
     return at;
 }
 
 /// An unsigned decimal number with an optional exponent.
 Decimal read_decimal(const char* at, const char* end) {
     Decimal d;
-    bool any = false;
-    at = read_digits(at, end, d, any);
+    const char* begin = at;
+    at = read_digits(at, end, d);
+    ptrdiff_t digits = at - begin;
     if (at != end && *at == '.') {
         const char* point = ++at;
-        at = read_digits(at, end, d, any);
+        at = read_digits(at, end, d);
+        digits += at - point;
         d.exponent = -int(std::min<ptrdiff_t>(at - point, 1 << 20));
     }
     d.end = at;
-    if (!any) return d;
+    if (digits == 0) return d;
     d.valid = true;
     if (at == end || (*at != 'e' && *at != 'E')) return d;
     bool negative = false;

@@ -94,12 +94,13 @@ ForHead read_for_head(Parser& p) {
     p.expect('(', "behind #for");
     const Token name = p.raw_token();
     if (name.kind != TokenKind::name) p.fail(name.place(), fmt::format("the name of a counter is expected, not {}", p.describe(name)));
-    p.expect(',', "behind the counter");
+    p.accept(',');                                                    // as everywhere, commas may be left out
     const double first = parse_float(p);
-    p.expect(',', "behind the first value");
+    p.accept(',');
     const double last = parse_float(p);
+    p.accept(',');
     const Place at = p.peek().place();
-    const double step = p.accept(',') ? parse_float(p) : 1;
+    const double step = p.peek().is(')') ? 1 : parse_float(p);
     if (std::fabs(step) < kEpsilon) p.fail(at, "the step of a #for must not be 0");
     p.expect(')', "behind the values of #for");
     return {name.id, first, last, step};

@@ -52,8 +52,11 @@ Value vector_literal(Parser& p, Place at) {
 
 [[noreturn]] void fail_undeclared(Parser& p, const Token& name) {
     const std::string_view text = p.names.text(name.id);
-    const std::string_view near = p.names.nearest(text, [&](WordId id) { return id < kWordCount || p.symbols.find(id) != nullptr; });
-    p.fail(name.place(), fmt::format("{} is not declared", text), near.empty() ? "" : fmt::format("did you mean {}?", near));
+    const std::string message = fmt::format("{} is not declared", text), file = include_that_declares(text);
+    if (!file.empty()) p.fail(name.place(), message, fmt::format("{0} declares it: #include \"{0}\"", file));
+    constexpr size_t kShortestMeant = 4;   // shorter ones are near to everything
+    const std::string_view near = text.size() < kShortestMeant ? "" : p.names.nearest(text, [&](WordId id) { return id < kWordCount || p.symbols.find(id) != nullptr; });
+    p.fail(name.place(), message, near.empty() ? "" : fmt::format("did you mean {}?", near));
 }
 
 void warn_if_deprecated(Parser& p, Slot& slot, const Token& name) {

@@ -2,6 +2,7 @@
 #include "importers/pov/source.h"
 
 #include <algorithm>
+#include <cctype>
 #include <fstream>
 
 namespace alidade::pov {
@@ -93,6 +94,37 @@ std::optional<std::string> read_whole(const std::string& path, uint64_t limit) {
     in.read(text.data(), size);
     text.resize(size_t(std::max<std::streamsize>(in.gcount(), 0)));
     return text;
+}
+
+namespace {
+
+/// Does `#declare NAME`, `#local NAME` or `#macro NAME` stand in the text?
+bool declares(std::string_view text, std::string_view name) {
+    const auto is_part = [](char c) { return std::isalnum(static_cast<unsigned char>(c)) || c == '_'; };
+    for (size_t at = text.find(name); at != text.npos; at = text.find(name, at + 1)) {
+        if (at + name.size() < text.size() && is_part(text[at + name.size()])) continue;
+        const size_t end = at == 0 ? text.npos : text.find_last_not_of(" \t", at - 1);
+        if (end == text.npos || end + 1 == at) continue;
+        const std::string_view before = text.substr(0, end + 1);
+        for (const std::string_view word : {"declare", "local", "macro"})
+            if (before.ends_with(word)) return true;
+    }
+    return false;
+}
+
+}  // namespace
+
+std::string include_that_declares(std::string_view name) {
+    constexpr uint64_t kLargest = 1 << 22;
+    std::string found;
+    std::error_code error;
+    for (const auto& entry : std::filesystem::directory_iterator(kStandardIncludes, error)) {
+        const std::string file = entry.path().filename().string();
+        if (entry.path().extension() != ".inc" || (!found.empty() && found < file)) continue;   // the first by name, in whatever order a folder lists them
+        const auto text = read_whole(entry.path().string(), kLargest);
+        if (text && declares(*text, name)) found = file;
+    }
+    return found;
 }
 
 }  // namespace alidade::pov

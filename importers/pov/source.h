@@ -55,6 +55,9 @@ class SourceFinder {
     std::vector<std::filesystem::path> folders_;
 };
 
+/// The name of a standard include that declares `name` (a value or a macro); empty if none does. Reads them all: for messages.
+std::string include_that_declares(std::string_view name);
+
 /// The bytes of a file, or nothing if it cannot be read or has more than `limit`.
 std::optional<std::string> read_whole(const std::string& path, uint64_t limit);
 

@@ -45,6 +45,19 @@ INSTANTIATE_TEST_SUITE_P(Standard, PovInclude, testing::ValuesIn(standard_includ
     return name;
 });
 
+TEST(PovIncludes, AreNamedWhereTheyAreMissing) {
+    if (standard_includes().empty()) GTEST_SKIP() << "povray-includes is not installed";
+    const auto hint = [](const char* text) {
+        Diagnostics said;
+        read_program_text("scene.pov", text, {}, said);
+        return said.list().empty() ? std::string() : said.list().front().hint;
+    };
+    EXPECT_EQ(hint("sphere { 0, 1 pigment { Red } }"), "colors.inc declares it: #include \"colors.inc\"");
+    EXPECT_EQ(hint("sphere { 0, 1 finish { Shiny } }"), "finish.inc declares it: #include \"finish.inc\"");
+    EXPECT_EQ(hint("#declare Diameter = 2; sphere { 0, Diametre }"), "did you mean Diameter?");
+    EXPECT_EQ(hint("sphere { 0, Fo }"), "") << "short names are near to everything";
+}
+
 TEST(PovIncludes, AreAllThere) {
     if (standard_includes().empty()) GTEST_SKIP() << "povray-includes is not installed";
     EXPECT_EQ(standard_includes().size(), 39u);

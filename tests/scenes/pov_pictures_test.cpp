@@ -242,6 +242,10 @@ std::vector<PovPicture> pictures() {
         {"RandomSolids2", random_solids(2)},
         {"RandomSolids3", random_solids(3)},
         {"RandomSolids4", random_solids(4)},
+        {"TraceLevelThroughGlass", usual + "global_settings { max_trace_level 3 } box { <-2,-2,-1>, <0,2,1> pigment { rgbt <1,1,.8,1> } finish { reflection .3 } } "
+         "sphere { x, .7 pigment { rgbf .8 } finish { reflection .2 } } plane { z, 4 pigment { checker rgb 1 rgb <1,0,0> } }"},
+        {"AmountOfADeclaredNormal", usual + "#declare NN = normal { bumps .8 scale .2 } sphere { 0, 1.2 pigment { rgb 1 } normal { NN .1 } } sphere { 2*x, .7 pigment { rgb 1 } normal { NN, .3 } }"},
+        {"ReflectionBeyondItsMost", usual + "plane { y, -1 pigment { rgb <.05,.1,.2> } normal { waves .5 } finish { reflection { .1, .6 falloff 4 } } } background { rgb <1,.7,.4> }"},
         {"DoubleIlluminate", usual + "disc { 0, z, 2 pigment { rgb 1 } rotate y*70 double_illuminate } disc { <2,0,0>, z, 1 pigment { rgb <1,1,0> } finish { diffuse .6, .3 } rotate y*60 }"},
     };
 }

@@ -90,7 +90,7 @@ template <unsigned F> struct Whitted {
             RayState next = state;
             next.weight = state.weight * s.weight;
             next.importance = s.importance < 0 ? max_component(next.weight) : state.importance * s.importance;
-            if (next.importance < tracing.bailout || is_black(next.weight) || (!s.straight && state.depth >= tracing.max_depth)) continue;
+            if (next.importance < tracing.bailout || is_black(next.weight) || state.depth >= tracing.max_depth) continue;
             next.inside = s.inside;
             next.kind = s.kind;
             next.depth = state.depth + (s.straight ? 0 : 1);

@@ -66,3 +66,6 @@ User()                                                      // expect kept
 //---- a # without a word is nothing
 sphere { 0, 1 # }
 #debug "end\n"                                              // expect end
+//---- the commas of #for may be left out
+#for (I 1 3) #debug str(I, 0, 0) #end #debug "\n"           // expect 123
+#for (I 4 0 -2) #debug str(I, 0, 0) #end #debug "w\n"       // expect w

@@ -42,4 +42,4 @@ sphere { 0, B2 }        // expect error 3:13 B2 is not declared
 #macro M() M() #end
 M()                     // expect error 1:12 macros call one another
 //---- a step of 0
-#for (i, 0, 1, 0) #end  // expect error 1:14 the step of a #for must not be 0
+#for (i, 0, 1, 0) #end  // expect error 1:16 the step of a #for must not be 0
