@@ -63,8 +63,7 @@ class ObjReader {
     void set_color(const double (&values)[6], const Mark& at);
     std::optional<size_t> numbers(std::span<double> values, size_t least, const char* what);
     bool corner(Corner& corner);
-    template <const Indexed& kWhat> bool index(Corner& corner);
-    bool any_index(Corner& corner, const Indexed& what);
+    bool index(Corner& corner, const Indexed& what);
     bool names_nothing(const Mark& at, int64_t index, size_t known, const Indexed& what);
     bool whole_corner(const Mark& at);
     void begin_section();
@@ -188,19 +187,7 @@ bool ObjReader::names_nothing(const Mark& at, int64_t index, size_t known, const
     return &what != &kVertex;
 }
 
-/// Nearly all indices are plain numbers of what stands before them.
-template <const ObjReader::Indexed& kWhat> bool ObjReader::index(Corner& corner) {
-    const Mark at = cursor_.mark();
-    const uint32_t n = cursor_.small_natural();
-    if (n > 0 && n <= kWhat.count(out_)) {
-        corner.*kWhat.member = n - 1;
-        return true;
-    }
-    cursor_.back_to(at);
-    return any_index(corner, kWhat);
-}
-
-bool ObjReader::any_index(Corner& corner, const Indexed& what) {
+bool ObjReader::index(Corner& corner, const Indexed& what) {
     const Mark at = cursor_.mark();
     const std::optional<int32_t> read = cursor_.integer();
     const size_t known = what.count(out_);
@@ -221,15 +208,22 @@ bool ObjReader::any_index(Corner& corner, const Indexed& what) {
 
 bool ObjReader::corner(Corner& corner) {
     const Mark at = cursor_.mark();
-    if (!index<kVertex>(corner)) return false;
+    std::array<uint32_t, 3> n;
+    if (cursor_.plain_corner(n) && n[0] <= out_.positions.size() && n[1] <= out_.uvs.size() && n[2] <= out_.normals.size()) {
+        static_assert(kAbsent == uint32_t(0) - 1);
+        corner = {n[0] - 1, n[1] - 1, n[2] - 1};
+        return true;
+    }
+    cursor_.back_to(at);
+    if (!index(corner, kVertex)) return false;
     if (!cursor_.accept('/')) return whole_corner(at);
     if (!cursor_.accept('/')) {
         if (cursor_.at_word_end()) return true;   // "1/": some writers leave an empty index
-        if (!index<kUv>(corner)) return false;
+        if (!index(corner, kUv)) return false;
         if (!cursor_.accept('/')) return whole_corner(at);
     }
     if (cursor_.at_word_end()) return true;
-    return index<kNormal>(corner) && whole_corner(at);
+    return index(corner, kNormal) && whole_corner(at);
 }
 
 bool ObjReader::whole_corner(const Mark& at) {

@@ -138,6 +138,23 @@ std::string_view TextCursor::rest_of_line() {
     return {begin, size_t(last - begin)};
 }
 
+bool TextCursor::plain_corner(std::array<uint32_t, 3>& numbers) {
+    const char *at = at_, *const end = end_;
+    numbers = {0, 0, 0};
+    for (size_t i = 0;; ++i, ++at) {
+        const char* begin = at;
+        uint32_t n = 0;
+        for (; at != end && is_digit(*at); ++at) n = n * 10 + uint32_t(*at - '0');
+        const bool left_out = i == 1 && at == begin, ends = at == end || is_blank(*at) || is_line_end(*at);
+        if (at - begin > 9 || (n == 0 && (!left_out || ends))) return false;
+        numbers[i] = n;
+        if (ends) break;
+        if (*at != '/' || i == 2) return false;
+    }
+    at_ = at;
+    return true;
+}
+
 std::optional<Number> TextCursor::number() {
     skip_blanks();
     const Mark start = mark();

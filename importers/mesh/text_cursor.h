@@ -2,6 +2,7 @@
 /// Reading the line-based text of OBJ and MTL files: words, numbers, and where they stand.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -49,17 +50,9 @@ class TextCursor {
     /// A word that is a decimal number, correctly rounded; "nan", "inf" and what C libraries make of them count. Nothing, and the cursor stays,
     /// if it is no number. Too large is infinite, too small is 0.
     std::optional<Number> number();
-    /// A whole number above 0 of at most 9 digits; 0, and the cursor stays, if there is none.
-    uint32_t small_natural() {
-        const char* at = at_;
-        uint32_t n = 0;
-        for (; at != end_ && *at >= '0' && *at <= '9'; ++at) {
-            if (at - at_ == 9) return 0;
-            n = n * 10 + uint32_t(*at - '0');
-        }
-        if (n > 0) at_ = at;
-        return n;
-    }
+    /// A word v, v/vt, v//vn or v/vt/vn of whole numbers above 0 of at most 9 digits, as nearly all faces have them; 0 for one that is left out. False, and
+    /// the cursor stays, if there is anything else.
+    bool plain_corner(std::array<uint32_t, 3>& numbers);
     /// A decimal integer; nothing, and the cursor stays, if there is none. Beyond 32 bits it is the nearest one that fits.
     std::optional<int32_t> integer();
 
