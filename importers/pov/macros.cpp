@@ -65,7 +65,7 @@ void call_macro(Parser& p, const Token& name, Ref<Macro> macro) {
     while (!p.accept(')')) {
         if (arguments.size() >= macro->parameters.size()) p.fail(p.peek().place(), fmt::format("{} has {} parameters, and more arguments are given", p.names.text(name.id), macro->parameters.size()));
         arguments.push_back(argument(p));
-        if (!p.peek().is(')')) p.expect(',', "between the arguments of a macro");
+        p.accept(',');
     }
     if (arguments.size() < macro->parameters.size())
         p.fail(name.place(), fmt::format("{} has {} parameters, and {} arguments are given", p.names.text(name.id), macro->parameters.size(), arguments.size()));

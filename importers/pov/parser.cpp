@@ -36,7 +36,7 @@ Token Parser::fetch(bool in_value) {
                 break;
             case TokenKind::name: {
                 const Slot* slot = symbols.find(token.id);
-                if (!slot || slot->value.kind != Kind::macro) return token;
+                if (!slot || slot->value.kind != Kind::macro || in_value) return token;
                 check_budget(token.place());
                 call_macro(*this, token, Ref<Macro>(&slot->value.as<Macro>()));
                 break;
@@ -73,7 +73,8 @@ void Parser::finish_frame() {
 Token Parser::peek_in_value() {
     if (has_ahead_) return ahead_;
     const Token token = fetch(true);
-    if (token.kind == TokenKind::directive) --stream.frame().at;
+    const bool is_macro = token.kind == TokenKind::name && symbols.find(token.id) && symbols.find(token.id)->value.kind == Kind::macro;
+    if (token.kind == TokenKind::directive || is_macro) --stream.frame().at;
     else put_back(token);
     return token;
 }

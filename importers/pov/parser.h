@@ -42,7 +42,8 @@ class Parser {
         has_ahead_ = false;
         return true;
     }
-    /// What comes next, for a value that may go on: a #declare or #local ends it and is not obeyed yet (kind `directive`).
+    /// What comes next, for a value that may go on: a #declare or #local ends it and is not obeyed yet (kind `directive`), and so does a macro, which may use
+    /// what is being declared (kind `name`).
     Token peek_in_value();
     Token expect(char mark, const char* where);
     /// The name behind #declare, #ifdef ...: not expanded if it is a macro.

@@ -69,3 +69,10 @@ sphere { 0, 1 # }
 //---- the commas of #for may be left out
 #for (I 1 3) #debug str(I, 0, 0) #end #debug "\n"           // expect 123
 #for (I 4 0 -2) #debug str(I, 0, 0) #end #debug "w\n"       // expect w
+//---- a macro may use what was declared before it, though no ; stands between them
+#macro Print(Tex) #debug "used\n" #end
+#declare T = texture { pigment { rgb 1 } }
+Print(T)                                                    // expect used
+//---- the commas between arguments may be left out
+#macro Sum(a, b) #debug concat(str(a.y + b, 0, 0), "\n") #end
+Sum(<1,2,3> 4)                                              // expect 6
