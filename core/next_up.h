@@ -7,7 +7,7 @@
 
 namespace alidade {
 
-/// std::nextafter(x, infinity), without a call. NaN and infinity stay what they are; downwards: -next_up(-x).
+/// std::nextafter(x, infinity), without a call. Downwards: -next_up(-x).
 inline double next_up(double x) {
     if (!(x < std::numeric_limits<double>::infinity())) return x;
     if (x == 0) return std::numeric_limits<double>::denorm_min();

@@ -117,7 +117,7 @@ Plain plain(const CsgExpression& e, bool inverse, Mask mask) {
         if (made.op == out.op && out.op != CsgOp::clip) std::move(made.parts.begin(), made.parts.end(), std::back_inserter(out.parts));
         else out.parts.push_back(std::move(made));
     }
-    if (out.op == CsgOp::leaf) find_box(out), out.costly = out.leaf.costly;
+    if (out.op == CsgOp::leaf) find_box(out);
     if (out.parts.size() == 1) return Plain(std::move(out.parts.front()));
     return out;
 }

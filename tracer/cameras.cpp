@@ -36,8 +36,10 @@ Camera framing_camera(const Bounds& bounds) {
 
 CameraRays::CameraRays(const Camera& camera, int width, int height) : camera_(camera), width_(width), height_(height) {
     const double own = length(camera.right) / length(camera.up), asked = width_ / height_;
-    if (camera.fit == Fit::height || (camera.fit != Fit::stretch && asked > own)) camera_.right = camera.right * (asked / own);
-    else if (camera.fit != Fit::stretch) camera_.up = camera.up * (own / asked);
+    if (camera.fit != Fit::stretch) {
+        if (camera.fit == Fit::height || asked > own) camera_.right = camera.right * (asked / own);
+        else camera_.up = camera.up * (own / asked);
+    }
     unit_right_ = normalized(camera_.right), unit_up_ = normalized(camera_.up), unit_normal_ = normalized(cross(camera_.right, camera_.up));
 }
 

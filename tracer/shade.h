@@ -66,9 +66,7 @@ template <unsigned F> [[gnu::always_inline]] inline Surface shade_metal_rough(co
             s.emitted_ *= 1 - s.coat_.weight;
         }
     }
-    if constexpr ((F & kTransmission) != 0) {
-        if (transmission > 0) s.transmission_ = s.albedo_ * transmission;
-    }
+    if (transmission > 0) s.transmission_ = s.albedo_ * transmission;
     s.mirrors_or_refracts_ = s.mirror_ > 0 || transmission > 0 || s.coat_.weight > 0;
     return s;
 }

@@ -18,6 +18,7 @@ class Frustum {
     ///          stretches with |q| <= |r| are cut to those between the caps.
     /// Error    of t: <= 4 units of 2^-52 (|t| + size / |d|) / cosine of the angle to the normal, size being that of the shape. Held by
     ///          tests/eval/frustum_test.cpp against 113-bit arithmetic.
+    /// `geometry` is what the frustum was made of: its box is asked for once there is a crossing.
     Crossings crossings(const Ray& ray, const ShapeGeometry& geometry) const;
     ErrorBound error(const Ray& ray, double t, uint32_t part) const;
     SurfacePoint surface(const Vec3& point, uint32_t part) const;

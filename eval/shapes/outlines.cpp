@@ -89,7 +89,7 @@ std::pmr::vector<Cut> cuts_of(const Extrusion& e, const Vec2& origin, const Vec2
         for (int i = 0; i < count; ++i) {
             const Vec2 at = straight ? (1 - tau[i]) * arc.a + tau[i] * arc.b : arc.at(tau[i]);
             const double s = dot(d, at - p) / square;
-            if (!std::isnan(s)) cuts.push_back({s, at, index, (a < 0) == (i == 0) ? 1 : -1});   // a NaN has no place in an order
+            if (!std::isnan(s)) cuts.push_back({s, index, (a < 0) == (i == 0) ? 1 : -1});   // a NaN has no place in an order
         }
     });
     std::sort(cuts.begin(), cuts.end(), [](const Cut& x, const Cut& y) { return x.s < y.s; });

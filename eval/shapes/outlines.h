@@ -24,7 +24,6 @@ BezierArc arc_of(const Extrusion& e, size_t index, const Vec2& origin);
 /// Where a line p + s d of the plane meets an arc.
 struct Cut {
     double s;
-    Vec2 point;         ///< on the arc
     uint32_t arc;
     int turn;           ///< +1 if the arc goes from the right of the line to its left
 };

@@ -13,11 +13,6 @@ bool is_complete(const Polynomial& f) {
     return f.order >= 1 && f.order <= Polynomial::kMostOrder && f.coefficients.size() == Polynomial::terms(f.order);
 }
 
-/// A number, its gradient and its magnitude, under Horner's rule.
-struct Jet {
-    double value = 0, by_x = 0, by_y = 0, by_z = 0, magnitude = 0;
-};
-
 /// How many of the first `most` are 0: Horner's rule begins behind them. Most coefficients of most polynomials are.
 int leading_zeros(const double* c, int most) {
     int count = 0;
@@ -25,57 +20,50 @@ int leading_zeros(const double* c, int most) {
     return count;
 }
 
-/// Horner's rule in x, of polynomials in y, of polynomials in z: the order in which the coefficients stand. At most 2 roundings a power in a row.
-ImplicitValue evaluate(const Polynomial& f, const Vec3& p) {
-    const Vec3 a = glm::abs(p);
+/// f by Horner's rule in x, of polynomials in y, of polynomials in z: the order in which the coefficients stand. A Sum begins as 0, and takes sums and
+/// coefficients; `times(sum, axis)` multiplies one by a coordinate. At most 2 roundings a power in a row.
+template <class Sum, class Times> Sum horner(const Polynomial& f, const Times& times) {
     const double* c = f.coefficients.data();
-    Jet in_x;
+    Sum in_x;
     for (int i = f.order; i >= 0; --i) {
-        Jet in_y;
+        Sum in_y;
         for (int j = f.order - i; j >= 0; --j) {
-            Jet in_z;
+            Sum in_z;
             const int zeros = leading_zeros(c, f.order - i - j + 1);
             c += zeros;
-            for (int k = f.order - i - j - zeros; k >= 0; --k, ++c) {
-                in_z.by_z = in_z.by_z * p.z + in_z.value;
-                in_z.value = in_z.value * p.z + *c;
-                in_z.magnitude = in_z.magnitude * a.z + std::abs(*c);
-            }
-            in_y.by_y = in_y.by_y * p.y + in_y.value;
-            in_y.by_z = in_y.by_z * p.y + in_z.by_z;
-            in_y.value = in_y.value * p.y + in_z.value;
-            in_y.magnitude = in_y.magnitude * a.y + in_z.magnitude;
+            for (int k = f.order - i - j - zeros; k >= 0; --k) times(in_z, 2), in_z.add(*c++);
+            times(in_y, 1), in_y.add(in_z);
         }
-        in_x.by_x = in_x.by_x * p.x + in_x.value;
-        in_x.by_y = in_x.by_y * p.x + in_y.by_y;
-        in_x.by_z = in_x.by_z * p.x + in_y.by_z;
-        in_x.value = in_x.value * p.x + in_y.value;
-        in_x.magnitude = in_x.magnitude * a.x + in_y.magnitude;
+        times(in_x, 0), in_x.add(in_y);
     }
-    return {in_x.value, {in_x.by_x, in_x.by_y, in_x.by_z}, in_x.magnitude};
+    return in_x;
 }
 
-/// The value and its derivative along u, by the same rule.
-std::pair<double, double> evaluate_along(const Polynomial& f, const Vec3& p, const Vec3& u) {
-    struct Dual {
-        double value = 0, slope = 0;
-        void step(double x, double by) { slope = slope * x + value * by, value *= x; }
-        void add(const Dual& d) { value += d.value, slope += d.slope; }
-    };
-    const double* c = f.coefficients.data();
-    Dual in_x;
-    for (int i = f.order; i >= 0; --i) {
-        Dual in_y;
-        for (int j = f.order - i; j >= 0; --j) {
-            Dual in_z;
-            const int zeros = leading_zeros(c, f.order - i - j + 1);
-            c += zeros;
-            for (int k = f.order - i - j - zeros; k >= 0; --k) in_z.step(p.z, u.z), in_z.value += *c++;
-            in_y.step(p.y, u.y), in_y.add(in_z);
-        }
-        in_x.step(p.x, u.x), in_x.add(in_y);
+struct Jet : ImplicitValue {
+    void times(double x, int axis) {
+        gradient *= x, gradient[axis] += value;
+        value *= x, magnitude *= std::abs(x);
     }
-    return {in_x.value, in_x.slope};
+    void add(const Jet& j) { value += j.value, gradient += j.gradient, magnitude += j.magnitude; }
+    void add(double c) { value += c, magnitude += std::abs(c); }
+};
+
+ImplicitValue evaluate(const Polynomial& f, const Vec3& p) {
+    return horner<Jet>(f, [&](Jet& sum, int axis) { sum.times(p[axis], axis); });
+}
+
+/// A number and its derivative along a line.
+struct Dual {
+    double value = 0, slope = 0;
+    void times(double x, double by) { slope = slope * x + value * by, value *= x; }
+    void add(const Dual& d) { value += d.value, slope += d.slope; }
+    void add(double c) { value += c; }
+};
+
+/// The value and its derivative along u.
+std::pair<double, double> evaluate_along(const Polynomial& f, const Vec3& p, const Vec3& u) {
+    const Dual at = horner<Dual>(f, [&](Dual& sum, int axis) { sum.times(p[axis], u[axis]); });
+    return {at.value, at.slope};
 }
 
 int roundings(const Polynomial& f) { return 2 * f.order + 4; }
@@ -117,22 +105,9 @@ template <bool kMagnitudes> struct Powers {
     }
 };
 
-/// f(p + s u) as a polynomial in s, by the same rule as evaluate().
+/// f(p + s u) as a polynomial in s.
 template <bool kMagnitudes> Powers<kMagnitudes> on_line(const Polynomial& f, const Vec3& p, const Vec3& u) {
-    const double* c = f.coefficients.data();
-    Powers<kMagnitudes> in_x;
-    for (int i = f.order; i >= 0; --i) {
-        Powers<kMagnitudes> in_y;
-        for (int j = f.order - i; j >= 0; --j) {
-            Powers<kMagnitudes> in_z;
-            const int zeros = leading_zeros(c, f.order - i - j + 1);
-            c += zeros;
-            for (int k = f.order - i - j - zeros; k >= 0; --k) in_z.times(p.z, u.z), in_z.add(*c++);
-            in_y.times(p.y, u.y), in_y.add(in_z);
-        }
-        in_x.times(p.x, u.x), in_x.add(in_y);
-    }
-    return in_x;
+    return horner<Powers<kMagnitudes>>(f, [&](Powers<kMagnitudes>& sum, int axis) { sum.times(p[axis], u[axis]); });
 }
 
 /// No magnitude of a coefficient on the line is larger: the sum of those of f, with every power of s at 1.

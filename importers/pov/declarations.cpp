@@ -31,9 +31,9 @@ Ref<Slot> element(Parser& p, const Token& name) {
 /// Behind floats, vectors and colours a semicolon must stand; behind all else it may.
 void end_declaration(Parser& p, bool needs_semicolon, const Token& name) {
     // Not peek(): it would obey the next #declare inside of this one, and that the next, until nothing nests any deeper.
-    if (p.peek_in_value().is(';')) return void(p.next());
+    const Token behind = p.peek_in_value();
+    if (behind.is(';')) return void(p.next());
     if (!needs_semicolon) return;
-    const Token behind = p.peek();
     if (p.version >= 3.5) p.fail(behind.place(), fmt::format("; is expected behind the value of {}, not {}", p.names.text(name.id), p.describe(behind)));
     p.warn(behind.place(), fmt::format("; is expected behind the value of {}", p.names.text(name.id)));
 }

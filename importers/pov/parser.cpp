@@ -24,6 +24,11 @@ void Parser::charge(uint64_t steps, Place at) {
     check_budget(at);
 }
 
+Macro* Parser::macro_of(const Token& token) const {
+    const Slot* slot = token.kind == TokenKind::name ? symbols.find(token.id) : nullptr;
+    return slot && slot->value.kind == Kind::macro ? &slot->value.as<Macro>() : nullptr;
+}
+
 /// The next token of the stream; what a directive has looked at and left comes first.
 Token Parser::fetch(bool in_value) {
     for (;;) {
@@ -35,10 +40,10 @@ Token Parser::fetch(bool in_value) {
                 obey(*this, token);
                 break;
             case TokenKind::name: {
-                const Slot* slot = symbols.find(token.id);
-                if (!slot || slot->value.kind != Kind::macro || in_value) return token;
+                Macro* macro = macro_of(token);
+                if (!macro || in_value) return token;
                 check_budget(token.place());
-                call_macro(*this, token, Ref<Macro>(&slot->value.as<Macro>()));
+                call_macro(*this, token, Ref<Macro>(macro));
                 break;
             }
             case TokenKind::bad: fail_limit(token.place(), text(token));
@@ -73,8 +78,7 @@ void Parser::finish_frame() {
 Token Parser::peek_in_value() {
     if (has_ahead_) return ahead_;
     const Token token = fetch(true);
-    const bool is_macro = token.kind == TokenKind::name && symbols.find(token.id) && symbols.find(token.id)->value.kind == Kind::macro;
-    if (token.kind == TokenKind::directive || is_macro) --stream.frame().at;
+    if (token.kind == TokenKind::directive || macro_of(token)) --stream.frame().at;
     else put_back(token);
     return token;
 }

@@ -97,6 +97,8 @@ class Parser {
 
   private:
     friend class Nested;
+    /// What a token names, if that is a macro.
+    Macro* macro_of(const Token& token) const;
     Token fetch(bool in_value = false);
     void finish_frame();
     void check_budget(Place at) const;

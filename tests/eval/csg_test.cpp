@@ -325,5 +325,23 @@ TEST(Csg, ALineMeetsFewOfManyParts) {
     }
 }
 
+/// A line through a corner of the sphere's box misses the sphere: the torus around it is not asked, wherever it stands.
+TEST(Csg, WhatIsCostlyIsAskedLast) {
+    ShapeLeaves leaves;
+    const CsgExpression torus = leaves.add(Torus{Vec3(0), 0.7, 0.6}), sphere = leaves.add(Sphere{Vec3(0), 1});
+    ASSERT_TRUE(torus.leaf.costly && !sphere.leaf.costly);
+    Ray ray;
+    ray.origin = Vec3(0.9, 0.5, -8), ray.dir = Vec3(0, 0, 1);
+    for (const CsgOp op : {CsgOp::intersection, CsgOp::clip})
+        for (const bool torus_first : {true, false}) {
+            const CsgTree tree(torus_first ? of(op, {torus, sphere}) : of(op, {sphere, torus}));
+            leaves.asked = 0;
+            std::vector<Hit> hits;
+            tree.all(ray, leaves, hits);
+            EXPECT_TRUE(hits.empty());
+            EXPECT_EQ(leaves.asked, 1);
+        }
+}
+
 }  // namespace
 }  // namespace alidade
