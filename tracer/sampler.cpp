@@ -5,25 +5,26 @@ namespace alidade {
 namespace {
 
 uint32_t reversed(uint32_t x) {
-    x = (x << 16) | (x >> 16);
-    x = ((x & 0x00ff00ffu) << 8) | ((x & 0xff00ff00u) >> 8);
+    x = __builtin_bswap32(x);
     x = ((x & 0x0f0f0f0fu) << 4) | ((x & 0xf0f0f0f0u) >> 4);
     x = ((x & 0x33333333u) << 2) | ((x & 0xccccccccu) >> 2);
     return ((x & 0x55555555u) << 1) | ((x & 0xaaaaaaaau) >> 1);
 }
 
-/// Owen's nested uniform scrambling of the binary digits of x / 2^32, as a hash: a digit is flipped by the digits above it.
+/// Owen's nested uniform scrambling of the binary digits of a number, the lowest digit first, as a hash: a digit is flipped by those below it.
 /// Source   Laine and Karras, "Stratified Sampling for Stochastic Transparency", EGSR 2011, in Burley's use, "Practical Hash-based Owen
 ///          Scrambling", JCGT 9(4), 2020.
-uint32_t owen_scrambled(uint32_t x, uint32_t seed) {
-    x = reversed(x);
+uint32_t scrambled_from_below(uint32_t x, uint32_t seed) {
     x += seed;
     x ^= x * 0x6c50b47cu;
     x ^= x * 0xb82f1e52u;
     x ^= x * 0xc7afe638u;
     x ^= x * 0x8d22f6e6u;
-    return reversed(x);
+    return x;
 }
+
+/// The same of the digits of x / 2^32, the highest first.
+uint32_t owen_scrambled(uint32_t x, uint32_t seed) { return reversed(scrambled_from_below(reversed(x), seed)); }
 
 /// The second dimension of Sobol's sequence, direction numbers of the polynomial x + 1, from the first, which is the reversed index. The matrix of that
 /// map is Pascal's triangle modulo 2, a Kronecker power of (1 1; 0 1): one step for each factor.
@@ -41,8 +42,8 @@ double to_unit(uint32_t x) { return x * 0x1p-32; }
 /// Sobol's (0, 2)-sequence, shuffled and scrambled for each domain on its own.
 Vec2 sobol(RandomKey domain, uint32_t index, uint32_t) {
     const uint64_t shuffle = domain.bits(0), scramble = domain.bits(1);
-    const uint32_t shuffled = owen_scrambled(index, uint32_t(shuffle));   // permutes aligned blocks of 2^k: each stays a net
-    const uint32_t first = reversed(shuffled);
+    // The index is shuffled by a scrambling, which permutes aligned blocks of 2^k, so that each stays a net. The first dimension is that index, reversed.
+    const uint32_t first = scrambled_from_below(reversed(index), uint32_t(shuffle));
     return {to_unit(owen_scrambled(first, uint32_t(scramble))), to_unit(owen_scrambled(sobol_second(first), uint32_t(scramble >> 32)))};
 }
 

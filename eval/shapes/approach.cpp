@@ -15,9 +15,7 @@ struct Difference {
     }
 };
 
-}  // namespace
-
-Approach approach(const Vec3& center, const Ray& ray) {
+[[gnu::always_inline]] inline Approach recentred_twice(const Vec3& center, const Ray& ray) {
     const double a = dot(ray.dir, ray.dir);
     const Difference from_center(ray.origin, center);
     Approach p;
@@ -27,6 +25,21 @@ Approach approach(const Vec3& center, const Ray& ray) {
     p.rest = -dot(p.nearest, ray.dir) / a;
     p.nearest += p.rest * ray.dir;
     return p;
+}
+
+#ifdef __x86_64__
+/// The same numbers: without the instruction, std::fma is a call that does the same.
+[[gnu::target("fma")]] Approach with_fma(const Vec3& center, const Ray& ray) { return recentred_twice(center, ray); }
+const bool kHasFma = __builtin_cpu_supports("fma");
+#endif
+
+}  // namespace
+
+Approach approach(const Vec3& center, const Ray& ray) {
+#ifdef __x86_64__
+    if (kHasFma) return with_fma(center, ray);
+#endif
+    return recentred_twice(center, ray);
 }
 
 }  // namespace alidade

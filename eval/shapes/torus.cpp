@@ -9,21 +9,24 @@ namespace {
 
 Bounds torus_bounds(const ShapeGeometry& geometry) { return bounds(geometry); }
 
+/// What ranges are widened by, in parts of the size of the torus: far more than any rounding of theirs.
+constexpr double kSlack = 1e-9;
+/// Extremes are found to this part of the mean of the size and the minor radius: with that as the radius of curvature at the least, the distance from the
+/// surface changes by its square there, which is less than its rounding.
+constexpr double kNearExtreme = 0x1p-28;
+
 /// Points of a line in order, between which a function has at most one root.
 struct Brackets {
     double at[5];
     int count = 0;
     void add(double x) { at[count++] = x; }
 
-    /// The distance from the surface is not known better than this.
-    static double rounding(double low, double high) { return kUnitRoundoff<double> * std::max(std::abs(low), std::abs(high)); }
-
-    /// The roots between them, as the inner points of new brackets; `f` as above.
-    template <class F, class Found> void roots(const F& f, const Found& found) const {
+    /// The roots between them, as the inner points of new brackets; `f` as above, and the last step as bracketed_root() has it.
+    template <class F, class Found> void roots(const F& f, double least_step, double precision, const Found& found) const {
         bool positive = f(at[0]).first > 0;
         for (int i = 1; i < count; ++i) {
             const bool next = f(at[i]).first > 0;
-            if (next != positive) found(bracketed_root(f, at[i - 1], at[i], positive, rounding(at[i - 1], at[i]), kUnitRoundoff<double>));
+            if (next != positive) found(bracketed_root(f, at[i - 1], at[i], positive, least_step, precision));
             positive = next;
         }
     }
@@ -41,21 +44,44 @@ struct Line {
         return {from_circle - minor, (off * (at.x * u.x + at.z * u.z) / around + at.y * u.y) / from_circle};
     }
 
-    /// The line's points within `reach`, cut where the quartic (|p|^2 + R^2 - r^2)^2 - 4 R^2 (x^2 + z^2) has its extremes. These are roots of a cubic, and
+    double size() const { return major + minor; }
+
+    /// Where the line can be in the torus: between the planes that touch it from above and below, and in the ball around it. Nowhere if all of that is in
+    /// the hole, which is convex.
+    LineInterval range() const {
+        const double slack = kSlack * size(), ball = size() * size() - dot(p, p) + slack * size();
+        if (!(ball >= 0)) return {kInf, -kInf};
+        const double half = std::sqrt(ball) + slack, height = minor + slack;
+        LineInterval in{-half, half};
+        if (std::abs(p.y) > height || std::abs(u.y) * half > height - std::abs(p.y)) {   // else the planes are not reached
+            const double a = (-height - p.y) / u.y, b = (height - p.y) / u.y;
+            in = {std::max(in.entry, std::min(a, b) - slack), std::min(in.exit, std::max(a, b) + slack)};
+        }
+        const double hole = major - minor - slack;
+        return hole > 0 && from_axis(in.entry) < hole * hole && from_axis(in.exit) < hole * hole ? LineInterval{kInf, -kInf} : in;
+    }
+
+    /// The square of the distance from the axis.
+    double from_axis(double s) const {
+        const double x = p.x + s * u.x, z = p.z + s * u.z;
+        return x * x + z * z;
+    }
+
+    /// The points of the line in `range`, cut where the quartic (|p|^2 + R^2 - r^2)^2 - 4 R^2 (x^2 + z^2) has its extremes. These are roots of a cubic, and
     /// that one's extremes are roots of a quadratic.
-    Brackets extremes(double reach) const {
+    Brackets extremes(const LineInterval& range) const {
         const double b = dot(p, u), k = dot(p, p) + (major - minor) * (major + minor), square = major * major;
         const double c2 = 3 * b, c1 = 2 * b * b + k - 2 * square * (u.x * u.x + u.z * u.z), c0 = b * k - 2 * square * (p.x * u.x + p.z * u.z);
         const auto cubic = [&](double s) { return std::pair(((s + c2) * s + c1) * s + c0, (3 * s + 2 * c2) * s + c1); };
         Brackets of_cubic, out;
-        of_cubic.add(-reach);
+        of_cubic.add(range.entry);
         if (const double quarter = b * b - c1 / 3; quarter > 0)
             for (const double s : {-b - std::sqrt(quarter), -b + std::sqrt(quarter)})
-                if (std::abs(s) < reach) of_cubic.add(s);
-        of_cubic.add(reach);
-        out.add(-reach);
-        of_cubic.roots(cubic, [&](double s) { out.add(s); });
-        out.add(reach);
+                if (s > range.entry && s < range.exit) of_cubic.add(s);
+        of_cubic.add(range.exit);
+        out.add(range.entry);
+        of_cubic.roots(cubic, kNearExtreme * std::sqrt(minor * size()), 0, [&](double s) { out.add(s); });
+        out.add(range.exit);
         return out;
     }
 };
@@ -74,18 +100,20 @@ ErrorBound torus_error(const ShapeGeometry& geometry, const Ray& ray, double t, 
 ///          and the crossing is found by bracketed Newton steps on the distance from the surface itself, which carries no fourth powers and cannot lose a
 ///          root to cancellation. (A quartic whose coefficients are formed at the ray's origin fails for every ray from 1e4 radii away.)
 /// Error    of t: <= 4 units of 2^-52 (|t| + (R + r) / |d|) / cosine of the angle to the normal. Held by tests/eval/torus_test.cpp against 113-bit arithmetic.
-/// Crossings pair, since both ends of the line are outside; a tangent is none or two.
+/// Crossings pair, since both ends of the range that is looked at are outside; a tangent is none or two.
 Crossings torus_crossings(const ShapeGeometry& geometry, const Ray& ray) {
     const Torus& torus = std::get<Torus>(geometry);
     Crossings out;
     const Approach nearest = approach(torus.center, ray);
     const double speed = std::sqrt(dot(ray.dir, ray.dir));
     const Line line{nearest.nearest, ray.dir / speed, std::abs(torus.major), std::abs(torus.minor)};
-    const double size = line.major + line.minor;
+    if (!is_finite(ray) || !std::isfinite(nearest.shift) || !(line.minor > 0)) return out;
+    const LineInterval range = line.range();
+    if (range.empty()) return out;
     const LineInterval inside = inside_bounds(ray, torus_bounds(geometry));
-    if (!is_finite(ray) || !std::isfinite(nearest.shift) || !(line.minor > 0) || inside.empty() || !(dot(line.p, line.p) <= 2 * size * size)) return out;
+    if (inside.empty()) return out;
     const auto distance = [&](double s) { return line.distance(s); };
-    line.extremes(2 * size).roots(distance, [&](double s) {
+    line.extremes(range).roots(distance, kUnitRoundoff<double> * line.size(), kUnitRoundoff<double>, [&](double s) {
         out.add(std::clamp(nearest.shift + (nearest.rest + s / speed), inside.entry, inside.exit), 0);
     });
     return out;
