@@ -98,6 +98,7 @@ class Placer : private CsgParts {
         Instance instance;
         instance.to_world = to_world;
         instance.to_local = *to_local;
+        instance.in_place = to_world.is_identity();
         instance.norms = {to_world, *to_local};
         instance.geometry = geometry(shape);
         instance.first_slot = uint32_t(out_.slots.size());

@@ -42,6 +42,7 @@ struct PatternSpace {
 /// One path from a root to a node with a shape.
 struct Instance {
     Transform to_world, to_local;
+    bool in_place = false;         ///< both are the identity
     PlacedNorms norms;
     Bounds bounds;                 ///< in world space; empty for parts of a solid, which are not met by themselves
     uint32_t geometry = 0;
@@ -52,6 +53,10 @@ struct Instance {
     uint32_t carrier = 0;          ///< of its interior: parts of one object that carries it have the same
     NodeId node;
     uint32_t light_set = 0;        ///< into CompiledScene::lit_by
+
+    /// In the space of the geometry.
+    Ray local(const Ray& ray) const { return in_place ? ray : to_local.ray(ray); }
+    Vec3 local(const Vec3& point) const { return in_place ? point : to_local.point(point); }
 };
 
 /// Solids made of instances by set operations.

@@ -9,7 +9,7 @@ namespace alidade {
 bool InstanceLeaves::crossings(uint32_t id, const Ray& ray, std::vector<CsgCrossing>& out) const {
     const Instance& instance = scene_.instances[id];
     const Geometry& geometry = scene_.geometries[instance.geometry];
-    const Ray local = instance.to_local.ray(ray);
+    const Ray local = instance.local(ray);
     if (geometry.mesh) {
         thread_local std::vector<Hit> hits;
         hits.clear();
@@ -26,7 +26,7 @@ bool InstanceLeaves::crossings(uint32_t id, const Ray& ray, std::vector<CsgCross
 bool InstanceLeaves::inside(uint32_t id, const Vec3& point) const {
     const Instance& instance = scene_.instances[id];
     const Geometry& geometry = scene_.geometries[instance.geometry];
-    return !geometry.mesh && geometry.ops->inside(*geometry.source, instance.to_local.point(point));
+    return !geometry.mesh && geometry.ops->inside(*geometry.source, instance.local(point));
 }
 
 CsgLeaves::Sharpness InstanceLeaves::sharpness(const Ray& ray, const Hit& hit) const {

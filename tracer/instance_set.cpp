@@ -51,7 +51,7 @@ bool InstanceSet::intersect(std::span<const uint32_t> ids, const Ray& ray, Hit& 
         const Instance& instance = scene_.instances[id];
         if (!(instance.mask & ray.mask)) continue;
         const Geometry& geometry = scene_.geometries[instance.geometry];
-        Ray local = instance.to_local.ray(ray);
+        Ray local = instance.local(ray);
         if (hit.t < ray.tmax) local.tmax = std::min(ray.tmax, hit.t + slack(ray, hit.t));
         Hit candidate;
         const bool crossed = geometry.mesh ? geometry.triangles->intersect(local, candidate, work, id) : first_crossing(geometry, local, id, candidate, work);
@@ -74,7 +74,7 @@ bool InstanceSet::occluded(std::span<const uint32_t> ids, const Ray& ray, WorkCo
         const Instance& instance = scene_.instances[id];
         if (!(instance.mask & ray.mask)) continue;
         const Geometry& geometry = scene_.geometries[instance.geometry];
-        const Ray local = instance.to_local.ray(ray);
+        const Ray local = instance.local(ray);
         if (geometry.mesh ? geometry.triangles->occluded(local, work) : first_crossing(geometry, local, id, unused, work)) return true;
     }
     return false;
@@ -92,7 +92,7 @@ void InstanceSet::all_hits(std::span<const uint32_t> ids, const Ray& ray, std::v
         const Instance& instance = scene_.instances[id];
         if (!(instance.mask & ray.mask)) continue;
         const Geometry& geometry = scene_.geometries[instance.geometry];
-        const Ray local = instance.to_local.ray(ray);
+        const Ray local = instance.local(ray);
         if (geometry.mesh) {
             geometry.triangles->all_hits(local, hits, work, id);
         } else {

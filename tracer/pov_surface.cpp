@@ -160,7 +160,7 @@ Color PovSurface::lit(const PovLayer& layer, const Vec3& wi, double nl, bool hig
     const double diffuse = back ? f.diffuse_back : f.diffuse;
     Color sum(0);
     if (diffuse != 0) {
-        double intensity = std::pow(std::abs(nl), f.brilliance) * diffuse * layer.opacity;
+        double intensity = (f.brilliance == 1 ? std::abs(nl) : std::pow(std::abs(nl), f.brilliance)) * diffuse * layer.opacity;
         if (f.crand > 0) intensity -= f.crand * grain(wi);
         sum = layer.color * intensity;
     }

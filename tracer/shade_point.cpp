@@ -30,9 +30,8 @@ const Attribute<Vec4f>* tangents_of(const Geometry& geometry, uint32_t uv_set) {
 }
 
 void place_on_shape(const Geometry& geometry, const Instance& instance, const Hit& hit, ShadePoint& p) {
-    const SurfacePoint s = geometry.ops->surface(*geometry.source, instance.to_local.point(p.position), hit.part);
-    p.geometric_normal = p.shading_normal = normalized(instance.to_local.transposed(s.normal));
-    p.shape_uv = s.uv;
+    p.on_shape = {geometry.ops, geometry.source, instance.local(p.position), hit.part};
+    p.geometric_normal = p.shading_normal = normalized(instance.to_local.transposed(geometry.ops->normal_at(*geometry.source, p.on_shape.point, hit.part)));
 }
 
 void place(const CompiledScene& scene, const Instance& instance, const Hit& hit, ShadePoint& p) {
@@ -47,7 +46,7 @@ void place(const CompiledScene& scene, const Instance& instance, const Hit& hit,
 double world_error(const CompiledScene& scene, const Ray& ray, const Hit& hit, const Vec3& position) {
     const Instance& instance = scene.instances[hit.instance];
     const Geometry& geometry = scene.geometries[instance.geometry];
-    const ErrorBound own = geometry.mesh ? hit.error : geometry.ops->error(*geometry.source, instance.to_local.ray(ray), hit.t, hit.part);
+    const ErrorBound own = geometry.mesh ? hit.error : geometry.ops->error(*geometry.source, instance.local(ray), hit.t, hit.part);
     return placed_error(instance.norms, own, ray, hit.t, position);
 }
 
@@ -60,7 +59,7 @@ Vec3 geometric_normal(const CompiledScene& scene, const Ray& ray, const Hit& hit
 }
 
 Vec2 ShadePoint::uv(uint32_t set) const {
-    if (!mesh) return shape_uv;
+    if (!mesh) return on_shape.ops ? on_shape.ops->surface(*on_shape.shape, on_shape.point, on_shape.part).uv : Vec2(0);
     if (set >= mesh->uvs.size() || !mesh->uvs[set].present()) return Vec2(0);
     return Vec2(interpolate(mesh->uvs[set], *mesh, triangle, u, v));
 }

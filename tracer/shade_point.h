@@ -5,12 +5,20 @@
 
 namespace alidade {
 
-/// A hit, placed: all that materials ask of it. Texture coordinates are read from the mesh when a signal asks for them.
+/// A point on a closed form, in the space of that.
+struct ClosedFormPoint {
+    const ShapeOps* ops = nullptr;
+    const ShapeGeometry* shape = nullptr;
+    Vec3 point{0};
+    uint32_t part = 0;
+};
+
+/// A hit, placed: all that materials ask of it. Texture coordinates are found when a signal asks for them.
 struct ShadePoint {
     const Mesh* mesh = nullptr;
     uint32_t triangle = 0;
     double u = 0, v = 0;              ///< barycentric on meshes
-    Vec2 shape_uv{0};                 ///< texture coordinates of closed forms
+    ClosedFormPoint on_shape;         ///< where there is no mesh
     Vec3 position{0};                 ///< world space
     Vec3 geometric_normal{0, 0, 1};   ///< unit, world space, on the front of the surface (outside)
     Vec3 shading_normal{0, 0, 1};     ///< unit, world space, interpolated; on the front

@@ -14,11 +14,12 @@ Bounds cone_bounds(const ShapeGeometry& geometry) { return bounds(geometry); }
 Crossings cone_crossings(const ShapeGeometry& geometry, const Ray& ray) { return frustum(geometry).crossings(ray, geometry); }
 ErrorBound cone_error(const ShapeGeometry& geometry, const Ray& ray, double t, uint32_t part) { return frustum(geometry).error(ray, t, part); }
 SurfacePoint cone_surface(const ShapeGeometry& geometry, const Vec3& point, uint32_t part) { return frustum(geometry).surface(point, part); }
+Vec3 cone_normal(const ShapeGeometry& geometry, const Vec3& point, uint32_t part) { return frustum(geometry).normal(point, part); }
 bool cone_inside(const ShapeGeometry& geometry, const Vec3& point) { return frustum(geometry).inside(point); }
 bool cone_solid(const ShapeGeometry& geometry) { return !std::get<Cone>(geometry).open; }
 
 }  // namespace
 
-const ShapeOps kConeOps = {"cone", "a cone cut off at both ends, with or without caps", kind_of<Cone>(), cone_bounds, cone_crossings, cone_error, cone_surface, cone_inside, cone_solid};
+const ShapeOps kConeOps = {"cone", "a cone cut off at both ends, with or without caps", kind_of<Cone>(), cone_bounds, cone_crossings, cone_error, cone_surface, cone_inside, cone_solid, nullptr, false, cone_normal};
 
 }  // namespace alidade

@@ -14,11 +14,12 @@ Bounds cylinder_bounds(const ShapeGeometry& geometry) { return bounds(geometry);
 Crossings cylinder_crossings(const ShapeGeometry& geometry, const Ray& ray) { return frustum(geometry).crossings(ray, geometry); }
 ErrorBound cylinder_error(const ShapeGeometry& geometry, const Ray& ray, double t, uint32_t part) { return frustum(geometry).error(ray, t, part); }
 SurfacePoint cylinder_surface(const ShapeGeometry& geometry, const Vec3& point, uint32_t part) { return frustum(geometry).surface(point, part); }
+Vec3 cylinder_normal(const ShapeGeometry& geometry, const Vec3& point, uint32_t part) { return frustum(geometry).normal(point, part); }
 bool cylinder_inside(const ShapeGeometry& geometry, const Vec3& point) { return frustum(geometry).inside(point); }
 bool cylinder_solid(const ShapeGeometry& geometry) { return !std::get<Cylinder>(geometry).open; }
 
 }  // namespace
 
-const ShapeOps kCylinderOps = {"cylinder", "all points near an axis, with or without caps", kind_of<Cylinder>(), cylinder_bounds, cylinder_crossings, cylinder_error, cylinder_surface, cylinder_inside, cylinder_solid};
+const ShapeOps kCylinderOps = {"cylinder", "all points near an axis, with or without caps", kind_of<Cylinder>(), cylinder_bounds, cylinder_crossings, cylinder_error, cylinder_surface, cylinder_inside, cylinder_solid, nullptr, false, cylinder_normal};
 
 }  // namespace alidade

@@ -119,6 +119,21 @@ Crossings Frustum::crossings(const Ray& ray, const ShapeGeometry& geometry) cons
     return out;
 }
 
+Vec3 Frustum::outwards(const Place& here, const Vec3& any) const {
+    const double radius = length(here.across);
+    return radius > 0 ? here.across / radius : any;
+}
+
+Vec3 Frustum::side_normal(const Place& here, const Vec3& outwards) const { return normalized(outwards - (here.radius < 0 ? -1 : 1) * slope_ * axis_); }
+
+Vec3 Frustum::normal(const Vec3& point, uint32_t part) const {
+    if (part != 0) return part == 1 ? -axis_ : axis_;
+    const Place here = place(point - a_);
+    Vec3 s, t;
+    orthonormal_basis(axis_, s, t);
+    return side_normal(here, outwards(here, s));
+}
+
 /// On the side, u runs around the axis and v from a (0) to b (1). On a cap, (u, v) runs from (0, 0) to (1, 1) over the square around it.
 SurfacePoint Frustum::surface(const Vec3& point, uint32_t part) const {
     const Place here = place(point - a_);
@@ -133,12 +148,12 @@ SurfacePoint Frustum::surface(const Vec3& point, uint32_t part) const {
         return out;
     }
     const double radius = length(here.across), sign = here.radius < 0 ? -1 : 1;
-    const Vec3 outwards = radius > 0 ? here.across / radius : s;   // at a tip any direction is as good as another
-    const double angle = std::atan2(dot(outwards, t), dot(outwards, s)) / (2 * kPi);
-    out.normal = normalized(outwards - sign * slope_ * axis_);
+    const Vec3 from_axis = outwards(here, s);
+    const double angle = std::atan2(dot(from_axis, t), dot(from_axis, s)) / (2 * kPi);
+    out.normal = side_normal(here, from_axis);
     out.uv = {angle < 0 ? angle + 1 : angle, here.along / length_};
-    out.dpdu = (2 * kPi * (radius > 0 ? radius : length_)) * cross(axis_, outwards);
-    out.dpdv = length_ * axis_ + sign * (radius_b_ - radius_a_) * outwards;
+    out.dpdu = (2 * kPi * (radius > 0 ? radius : length_)) * cross(axis_, from_axis);
+    out.dpdv = length_ * axis_ + sign * (radius_b_ - radius_a_) * from_axis;
     return out;
 }
 

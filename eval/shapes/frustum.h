@@ -22,6 +22,7 @@ class Frustum {
     Crossings crossings(const Ray& ray, const ShapeGeometry& geometry) const;
     ErrorBound error(const Ray& ray, double t, uint32_t part) const;
     SurfacePoint surface(const Vec3& point, uint32_t part) const;
+    Vec3 normal(const Vec3& point, uint32_t part) const;
     bool inside(const Vec3& point) const;
 
   private:
@@ -38,6 +39,9 @@ class Frustum {
         double radius;
     };
     Place place(const Vec3& from_a) const;
+    /// The unit direction from the axis to a place; `any` at a tip.
+    Vec3 outwards(const Place& here, const Vec3& any) const;
+    Vec3 side_normal(const Place& here, const Vec3& outwards) const;
     double polished(const Line& line, double t) const;
     int stretches(const Line& line, Stretch (&out)[2]) const;
 

@@ -10,7 +10,10 @@ namespace {
 struct Equation {
     Vec3 normal;
     double size, offset;
-    explicit Equation(const Plane& plane) : normal(plane.normal), size(length(plane.normal)), offset(plane.distance * size) {}
+    explicit Equation(const Plane& plane) : normal(plane.normal), size(length_of(plane.normal)), offset(plane.distance * size) {}
+
+    /// Most normals are unit vectors along an axis: their square is 1, and a root takes as long as the rest of a crossing.
+    static double length_of(const Vec3& normal) { return dot(normal, normal) == 1 ? 1 : length(normal); }
 
     /// The signed distance of a point from the plane, times the length of the normal.
     double height(const Vec3& p) const { return dot(normal, p) - offset; }
@@ -38,11 +41,13 @@ Crossings plane_crossings(const ShapeGeometry& geometry, const Ray& ray) {
     return out;
 }
 
+Vec3 plane_normal(const ShapeGeometry& geometry, const Vec3&, uint32_t) { return normalized(std::get<Plane>(geometry).normal); }
+
 /// With the unit normal n and the axis a to which n is least parallel (the first of equals), s = a made perpendicular to n and unit, t = n x s:
 /// u = dot(p, s), v = dot(p, t). A plane with the normal +y has u = x, v = -z.
-SurfacePoint plane_surface(const ShapeGeometry& geometry, const Vec3& point, uint32_t) {
+SurfacePoint plane_surface(const ShapeGeometry& geometry, const Vec3& point, uint32_t part) {
     SurfacePoint out;
-    const Vec3 n = out.normal = normalized(std::get<Plane>(geometry).normal);
+    const Vec3 n = out.normal = plane_normal(geometry, point, part);
     int axis = 0;
     for (int i = 1; i < 3; ++i)
         if (std::abs(n[i]) < std::abs(n[axis])) axis = i;
@@ -65,6 +70,6 @@ Bounds plane_narrow(const ShapeGeometry& geometry, bool outside, const Bounds& b
 
 }  // namespace
 
-const ShapeOps kPlaneOps = {"plane", "a half space: the side opposite to a normal", kind_of<Plane>(), plane_bounds, plane_crossings, plane_error, plane_surface, plane_inside, always_solid, plane_narrow};
+const ShapeOps kPlaneOps = {"plane", "a half space: the side opposite to a normal", kind_of<Plane>(), plane_bounds, plane_crossings, plane_error, plane_surface, plane_inside, always_solid, plane_narrow, false, plane_normal};
 
 }  // namespace alidade

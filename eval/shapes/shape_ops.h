@@ -47,6 +47,10 @@ struct ShapeOps {
     /// A box around what is inside (`outside`: outside or on the surface) of the shape within a box, whose sides may be infinite. Null: `bounds` says all.
     Bounds (*narrow)(const ShapeGeometry&, bool outside, const Bounds& box) = nullptr;
     bool costly = false;                                                 ///< crossings cost many times those of a quadric
+    /// That of surface(), alone. Null: it costs no less than all of surface().
+    Vec3 (*normal)(const ShapeGeometry&, const Vec3& point, uint32_t part) = nullptr;
+
+    Vec3 normal_at(const ShapeGeometry& shape, const Vec3& point, uint32_t part) const { return normal ? normal(shape, point, part) : surface(shape, point, part).normal; }
 };
 
 /// The parts of an extrusion from here on are its sides; those before are its two flat faces.

@@ -37,14 +37,15 @@ Crossings sphere_crossings(const ShapeGeometry& geometry, const Ray& ray) {
     return out;
 }
 
+Vec3 sphere_normal(const ShapeGeometry& geometry, const Vec3& point, uint32_t) { return normalized(point - std::get<Sphere>(geometry).center); }
+
 /// u runs around the y axis from +x by +z, v from the pole -y (0) to the pole +y (1): with the radius r and p relative to the centre,
 /// u = atan2(p.z, p.x) / 2 pi (+ 1 if negative), v = 1/2 + asin(p.y / r) / pi. At a pole u is 0, and dpdu has the direction and length that it would
 /// have on the equator, so that it is never zero.
-SurfacePoint sphere_surface(const ShapeGeometry& geometry, const Vec3& point, uint32_t) {
-    const Sphere& s = std::get<Sphere>(geometry);
+SurfacePoint sphere_surface(const ShapeGeometry& geometry, const Vec3& point, uint32_t part) {
     SurfacePoint out;
-    out.normal = normalized(point - s.center);
-    const double radius = std::abs(s.radius), around = std::hypot(out.normal.x, out.normal.z);
+    out.normal = sphere_normal(geometry, point, part);
+    const double radius = std::abs(std::get<Sphere>(geometry).radius), around = std::hypot(out.normal.x, out.normal.z);
     const double u = std::atan2(out.normal.z, out.normal.x) / (2 * kPi);
     out.uv = {u < 0 ? u + 1 : u, 0.5 + std::atan2(out.normal.y, around) / kPi};
     const bool pole = around == 0;
@@ -61,6 +62,6 @@ bool sphere_inside(const ShapeGeometry& geometry, const Vec3& point) {
 
 }  // namespace
 
-const ShapeOps kSphereOps = {"sphere", "all points at one distance from a centre", kind_of<Sphere>(), sphere_bounds, sphere_crossings, sphere_error, sphere_surface, sphere_inside, always_solid};
+const ShapeOps kSphereOps = {"sphere", "all points at one distance from a centre", kind_of<Sphere>(), sphere_bounds, sphere_crossings, sphere_error, sphere_surface, sphere_inside, always_solid, nullptr, false, sphere_normal};
 
 }  // namespace alidade

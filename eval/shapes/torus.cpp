@@ -119,20 +119,36 @@ Crossings torus_crossings(const ShapeGeometry& geometry, const Ray& ray) {
     return out;
 }
 
+/// A point relative to the centre, as it lies around the axis and around the tube.
+struct AroundTube {
+    double around, off, tube;   ///< the distances from the axis, outwards from the tube's middle, and from that middle
+    Vec3 outwards;              ///< from the axis
+    double cosine, sine;        ///< of the angle around the tube, from `outwards`
+
+    AroundTube(const Torus& torus, const Vec3& p) : around(planar_length(p.x, p.z)), off(around - std::abs(torus.major)), tube(planar_length(off, p.y)) {
+        outwards = around > 0 ? Vec3(p.x / around, 0, p.z / around) : Vec3(1, 0, 0);
+        cosine = tube > 0 ? off / tube : 1, sine = tube > 0 ? p.y / tube : 0;
+    }
+    Vec3 normal() const { return normalized(cosine * outwards + Vec3(0, sine, 0)); }
+};
+
 /// u = 1 - (atan2(z, x) + pi) / 2 pi around the axis, v = (atan2(y, rho - R) + pi) / 2 pi around the tube, 0 and 1 on its inner side.
 /// Source   POV-Ray 3.7, measured from renders with uv_mapping.
 SurfacePoint torus_surface(const ShapeGeometry& geometry, const Vec3& point, uint32_t) {
     const Torus& torus = std::get<Torus>(geometry);
     const Vec3 p = point - torus.center;
-    const double around = planar_length(p.x, p.z), off = around - std::abs(torus.major), tube = planar_length(off, p.y);
-    const Vec3 outwards = around > 0 ? Vec3(p.x / around, 0, p.z / around) : Vec3(1, 0, 0);
-    const double cosine = tube > 0 ? off / tube : 1, sine = tube > 0 ? p.y / tube : 0;
+    const AroundTube at(torus, p);
     SurfacePoint out;
-    out.normal = normalized(cosine * outwards + Vec3(0, sine, 0));
-    out.uv = {1 - (std::atan2(p.z, p.x) + kPi) / (2 * kPi), (std::atan2(p.y, off) + kPi) / (2 * kPi)};
-    out.dpdu = (2 * kPi * (around > 0 ? around : tube)) * Vec3(outwards.z, 0, -outwards.x);
-    out.dpdv = (2 * kPi * tube) * (Vec3(0, cosine, 0) - sine * outwards);
+    out.normal = at.normal();
+    out.uv = {1 - (std::atan2(p.z, p.x) + kPi) / (2 * kPi), (std::atan2(p.y, at.off) + kPi) / (2 * kPi)};
+    out.dpdu = (2 * kPi * (at.around > 0 ? at.around : at.tube)) * Vec3(at.outwards.z, 0, -at.outwards.x);
+    out.dpdv = (2 * kPi * at.tube) * (Vec3(0, at.cosine, 0) - at.sine * at.outwards);
     return out;
+}
+
+Vec3 torus_normal(const ShapeGeometry& geometry, const Vec3& point, uint32_t) {
+    const Torus& torus = std::get<Torus>(geometry);
+    return AroundTube(torus, point - torus.center).normal();
 }
 
 bool torus_inside(const ShapeGeometry& geometry, const Vec3& point) {
@@ -143,6 +159,6 @@ bool torus_inside(const ShapeGeometry& geometry, const Vec3& point) {
 
 }  // namespace
 
-const ShapeOps kTorusOps = {"torus", "all points near a circle", kind_of<Torus>(), torus_bounds, torus_crossings, torus_error, torus_surface, torus_inside, always_solid, nullptr, true};
+const ShapeOps kTorusOps = {"torus", "all points near a circle", kind_of<Torus>(), torus_bounds, torus_crossings, torus_error, torus_surface, torus_inside, always_solid, nullptr, true, torus_normal};
 
 }  // namespace alidade

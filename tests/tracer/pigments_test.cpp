@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 /// Pigments with maps against POV-Ray's pigment functions, and the space that patterns are looked up in.
 #include "tests/povray/povray.h"
+#include "tests/tracer/on_plane.h"
 #include "tests/tracer/scene_builder.h"
 #include "tracer/textures.h"
 
@@ -130,7 +131,7 @@ TEST(Pigments, UvMappedPatternsAreLookedUpAtTextureCoordinates) {
     const PatternSpace space{Transform(), Transform::scale(Vec3(7)), true};
     ShadePoint point;
     point.position = {5, 6, 7};
-    point.shape_uv = {0.25, 0.75};
+    point.on_shape = test::on_plane(0.25, 0.75);
     point.space = &space;
     EXPECT_EQ(point.pattern_point(), Vec3(0.25, 0.75, 0));
 }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 /// Texture lookups against hand-made tables: wrap modes, filters, encodings, coordinate transforms, tangent frames.
+#include "tests/tracer/on_plane.h"
 #include "tests/tracer/scene_builder.h"
-#include "tracer/textures.h"
 #include "tracer/shade_point.h"
 #include "tracer/surface.h"
 #include "tracer/textures.h"
@@ -30,7 +30,7 @@ struct Lookup {
         EXPECT_FALSE(said.has_errors()) << said.text();
     }
     double at(double u, double v = 0.5) {
-        point.shape_uv = {u, v};
+        point.on_shape = test::on_plane(u, v);
         return textures->evaluate({0}, point).x;
     }
 };
