@@ -24,6 +24,7 @@ class Layers {
   public:
     /// An unknown name is a sentence that lists the known ones.
     static tl::expected<Layers, std::string> parse(const std::vector<std::string>& names);
+    bool any() const { return !rows_.empty(); }
     std::vector<std::string> channels() const;   ///< R, G, B, then the layers'
     /// Writes the pixel's values, in the order of channels().
     void write(const PixelSamples& pixel, double exposure_scale, float* out) const;

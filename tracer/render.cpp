@@ -154,7 +154,7 @@ bool render_block(const Job& job, Tracing& tracing, const Region& square, const 
 /// the pixel under way, and those after it, are left as they are.
 bool render_tile(const Job& job, size_t i, Picture& picture, RenderStats& stats) {
     const DefaultFloatMode mode;
-    Tracing tracing{job.scene, job.max_depth, job.options.light_samples, job.scene.scene.settings.adc_bailout, stats};
+    Tracing tracing{job.scene, job.max_depth, job.options.light_samples, job.scene.scene.settings.adc_bailout, job.layers.any(), stats};
     const Region tile = job.grid.tile(i);
     if (job.options.supersampling) return render_block(job, tracing, job.grid.square(i), tile, picture);
     for (int y = tile.y0; y < tile.y1; ++y)

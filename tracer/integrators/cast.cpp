@@ -16,7 +16,7 @@ template <unsigned F> struct Cast {
             if (!scene.top->intersect(next, hit, tracing.stats.work)) break;
             const ShadePoint point = shade_point(scene, next, hit);
             const Surface surface = shade<F>(scene, point, ray.dir);
-            if (surface.coverage() > 0 && !first.hit) describe(point, surface, length(point.position - ray.origin), first);
+            if (tracing.describes && surface.coverage() > 0 && !first.hit) describe(point, surface, length(point.position - ray.origin), first);
             sum += local_light<F>(tracing, point, surface, state, Shadows::ignored) * through;
             through *= 1 - surface.coverage();
             if ((F & kAlpha) == 0 || through < tracing.bailout || through <= 0) break;

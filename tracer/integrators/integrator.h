@@ -32,6 +32,7 @@ struct Tracing {
     int max_depth;
     int light_samples;        ///< shadow rays a surface point sends to each light with an extent, and to the sky
     double bailout;           ///< rays whose weight is below it in all channels are not followed (POV-Ray's adc_bailout)
+    bool describes;           ///< is there a layer beside colour, which asks what camera rays meet?
     RenderStats& stats;
     std::vector<Hit> passed{};   ///< scratch of shadow rays
     Secondaries secondaries{};   ///< scratch of an integrator
@@ -39,7 +40,7 @@ struct Tracing {
     std::vector<PendingRay> pending{};   ///< scratch of an integrator: empty between camera rays
 };
 
-/// Radiance along a camera ray; also fills in `first`. Pure: the same for the same ray and key.
+/// Radiance along a camera ray; also fills in `first`, if layers ask for that. Pure: the same for the same ray and key.
 using Radiance = Color (*)(Tracing& tracing, const Ray& ray, const RayState& state, FirstHit& first);
 
 struct Integrator {

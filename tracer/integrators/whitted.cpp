@@ -77,7 +77,7 @@ template <unsigned F> struct Whitted {
     /// A surface on the camera ray itself.
     void see(const ShadePoint& point, const Surface& surface, double distance) {
         length_so_far += distance;
-        if (surface.coverage() > 0 && !first.hit) describe(point, surface, length_so_far, first);
+        if (tracing.describes && surface.coverage() > 0 && !first.hit) describe(point, surface, length_so_far, first);
         first.coverage += (1 - first.coverage) * surface.coverage();
     }
 
