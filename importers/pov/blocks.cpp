@@ -22,7 +22,7 @@ Item item_of(Item::Kind kind, Place at) {
 Item block_item(Parser& p, Item::Kind kind, WordId word, char close, Place at) {
     const Nested nested(p, at);
     Ref<Block> block(new Block(p.items));
-    block->word = word, block->place = at, block->defaults = uint32_t(p.defaults.size());
+    block->word = word, block->place = at, block->defaults = uint32_t(p.defaults.size()), block->version = float(p.version);
     read_items(p, *block, close);
     Item item = item_of(kind, at);
     item.word = word, item.value = Value::of(Kind::block, block);

@@ -155,6 +155,7 @@ struct Block : Shared {
     WordId word = 0;
     Place place;
     uint32_t defaults = 0;            ///< how many #default stood before it: what is left out of a texture comes from them
+    float version = 0;                ///< of the language where it stood; 3.7 where no #version was given
     std::vector<Item> items;
     Ref<Meter> meter;
     std::vector<Ref<Block>> layers;   ///< further textures of a declared layered texture

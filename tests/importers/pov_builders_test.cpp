@@ -64,6 +64,21 @@ TEST_F(PovBuilders, AnglesFillTheWindowAndLookAtKeepsItsHandedness) {
     expect_near(flat.right, {1.33 * 5, 0, 0});    // without right and up the window has the distance of what is looked at
 }
 
+/// Below 3.5 what stands behind a word does not change what it has done.
+TEST_F(PovBuilders, WordsOfOldCamerasActWhereTheyStand) {
+    const Camera early = scene("#version 3.1; camera { look_at <5,0,0> location <0,0,-5> }").cameras.at(0);
+    expect_near(early.direction, {1, 0, 0});
+    const Camera angle = scene("#version 3.1; camera { right 2*x angle 90 right 4*x translate y look_at <0,1,5> }").cameras.at(0);
+    expect_near(angle.direction, {0, 0, 1});          // the angle took 2*x
+    expect_near(angle.location, {0, 1, 0});           // and look_at where the camera had been moved to
+    expect_near(scene("#version 3.1; camera { location -4*z look_at z orthographic }").cameras.at(0).right, {1.33 * 5, 0, 0});
+    expect_near(scene("#version 3.1; camera { orthographic location -4*z look_at z }").cameras.at(0).right, {1.33, 0, 0});
+    const std::string nested = "#version 3.5; #declare C = camera { look_at <5,0,0> location <5,0,-5> } #version 3.1; ";
+    expect_near(scene(nested + "camera { C location 0 }").cameras.at(0).direction, {0, 0, 1});   // C was finished by the rules of its own version
+    EXPECT_THAT(said("#version 3.1; camera { angle 200 fisheye }"), HasSubstr("less than 180 degrees"));
+    EXPECT_EQ(scene("#version 3.1; camera { angle 100 fisheye }").cameras.at(0).angle, 100);
+}
+
 TEST_F(PovBuilders, PolynomialsHaveAllTheirCoefficients) {
     const Scene s = scene("quadric { <1,2,3>, <4,5,6>, <7,8,9>, 10 } poly { 2, <1,2,3,4,5,6,7,8,9,10> sturm } cubic { <1,2,3,4,5,6,7,8,9,10,11,12,13,14,15,16,17,18,19,20> }");
     const Quadric& q = std::get<Quadric>(s.shapes.at(0).geometry);

@@ -37,6 +37,12 @@ std::string around(const std::string& camera) {
     return scene;
 }
 
+/// A camera of the language 3.1, whose words act in their order.
+std::string old_camera(const std::string& words) {
+    return "#version 3.1; global_settings { assumed_gamma 1 } camera { " + words + " } background { rgb <.1,.2,.3> } sphere { 0, 1 pigment { checker rgb 1 rgb <1,0,0> scale .5 } finish { ambient 1 diffuse 0 } } "
+           "plane { y, -1 pigment { checker rgb .2 rgb <0,0,1> } finish { ambient 1 diffuse 0 } }";
+}
+
 /// Twelve things in three rows, seen from the front: `thing` with the I-th of the declared list T.
 std::string twelve(const std::string& type, const std::string& list, const std::string& thing) {
     return kHead + "camera { orthographic location -10*z look_at 0 right 8*x up 6*y } light_source { <10,20,-30> rgb 1 }\n#declare T = array[12] { " + list + " }\n#for (I, 0, 11) " + thing +
@@ -187,6 +193,14 @@ std::vector<PovPicture> pictures() {
         {"Spotlights", kHead + kView + "light_source { <5,8,-6> rgb 1.2 spotlight radius 12 falloff 22 tightness 3 point_at 0 fade_distance 8 fade_power 2 } light_source { <-5,4,-6> rgb <.2,.3,.6> parallel point_at "
                              "0 } light_source { <0,9,0> rgb .2 shadowless } plane { y, -1 pigment { rgb .7 } finish { phong .5 } } sphere { 0, .8 pigment { rgb 1 } finish { phong 1 } }"},
         {"Orthographic", kHead + "camera { orthographic location <1,3,-6> look_at 0 angle 40 rotate y*10 sky <1,3,0> }" + kSun + "box { -1, 1 pigment { rgb <.9,.5,.3> } }"},
+        {"OldCameraLooksFirst", old_camera("look_at <0,.3,1> location <1,1,-6>")},
+        {"OldCameraAngleFirst", old_camera("location <0,1,-6> angle 40 right 2*x look_at <.5,0,0> up <0,2,0>")},
+        {"OldCameraMoves", old_camera("location <0,1,-6> rotate y*20 right x look_at <.3,0,0> angle 50 rotate x*4 location <0,2,-6>")},
+        {"OldCameraOrthographicFirst", old_camera("orthographic right 4*x up 3*y location <0,1,-6> look_at 0 angle 40 rotate y*20")},
+        {"OldCameraOrthographicLast", old_camera("location <0,1,-6> right 2*x look_at 0 angle 40 translate -z rotate y*20 orthographic")},
+        {"OldCameraOrthographicLastAndBlind", old_camera("location <0,.5,-2> direction <0,-.2,2> orthographic")},
+        {"OldCameraFisheyeBehindItsAngle", old_camera("location <0,1,-3> look_at 0 angle 120 fisheye")},
+        {"OldCameraDeclared", "#version 3.5; #declare C = camera { look_at <0,.3,1> angle 40 right 2*x location <1,1,-6> }" + old_camera("C location <0,2,-6>")},
         {"Fisheye", around("fisheye angle 220 right x up y")},
         {"UltraWide", around("ultra_wide_angle angle 160 right 1.5*x up y")},
         {"Omnimax", around("omnimax right x up y")},

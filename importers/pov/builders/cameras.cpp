@@ -2,19 +2,22 @@
 #include "importers/pov/builders/cameras.h"
 
 #include <cmath>
+#include <utility>
 
 namespace alidade::pov {
 
 namespace {
 
+/// What the words of a camera say. From version 3.5 on they act together at its end, `arrange`; before, each where it stands.
 struct CameraWords {
     Camera camera;
     Vec3 sky{0, 1, 0};
-    std::optional<Vec3> look_at;
+    std::optional<Vec3> look_at;          ///< the last that was given
     std::optional<double> angle, vertical_angle;
     double variance = 1e-4;
-    bool sized = false;          ///< right or up was given
-    Transform transform;
+    bool sized = false;                   ///< right or up was given
+    bool look_at_waits = false, angle_waits = false, orthographic_waits = false;   ///< given, and has not acted yet
+    Transform transform;                  ///< has not acted yet
 };
 
 /// Of cameras whose window is not flat: 90 degrees, and all around for the spherical one, where nothing is said.
@@ -24,17 +27,17 @@ void set_angles(const CameraWords& words, Camera& c) {
     if (spherical && words.vertical_angle) c.vertical_angle = *words.vertical_angle;
 }
 
+bool is_flat(const Camera& c) { return c.projection == Projection::perspective || c.projection == Projection::orthographic; }
+
 /// What POV-Ray does with `angle` where the window is flat: direction gets the length that makes the window fill it.
 void apply_angle(Build& build, Place at, const CameraWords& words, Camera& c) {
-    if (c.projection != Projection::perspective && c.projection != Projection::orthographic) return set_angles(words, c);
-    if (!words.angle || *words.angle <= 0) return;
+    if (!is_flat(c) || *words.angle <= 0) return;
     if (c.projection == Projection::perspective && *words.angle >= 180) build.p.fail(at, "the angle of a perspective camera must be less than 180 degrees");
     c.direction = normalized(c.direction) * (length(c.right) / (2 * std::tan(*words.angle * kPi / 360)));
 }
 
 /// The window turns towards the point, upright as the sky says; its handedness stays.
 void apply_look_at(Build& build, Place at, const CameraWords& words, Camera& c) {
-    if (!words.look_at) return;
     const Vec3 towards = *words.look_at - c.location;
     if (length(towards) == 0) build.p.fail(at, "look_at is the camera's location");
     const double along = length(c.direction), high = length(c.up), wide = length(c.right), hand = dot(cross(c.up, c.direction), c.right);
@@ -47,11 +50,31 @@ void apply_look_at(Build& build, Place at, const CameraWords& words, Camera& c) 
     c.direction *= along;
 }
 
-void apply_orthographic(const CameraWords& words, Camera& c) {
-    if (c.projection != Projection::orthographic || (words.sized && !words.angle)) return;
-    const double distance = words.look_at ? length(*words.look_at - c.location) : length(c.direction);
-    const double scale = distance / length(c.direction);
+/// The window gets the size that it would fill at the distance of what is looked at: in order always, where what is looked at is <0,0,1> until it is
+/// given; together only where its size is not given.
+void apply_orthographic(const CameraWords& words, bool in_order, Camera& c) {
+    if (c.projection != Projection::orthographic || (!in_order && words.sized && !words.angle)) return;
+    const double usual = in_order ? length(Vec3(0, 0, 1) - c.location) : length(c.direction);
+    const double scale = (words.look_at ? length(*words.look_at - c.location) : usual) / length(c.direction);
     c.right *= scale, c.up *= scale;
+}
+
+void check(Build& build, Place at, const Camera& c) {
+    if (length(c.direction) == 0) build.p.fail(at, "the camera's direction has no length");
+    if (length(c.right) == 0 || length(c.up) == 0) build.p.fail(at, "the camera's right or up has no length");
+}
+
+/// Does what waits. `in_order`: the words of an old camera, of which one waits at most.
+void arrange(Build& build, Place at, bool in_order, CameraWords& words) {
+    Camera& c = words.camera;
+    check(build, at, c);
+    if (std::exchange(words.angle_waits, false)) apply_angle(build, at, words, c);
+    if (std::exchange(words.look_at_waits, false)) apply_look_at(build, at, words, c);
+    if (std::exchange(words.orthographic_waits, false)) apply_orthographic(words, in_order, c);
+    const Transform moved = std::exchange(words.transform, Transform());
+    c.location = moved.point(c.location);
+    c.direction = moved.vector(c.direction), c.right = moved.vector(c.right), c.up = moved.vector(c.up);
+    check(build, at, c);
 }
 
 std::optional<Projection> projection(WordId word) {
@@ -86,6 +109,7 @@ bool take_word(CameraWords& words, Cursor& at) {
     if (const auto kind = projection(word)) {
         at.next();
         words.camera.projection = *kind;
+        words.orthographic_waits = kind == Projection::orthographic;
         if (kind == Projection::cylindrical) words.camera.cylinder = at.integer("the type of the cylinder", 1, 4);
         return true;
     }
@@ -95,9 +119,9 @@ bool take_word(CameraWords& words, Cursor& at) {
         case "right"_w: at.next(), words.camera.right = at.vector("right"), words.sized = true; return true;
         case "up"_w: at.next(), words.camera.up = at.vector("up"), words.sized = true; return true;
         case "sky"_w: at.next(), words.sky = at.vector("the sky"); return true;
-        case "look_at"_w: at.next(), words.look_at = at.vector("look_at"); return true;
+        case "look_at"_w: at.next(), words.look_at = at.vector("look_at"), words.look_at_waits = true; return true;
         case "angle"_w:
-            at.next(), words.angle = at.number("the angle");
+            at.next(), words.angle = at.number("the angle"), words.angle_waits = true;
             if (at.at_number()) words.vertical_angle = at.number("the vertical angle");
             return true;
         case "aperture"_w: case "blur_samples"_w: case "focal_point"_w: at.next(), take_lens(words, word, at); return true;
@@ -108,16 +132,15 @@ bool take_word(CameraWords& words, Cursor& at) {
 }
 
 void read_words(Build& build, const Block& block, CameraWords& words) {
+    const bool in_order = block.version < 3.5F;
     for (Cursor at(build, block); !at.done();) {
-        if (const Block* other = at.block_at("camera"_w)) at.next(), read_words(build, *other, words);
+        const Place place = at.place();
+        const Block* other = at.block_at("camera"_w);
+        if (other) at.next(), read_words(build, *other, words);
         else if (at.at_transform()) words.transform = at.transform() * words.transform;
         else if (!take_word(words, at)) at.skip_unmodelled();
+        if (in_order) arrange(build, place, !other || other->version < 3.5F, words);
     }
-}
-
-void check(Build& build, Place at, const Camera& c) {
-    if (length(c.direction) == 0) build.p.fail(at, "the camera's direction has no length");
-    if (length(c.right) == 0 || length(c.up) == 0) build.p.fail(at, "the camera's right or up has no length");
 }
 
 }  // namespace
@@ -126,17 +149,12 @@ Camera build_camera(Build& build, const Block& block) {
     CameraWords words;
     words.camera.direction = {0, 0, 1}, words.camera.right = {1.33, 0, 0}, words.camera.up = {0, 1, 0};
     read_words(build, block, words);
+    arrange(build, block.place, false, words);
     Camera& c = words.camera;
+    if (!is_flat(c)) set_angles(words, c);
     c.from = build.position(block.place);
-    check(build, block.place, c);
-    apply_angle(build, block.place, words, c);
-    apply_look_at(build, block.place, words, c);
-    apply_orthographic(words, c);
-    c.location = words.transform.point(c.location);
-    c.direction = words.transform.vector(c.direction), c.right = words.transform.vector(c.right), c.up = words.transform.vector(c.up);
     c.fit = Fit::stretch;
     build.scene.settings.default_error = c.aperture > 0 ? std::sqrt(std::max(words.variance, 0.0)) : 0;
-    check(build, block.place, c);
     return c;
 }
 
