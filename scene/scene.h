@@ -77,6 +77,13 @@ struct Atmosphere {
 
 enum class LightUnits { radiometric, photometric };   ///< photometric: candela and lux, 683 lm/W
 
+/// How well the mean of a pixel's samples through a lens must be known (POV-Ray's words).
+struct LensNoise {
+    double variance = 1e-4;                   ///< of the mean, in squares of the colours that are calculated with
+    double confidence = 0.9;                  ///< the probability, in (0, 1), that it is below
+    int fewest = 0;                           ///< samples that are taken in any case
+};
+
 /// What the file asks of the renderer; the command line has the last word.
 struct RenderSettings {
     std::optional<int> max_depth;             ///< POV max_trace_level
@@ -90,7 +97,7 @@ struct RenderSettings {
     LightUnits light_units = LightUnits::radiometric;
     std::string why_light_units;
     int default_spp = 16;                     ///< POV scenes: 1, the pixel's centre
-    double default_error = 0;                 ///< a pixel is known well enough when the standard error of its mean is below (POV-Ray's `variance`, its square root)
+    std::optional<LensNoise> lens_noise;      ///< with it, pixels may take fewer samples than default_spp
     std::string generator;                    ///< what wrote the file
 };
 

@@ -39,17 +39,19 @@ std::string text(const std::optional<Supersampling>& value) {
     return fmt::format("{}/{}/{}/{}/{}", method, threshold, gamma, jitter, depth);
 }
 
+std::string text(const std::optional<LensNoise>& value) { return value ? fmt::format("{}/{}/{}", value->variance, value->confidence, value->fewest) : "-"; }
+
 }  // namespace
 
 Identity identity(const CompiledScene& scene, const RenderOptions& options) {
     // All members by name: who adds one has to say here whether it decides pixels.
-    const auto& [width, height, region, camera, integrator, spp, supersampling, adaptive, sampler, light_samples, aperture, focus, seed, frame, max_depth, exposure, aovs, tile, threads, time] = options;
+    const auto& [width, height, region, camera, integrator, spp, supersampling, adaptive, lens_noise, sampler, light_samples, aperture, focus, seed, frame, max_depth, exposure, aovs, tile, threads, time] = options;
     static_cast<void>(threads);
     const Region part = region.value_or(Region{0, 0, width, height});
     return {{"program", program()},
             {"size", fmt::format("{}x{}", width, height)},
             {"part", fmt::format("{},{},{},{}", part.x0, part.y0, part.x1, part.y1)},
-            {"antialiasing", fmt::format("{} spp={} adaptive={} sampler={} tile={}", text(supersampling), spp, adaptive, sampler, tile)},
+            {"antialiasing", fmt::format("{} spp={} adaptive={} lens={} sampler={} tile={}", text(supersampling), spp, adaptive, text(lens_noise), sampler, tile)},
             {"camera", fmt::format("'{}' aperture={} focus={} exposure={}", camera, text(aperture), text(focus), exposure)},
             {"integrator", fmt::format("{} light_samples={} max_depth={} seed={} frame={} time={} aovs={}", integrator, light_samples, max_depth, seed, frame, time, fmt::join(aovs, ","))},
             {"scene", fingerprint_of(scene.scene)}};

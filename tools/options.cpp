@@ -3,8 +3,8 @@
 
 #include "tools/values.h"
 #include "topology/subdivide.h"
-#include "tracer/noise.h"
 #include "tracer/render.h"
+#include "tracer/sample_stop.h"
 #include "tracer/sampler.h"
 
 #include <CLI/CLI.hpp>

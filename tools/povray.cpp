@@ -55,7 +55,7 @@ RenderOptions render_options(const PovrayRequest& r, int frame, const RenderSett
     options.threads = r.threads;
     options.frame = frame;
     options.spp = scene.default_spp;
-    options.adaptive = scene.default_error;
+    options.lens_noise = scene.lens_noise;
     if (r.antialias && options.spp == 1) options.supersampling = Supersampling{r.sampling_method, r.antialias_threshold, r.antialias_gamma, r.jitter ? r.jitter_amount : 0, r.antialias_depth};
     const Region region{first_pixel(r.start_column, r.width), first_pixel(r.start_row, r.height), end_pixel(r.end_column, r.width), end_pixel(r.end_row, r.height)};
     if (region.x0 || region.y0 || region.x1 != r.width || region.y1 != r.height) options.region = region;

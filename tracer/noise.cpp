@@ -24,4 +24,14 @@ double NoiseEstimate::displayed_error(double exposure) const {
     return largest;
 }
 
+double NoiseEstimate::variance_of_mean() const {
+    double largest = 0;
+    for (int c = 0; c < 3; ++c) {
+        const double variance = squares_[c] / (double(count_) * count_);
+        if (!(variance <= largest)) largest = variance;   // a NaN stays: it is never below a limit
+        if (std::isnan(largest)) break;
+    }
+    return largest;
+}
+
 }  // namespace alidade

@@ -6,9 +6,6 @@
 
 namespace alidade {
 
-/// A pixel that may end early takes so many samples at the least, and is asked after each kSamplesBetweenLooks more.
-inline constexpr int kLeastSamples = 16, kSamplesBetweenLooks = 8;
-
 /// Mean and variance of the samples of one pixel.
 /// Source   B. P. Welford, "Note on a Method for Calculating Corrected Sums of Squares and Products", Technometrics 4(3), 1962.
 class NoiseEstimate {
@@ -24,6 +21,8 @@ class NoiseEstimate {
     /// multiplication with `exposure`). 1 is the range from black to white. Above white the curve goes on, so that pictures with a high range are
     /// sampled for what they hold. For independent samples; those that are spread well do better than it says.
     double displayed_error(double exposure) const;
+    /// The mean square deviation over the count, of the channel where it is the largest.
+    double variance_of_mean() const;
 
   private:
     int count_ = 0;

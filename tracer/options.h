@@ -5,6 +5,7 @@
 #include "accel/accelerator.h"
 #include "core/image.h"
 #include "core/vec.h"
+#include "scene/scene.h"
 
 #include <atomic>
 #include <functional>
@@ -47,6 +48,7 @@ struct RenderOptions {
     int spp = 0;                           ///< samples a pixel; 1: the pixel's centre; 0: as the scene says
     std::optional<Supersampling> supersampling;   ///< instead of `spp` samples
     double adaptive = 0;                   ///< a pixel ends when the standard error of its mean, as displayed (1: black to white), is below; 0: none does
+    std::optional<LensNoise> lens_noise;   ///< a pixel ends by this instead
     std::string sampler = "sobol";         ///< a name of the table in tracer/sampler.h: how samples are spread
     int light_samples = 1;                 ///< shadow rays to each light with an extent, and to the sky, a surface point
     std::optional<double> aperture;        ///< diameter of the lens, world units, instead of the camera's; 0: pinhole

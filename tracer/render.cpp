@@ -3,7 +3,7 @@
 #include "core/parallel.h"
 #include "tracer/cameras.h"
 #include "tracer/layers.h"
-#include "tracer/noise.h"
+#include "tracer/sample_stop.h"
 #include "tracer/supersampling.h"
 #include "tracer/tiles.h"
 
@@ -26,6 +26,7 @@ struct Job {
     TileGrid grid;
     SamplePair sampler;
     int spp, max_depth;
+    SampleStop sample_stop;
     const std::atomic<bool>* stop;
 
     bool stopped() const { return stop && stop->load(std::memory_order_relaxed); }
@@ -90,14 +91,12 @@ std::optional<PixelSamples> sample_pixel(const Job& job, Tracing& tracing, int x
     PixelSamples pixel;
     NoiseEstimate noise;
     const uint64_t before = tests_done(tracing.stats.work);
-    const double limit = job.options.adaptive, exposure = std::exp2(job.options.exposure);
     for (int s = 0; s < job.spp; ++s) {
         if (job.stopped()) return std::nullopt;
         const Color radiance = take_sample(job, tracing, x, y, s, pixel);
-        if (!(limit > 0)) continue;
+        if (!job.sample_stop.asks()) continue;
         noise.add(radiance);
-        if (pixel.samples < kLeastSamples || pixel.samples % kSamplesBetweenLooks || pixel.samples == job.spp) continue;
-        if (noise.displayed_error(exposure) < limit) {
+        if (pixel.samples < job.spp && job.sample_stop.enough(noise, pixel.samples)) {
             ++tracing.stats.pixels_ended_early;
             break;
         }
@@ -217,7 +216,7 @@ tl::expected<Film, std::string> render(const CompiledScene& scene, const RenderO
     if (int64_t(spp) * options.light_samples > kMostSamples)
         return tl::unexpected(fmt::format("{} samples a pixel times {} a light are more than {}", spp, options.light_samples, kMostSamples));
     const int depth = options.max_depth >= 0 ? options.max_depth : scene.scene.settings.max_depth.value_or(8);
-    const Job job{scene, options, CameraRays(with_lens(**camera, options), options.width, options.height), *kernel, *layers, *grid, sampler->pair, spp, depth, monitor.stop};
+    const Job job{scene, options, CameraRays(with_lens(**camera, options), options.width, options.height), *kernel, *layers, *grid, sampler->pair, spp, depth, SampleStop(options, spp), monitor.stop};
     Film film;
     film.picture = Picture(options.width, options.height, layers->channels());
     const auto start = std::chrono::steady_clock::now();

@@ -343,7 +343,10 @@ const Change kOtherChanges[] = {
     [](Scene& s) { s.settings.light_units = LightUnits::photometric; },
     [](Scene& s) { s.settings.why_light_units = "x"; },
     [](Scene& s) { s.settings.default_spp = 1; },
-    [](Scene& s) { s.settings.default_error = 1; },
+    [](Scene& s) { s.settings.lens_noise = LensNoise(); },
+    [](Scene& s) { s.settings.lens_noise = LensNoise{1, 0.9, 0}; },
+    [](Scene& s) { s.settings.lens_noise = LensNoise{1e-4, 0.5, 0}; },
+    [](Scene& s) { s.settings.lens_noise = LensNoise{1e-4, 0.9, 9}; },
     [](Scene& s) { s.settings.irid_wavelength = Color(1); },
     [](Scene& s) { s.settings.generator = "x"; },
 };

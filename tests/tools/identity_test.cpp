@@ -24,7 +24,7 @@ TEST(Identity, ChangesWithEveryOptionThatDecidesPixels) {
     const RenderOptions usual;
     const std::function<void(RenderOptions&)> changes[] = {
         [](RenderOptions& o) { ++o.width; }, [](RenderOptions& o) { ++o.height; }, [](RenderOptions& o) { o.region = Region{0, 0, 5, 5}; }, [](RenderOptions& o) { o.camera = "b"; },
-        [](RenderOptions& o) { o.integrator = "cast"; }, [](RenderOptions& o) { o.spp = 3; }, [](RenderOptions& o) { o.supersampling.emplace(); }, [](RenderOptions& o) { o.adaptive = 0.1; },
+        [](RenderOptions& o) { o.integrator = "cast"; }, [](RenderOptions& o) { o.spp = 3; }, [](RenderOptions& o) { o.supersampling.emplace(); }, [](RenderOptions& o) { o.adaptive = 0.1; }, [](RenderOptions& o) { o.lens_noise.emplace(); },
         [](RenderOptions& o) { o.supersampling = Supersampling{.threshold = 0.30000000000000004}; }, [](RenderOptions& o) { o.supersampling = Supersampling{.method = 2}; },
         [](RenderOptions& o) { o.supersampling = Supersampling{.gamma = 2}; }, [](RenderOptions& o) { o.supersampling = Supersampling{.jitter = 1}; }, [](RenderOptions& o) { o.supersampling = Supersampling{.depth = 2}; },
         [](RenderOptions& o) { o.sampler = "random"; }, [](RenderOptions& o) { o.light_samples = 2; }, [](RenderOptions& o) { o.aperture = 0; }, [](RenderOptions& o) { o.focus = 1; },

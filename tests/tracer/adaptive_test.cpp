@@ -2,7 +2,7 @@
 /// Adaptive sampling: what it estimates, what it saves, and what it may not depend on.
 #include "core/random.h"
 #include "tests/tracer/scene_builder.h"
-#include "tracer/noise.h"
+#include "tracer/sample_stop.h"
 
 #include <random>
 

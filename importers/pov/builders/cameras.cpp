@@ -14,7 +14,7 @@ struct CameraWords {
     Vec3 sky{0, 1, 0};
     std::optional<Vec3> look_at;          ///< the last that was given
     std::optional<double> angle, vertical_angle;
-    double variance = 1e-4;
+    LensNoise noise;
     bool sized = false;                   ///< right or up was given
     bool look_at_waits = false, angle_waits = false, orthographic_waits = false;   ///< given, and has not acted yet
     Transform transform;                  ///< has not acted yet
@@ -95,15 +95,25 @@ void take_lens(CameraWords& words, WordId word, Cursor& at) {
     switch (word) {
         case "aperture"_w: words.camera.aperture = at.number("the aperture"); break;
         case "blur_samples"_w:
-            words.camera.blur_samples = at.integer("the number of samples", 0, 1'000'000);
-            if (at.at_number()) words.camera.blur_samples = at.integer("the number of samples", 0, 1'000'000);
+            words.camera.blur_samples = at.integer("the number of samples", 1, 1'000'000), words.noise.fewest = 0;
+            if (!at.at_number()) break;
+            words.noise.fewest = words.camera.blur_samples;
+            words.camera.blur_samples = at.integer("the largest number of samples, not below the smallest", words.noise.fewest, 1'000'000);
             break;
         default: words.camera.focal_point = at.vector("the focal point");
     }
 }
 
+/// A number from 0 to 1, or between them. Where it is another, the one before stays.
+void take_share(Build& build, Cursor& at, const char* what, bool ends_too, double& out) {
+    const Place place = at.place();
+    const double given = at.number(what);
+    if (ends_too ? given >= 0 && given <= 1 : given > 0 && given < 1) out = given;
+    else build.p.warn(place, fmt::format("{} must be between 0 and 1: {} is used", what, out));
+}
+
 /// One word of a camera with its values; false if it is none.
-bool take_word(CameraWords& words, Cursor& at) {
+bool take_word(Build& build, CameraWords& words, Cursor& at) {
     if (at.peek().kind != Item::Kind::word) return false;
     const WordId word = at.peek().word;
     if (const auto kind = projection(word)) {
@@ -125,8 +135,8 @@ bool take_word(CameraWords& words, Cursor& at) {
             if (at.at_number()) words.vertical_angle = at.number("the vertical angle");
             return true;
         case "aperture"_w: case "blur_samples"_w: case "focal_point"_w: at.next(), take_lens(words, word, at); return true;
-        case "variance"_w: at.next(), words.variance = at.number("the variance"); return true;
-        case "confidence"_w: at.skip(); return true;
+        case "variance"_w: at.next(), take_share(build, at, "the variance", true, words.noise.variance); return true;
+        case "confidence"_w: at.next(), take_share(build, at, "the confidence", false, words.noise.confidence); return true;
         default: return false;
     }
 }
@@ -138,7 +148,7 @@ void read_words(Build& build, const Block& block, CameraWords& words) {
         const Block* other = at.block_at("camera"_w);
         if (other) at.next(), read_words(build, *other, words);
         else if (at.at_transform()) words.transform = at.transform() * words.transform;
-        else if (!take_word(words, at)) at.skip_unmodelled();
+        else if (!take_word(build, words, at)) at.skip_unmodelled();
         if (in_order) arrange(build, place, !other || other->version < 3.5F, words);
     }
 }
@@ -154,7 +164,7 @@ Camera build_camera(Build& build, const Block& block) {
     if (!is_flat(c)) set_angles(words, c);
     c.from = build.position(block.place);
     c.fit = Fit::stretch;
-    build.scene.settings.default_error = c.aperture > 0 ? std::sqrt(std::max(words.variance, 0.0)) : 0;
+    build.scene.settings.lens_noise = c.aperture > 0 ? std::optional(words.noise) : std::nullopt;
     return c;
 }
 
