@@ -158,6 +158,8 @@ struct PovFinish {
     double reflection_falloff = 1, reflection_exponent = 1, reflection_metallic = 0;
     bool reflection_fresnel = false, conserve_energy = false;
     double irid = 0, irid_thickness = 0, irid_turbulence = 0;   ///< colours of a thin film
+    std::optional<double> ior, caustics;      ///< before POV-Ray 3.1: those of the interior behind the surface, if the layer is the one on top
+    double refraction = 1;                    ///< likewise: what passes the surface is multiplied by it, but in shadows
 };
 
 /// POV-Ray's texture_map, and a list of textures: where `pattern` (a PatternSignal) has a value, the light of the textures beside it in the map is mixed. The signals of the map itself are not read.

@@ -38,7 +38,8 @@ bool finite(const PovFinish& p) {
     return is_finite(p.ambient) && is_finite(p.emission) && is_finite(p.reflection_min) && is_finite(p.reflection_max) &&
            is_finite(Vec3(p.diffuse, p.brilliance, p.diffuse_back)) &&
            is_finite(Vec3(p.phong, p.phong_size, p.specular)) && is_finite(Vec3(p.roughness, p.metallic, p.crand)) &&
-           is_finite(Vec3(p.reflection_falloff, p.reflection_exponent, p.reflection_metallic)) && is_finite(Vec3(p.irid, p.irid_thickness, p.irid_turbulence));
+           is_finite(Vec3(p.reflection_falloff, p.reflection_exponent, p.reflection_metallic)) && is_finite(Vec3(p.irid, p.irid_thickness, p.irid_turbulence)) &&
+           is_finite(Vec3(p.ior.value_or(1), p.caustics.value_or(0), p.refraction));
 }
 
 bool finite(const PovTextureMap&) { return true; }

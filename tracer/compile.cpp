@@ -10,6 +10,7 @@
 #include "tracer/materials.h"
 #include "tracer/normal_maps.h"
 #include "tracer/pov_sky.h"
+#include "tracer/start_inside.h"
 #include "tracer/textures.h"
 #include "tracer/unrendered.h"
 
@@ -34,11 +35,26 @@ bool check_path_count(const Scene& scene, Diagnostics& said) {
 /// Set operations deeper in one another than this are a mistake of the file.
 constexpr size_t kDeepestSolid = 1000;
 
-/// The length of the part of the path up to the node that carries the interior; 0 if none does.
+/// The length of the part of the path up to the node that carries the interior: the nearest that has one, else the outermost operation, whose parts are
+/// one body; 0 if there is neither.
 size_t interior_carrier(const Scene& scene, const std::vector<NodeId>& path) {
-    size_t length = path.size();
-    while (length > 0 && !scene.nodes[path[length - 1].index].interior) --length;
-    return length;
+    for (size_t length = path.size(); length > 0; --length)
+        if (scene.nodes[path[length - 1].index].interior) return length;
+    for (size_t i = 0; i < path.size(); ++i)
+        if (scene.nodes[path[i].index].csg != CsgKind::none) return i + 1;
+    return 0;
+}
+
+/// Is the body hollow that a node on the path carries? As POV-Ray has it, if a node down to it says so, or else the last of its parts.
+bool is_hollow(const Scene& scene, const std::vector<NodeId>& path, size_t carrier) {
+    const auto says = [&](NodeId id) { return scene.nodes[id.index].flags.hollow; };
+    if (carrier == 0) return std::any_of(path.begin(), path.end(), says);
+    if (std::any_of(path.begin(), path.begin() + std::ptrdiff_t(carrier), says)) return true;
+    for (NodeId part = path[carrier - 1]; !scene.nodes[part.index].children.empty();) {
+        part = scene.nodes[part.index].children.back();
+        if (says(part)) return true;
+    }
+    return false;
 }
 
 /// Walks the graph once and fills a CompiledScene with instances, lights and cameras.
@@ -114,9 +130,10 @@ class Placer : private CsgParts {
         const size_t carrier = interior_carrier(out_.scene, visit.path);
         const auto interior = carrier ? out_.scene.nodes[visit.path[carrier - 1].index].interior : std::nullopt;
         instance.carrier = carrier ? carrier_at({visit.path.begin(), visit.path.begin() + std::ptrdiff_t(carrier)}) : carriers_++;
+        const bool hollow = is_hollow(out_.scene, visit.path, carrier);
         for (uint32_t slot = 0; slot < slots; ++slot) {
             const auto carried = carried_material(out_.scene, visit.path, slot);
-            SlotMaterial material = materials_.slot(carried ? std::optional(carried->material) : std::nullopt, interior);
+            SlotMaterial material = materials_.slot(carried ? std::optional(carried->material) : std::nullopt, interior, hollow);
             if (carried) material.space = materials_.space(*carried, visit.path);
             out_.slots.push_back(material);
         }
@@ -317,6 +334,7 @@ std::shared_ptr<const CompiledScene> compile(Scene scene, const CompileOptions& 
     build_structures(*out, *accel, placer.take_solids(), options, said);
     default_camera(*out, said);
     default_light(*out, options, said);
+    find_what_is_around_cameras(*out);
     placer.finish();
     choose_kernel(*out, options, reasons);
     return out;

@@ -26,6 +26,12 @@ struct Geometry {
     std::vector<Attribute<Vec4f>> tangents; ///< by texture coordinate set: of a mesh that has none, where a normal map asks for them
 };
 
+/// An interior behind a surface, with what the surface says of it.
+struct CompiledInterior : Interior {
+    double refraction = 1;         ///< what passes the surface is multiplied by it, but in shadows
+    bool hollow = false;           ///< there is fog in it, too
+};
+
 /// A material as an instance's slot has it, with the interior that its transmission leads into.
 struct SlotMaterial {
     uint32_t material = 0;
@@ -87,12 +93,13 @@ struct CompiledScene {
     std::vector<Solid> solids;
     std::vector<SlotMaterial> slots;
     std::vector<PatternSpace> pattern_spaces;
-    std::vector<Interior> interiors;
+    std::vector<CompiledInterior> interiors;
     std::unique_ptr<Accelerator> top;      ///< over the instances and solids
     std::unique_ptr<Textures> textures;
     std::vector<PlacedLight> lights;
     std::vector<std::vector<bool>> lit_by; ///< which lights shine, by Instance::light_set; empty: all on all
     std::vector<PlacedCamera> cameras;     ///< at least one
+    std::vector<uint32_t> around_cameras;  ///< where there is fog: the instances, and behind them in number the solids, that a camera may stand in
     Transform sky_from_world;              ///< into the space of the sky's pigments
     std::unique_ptr<Sky> sky;              ///< what a ray sees that leaves the scene, and what lights it from there
     bool glows = false;                    ///< a surface emits light (or is unlit)

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <span>
 
 namespace alidade {
 
@@ -25,6 +26,7 @@ class InteriorStack {
     }
 
     bool empty() const { return count_ == 0; }
+    std::span<const Entry> entries() const { return {entries_, size_t(count_)}; }
     const Entry& top() const { return entries_[count_ - 1]; }
 
     void enter(Entry e) {

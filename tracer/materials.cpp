@@ -158,18 +158,31 @@ uint32_t MaterialTable::default_material() {
     return *default_;
 }
 
-SlotMaterial MaterialTable::slot(std::optional<MaterialId> material, std::optional<InteriorId> interior) {
+uint32_t MaterialTable::add_interior(const Material& material, std::optional<InteriorId> interior, bool hollow) {
+    CompiledInterior in;
+    if (interior) static_cast<Interior&>(in) = out_.scene.interiors[interior->index];
+    in.hollow = hollow;
+    const bool layered = !material.layers.empty();
+    if (const auto* pbr = layered ? std::get_if<GltfPbr>(&material.layers[0]) : nullptr) in.ior = pbr->ior;
+    if (const auto* finish = layered ? std::get_if<PovFinish>(&material.layers.back()) : nullptr) {
+        in.ior = finish->ior.value_or(in.ior), in.caustics = finish->caustics.value_or(in.caustics);
+        in.refraction = finish->refraction;
+    }
+    out_.interiors.push_back(in);
+    return uint32_t(out_.interiors.size() - 1);
+}
+
+SlotMaterial MaterialTable::slot(std::optional<MaterialId> material, std::optional<InteriorId> interior, bool hollow) {
     SlotMaterial out;
     out.material = material ? material->index : default_material();
     const Material& m = out_.scene.materials[out.material];
     const auto* pbr = m.layers.empty() ? nullptr : std::get_if<GltfPbr>(&m.layers[0]);
-    // POV-Ray's interiors tell how an opaque surface mirrors, too.
-    if (pbr ? is_zero(out_.scene, pbr->transmission) : !interior && !lets_light_through(out_.scene, out.material)) return out;
-    const auto [at, added] = interior_of_.try_emplace({out.material, interior ? interior->index : kNoId}, uint32_t(out_.interiors.size()));
-    if (added) {
-        out_.interiors.push_back(interior ? out_.scene.interiors[interior->index] : Interior());
-        if (pbr) out_.interiors.back().ior = pbr->ior;
-    }
+    const auto* top = m.layers.empty() ? nullptr : std::get_if<PovFinish>(&m.layers.back());
+    // POV-Ray's interiors tell how an opaque surface mirrors, too; and a camera may stand in one that keeps fog out.
+    const bool filled = interior || (top && top->ior) || !out_.scene.atmosphere.fogs.empty();
+    if (pbr ? is_zero(out_.scene, pbr->transmission) : !filled && !lets_light_through(out_.scene, out.material)) return out;
+    const auto [at, added] = interior_of_.try_emplace({out.material, interior ? interior->index : kNoId, hollow}, 0);
+    if (added) at->second = add_interior(m, interior, hollow);
     out.interior = at->second;
     return out;
 }

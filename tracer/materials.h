@@ -5,6 +5,7 @@
 #include "tracer/compiled_scene.h"
 
 #include <map>
+#include <tuple>
 
 namespace alidade {
 
@@ -13,7 +14,7 @@ class MaterialTable {
   public:
     explicit MaterialTable(CompiledScene& out) : out_(out) {}
     /// Without a material the slot takes glTF's default one (specification 3.9: white, metallic 1, roughness 1), added to the scene.
-    SlotMaterial slot(std::optional<MaterialId> material, std::optional<InteriorId> interior);
+    SlotMaterial slot(std::optional<MaterialId> material, std::optional<InteriorId> interior, bool hollow);
 
     /// The space in which the patterns of `carried` are looked up on this path: an index into CompiledScene::pattern_spaces,
     /// or kNoId if it has no patterns, or if the space is flat, so that nothing in it is seen.
@@ -21,10 +22,11 @@ class MaterialTable {
 
   private:
     uint32_t default_material();
+    uint32_t add_interior(const Material& material, std::optional<InteriorId> interior, bool hollow);
     bool has_patterns(uint32_t material);
 
     CompiledScene& out_;
-    std::map<std::pair<uint32_t, uint32_t>, uint32_t> interior_of_;   // (material, interior or kNoId) -> CompiledScene::interiors
+    std::map<std::tuple<uint32_t, uint32_t, bool>, uint32_t> interior_of_;   // (material, interior or kNoId, hollow) -> CompiledScene::interiors
     std::optional<uint32_t> default_;
     std::map<uint32_t, bool> has_patterns_;   // by material
 };

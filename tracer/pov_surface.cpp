@@ -60,6 +60,7 @@ struct PovSurface::Passage {
     InteriorStack beyond;
     double ratio = 1;          ///< index of refraction here over that beyond
     Color faded{1};            ///< what is left of light on the way inside of the object that is left
+    double refraction = 1;     ///< of the light that passes
 };
 
 /// A solid is left by a ray that has entered it, whatever side is hit.
@@ -69,6 +70,7 @@ PovSurface::Passage PovSurface::passage(const CompiledScene& scene, const ShadeP
     out.beyond = state.inside;
     if (interior == kNoId) return out;
     const double own = scene.interiors[interior].ior, here = ior_in(scene, state.inside);
+    out.refraction = scene.interiors[interior].refraction;
     const bool last = !state.inside.empty() && state.inside.top().carrier == carrier;
     // A camera inside of a solid has not entered it.
     const bool began_inside = state.inside.empty() && !point.front && !point.mesh && state.kind == RayKind::camera;
@@ -234,7 +236,7 @@ void PovSurface::add_texture(const CompiledScene& scene, const PovTexture& textu
     bool total = false;
     if (std::min(1.0, std::abs(pov_grey(through))) > scene.scene.settings.adc_bailout) {
         const double c = -dot(dir_, normal), t = 1 + p.ratio * p.ratio * (c * c - 1);
-        const Color weight = p.faded * through * texture.share;
+        const Color weight = p.faded * through * (texture.share * p.refraction);
         const double importance = std::max({std::abs(through.x), std::abs(through.y), std::abs(through.z)});
         if (std::abs(p.ratio - 1) < kEpsilon) {
             out.push_back({dir_, weight, RayKind::refraction, p.beyond, importance, true});

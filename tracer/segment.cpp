@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tracer/segment.h"
 
+#include <algorithm>
+
 namespace alidade {
 
 Color transmittance(const CompiledScene& scene, const InteriorStack& inside, double length) {
@@ -13,6 +15,11 @@ Color transmittance(const CompiledScene& scene, const InteriorStack& inside, dou
 }
 
 double ior_in(const CompiledScene& scene, const InteriorStack& inside) { return inside.empty() ? 1 : scene.interiors[inside.top().interior].ior; }
+
+bool fog_reaches(const CompiledScene& scene, const InteriorStack& inside) {
+    const auto entries = inside.entries();
+    return std::all_of(entries.begin(), entries.end(), [&](const InteriorStack::Entry& e) { return scene.interiors[e.interior].hollow; });
+}
 
 Color pov_fade(const Interior& interior, double length) {
     if (!(interior.fade_distance > 1e-10)) return Color(1);

@@ -40,11 +40,16 @@ tl::expected<void, std::string> SpacePigments::prepare(SignalId root) {
         if (std::holds_alternative<ConstantSignal>(what) || patterns_.count(id.index)) continue;
         const auto* pattern = std::get_if<PatternSignal>(&what);
         if (!pattern) return tl::unexpected(std::string("only colours and patterns have a value in space"));
-        auto made = Pattern::make(*pattern);
+        auto made = Pattern::make(*pattern, source_of(*pattern));
         if (!made) return tl::unexpected(made.error());
         patterns_.emplace(id.index, std::move(*made));
     }
     return {};
+}
+
+PatternSource SpacePigments::source_of(const PatternSignal& signal) const {
+    if (!signal.source) return nullptr;
+    return [this, pigment = *signal.source](const Vec3& place) { return pov_grey(color(pigment, place).color); };
 }
 
 PigmentColor SpacePigments::color(SignalId pigment, const Vec3& p) const {

@@ -20,11 +20,16 @@ class SpacePigments {
   public:
     /// `scene` must outlive the pigments.
     explicit SpacePigments(const Scene& scene) : scene_(scene) {}
+    SpacePigments(const SpacePigments&) = delete;   // patterns hold on to it
+    SpacePigments& operator=(const SpacePigments&) = delete;
 
     /// Makes all that `root` reads ready; or says why it has no value in space.
     tl::expected<void, std::string> prepare(SignalId root);
     /// Of a pigment that is ready. As POV-Ray's own map from black to white where a pattern has none.
     PigmentColor color(SignalId pigment, const Vec3& p) const;
+
+    /// The grey of the pigment that the pattern takes, which must be ready when it is asked; none where it takes none.
+    PatternSource source_of(const PatternSignal& signal) const;
 
   private:
     const Scene& scene_;

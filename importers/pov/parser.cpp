@@ -142,6 +142,14 @@ void Parser::warn(Place at, std::string message, std::string hint) {
     said.add(diagnostic(Severity::warning, at, std::move(message), std::move(hint)));
 }
 
+void Parser::report(Diagnostic error) {
+    const auto same = [&](const Diagnostic& d) {
+        const bool here = d.at.file == error.at.file && d.at.line == error.at.line && d.at.column == error.at.column;
+        return here && d.severity == error.severity && d.message == error.message;
+    };
+    if (std::none_of(said.list().begin(), said.list().end(), same)) said.add(std::move(error));
+}
+
 void Parser::tally(Place at, const std::string& message) {
     for (Tally& tally : tallies_)
         if (tally.message == message) {

@@ -56,6 +56,8 @@ class Parser {
     [[noreturn]] void fail_limit(Place at, std::string message, std::string hint = {}) const;
     /// Said once for each place.
     void warn(Place at, std::string message, std::string hint = {});
+    /// An error that was caught. Said once: a loop comes to its place again and again.
+    void report(Diagnostic error);
     /// A message with its line, and the includes and macro calls that lead to it.
     Diagnostic diagnostic(Severity severity, Place at, std::string message, std::string hint) const;
     /// Counted by `message`, and said once with the count when reading has ended.

@@ -13,6 +13,8 @@ namespace {
 
 /// Errors after which reading ends: most of what follows would be caused by those before.
 constexpr size_t kMostErrors = 10;
+/// The same for those that were said before, at other turns of a loop.
+constexpr size_t kMostFailures = 1000;
 
 class Reader {
   public:
@@ -23,7 +25,7 @@ class Reader {
             p_.open_scene(path, std::move(text));
             for (const std::string& declaration : p_.options.declarations) declare(declaration);
         });
-        while (!done_ && p_.said.errors() < kMostErrors) attempt([&] { statement(); });
+        while (!done_ && p_.said.errors() < kMostErrors && failures_ < kMostFailures) attempt([&] { statement(); });
         for (const auto& [place, block] : p_.defaults) program_.defaults.push_back(block);
         program_.version = p_.version, program_.version_given = p_.version_given;
         for (size_t i = 0; i < p_.stream.sources(); ++i) program_.files.push_back({p_.stream.source(uint16_t(i)).path()});
@@ -36,7 +38,8 @@ class Reader {
         try {
             step();
         } catch (Failure& failure) {
-            p_.said.add(std::move(failure.diagnostic));
+            p_.report(std::move(failure.diagnostic));
+            ++failures_;
             done_ = done_ || failure.fatal || p_.stream.frames().empty();
             if (!done_) recover();
         } catch (const std::bad_alloc&) {
@@ -112,6 +115,7 @@ class Reader {
     Parser& p_;
     Program program_;
     bool done_ = false;
+    size_t failures_ = 0;
 };
 
 }  // namespace

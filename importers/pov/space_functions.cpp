@@ -73,7 +73,12 @@ SpaceFunctions::Stage& SpaceFunctions::stage() {
 
 namespace {
 
-Pattern build_pattern(Build& build, const Block& block) {
+void prepare(Parser& p, SpacePigments& pigments, SignalId pigment, Place at) {
+    const auto ready = pigments.prepare(pigment);
+    if (!ready) p.fail(at, ready.error());
+}
+
+Pattern build_pattern(Build& build, SpacePigments& pigments, const Block& block) {
     const Nested nested(build.p, block.place);
     PatternSignal signal;
     for (Cursor at(build, block); !at.done();) {
@@ -83,9 +88,10 @@ Pattern build_pattern(Build& build, const Block& block) {
         build.p.fail(item.place, fmt::format("{} in the pattern of a function is not modelled", named ? kWords[at.any_block() ? at.any_block()->word : item.word] : "a value"));
     }
     if (signal.pattern.empty()) build.p.fail(block.place, "the name of a pattern is expected in pattern { }");
-    auto made = Pattern::make(signal);
+    if (signal.source) prepare(build.p, pigments, *signal.source, block.place);
+    auto made = Pattern::make(signal, pigments.source_of(signal));
     if (!made) build.p.fail(block.place, made.error());
-    if (!made->row().value) build.p.fail(block.place, fmt::format("the pattern {} has no number", signal.pattern));
+    if (!made->row().value && !signal.source) build.p.fail(block.place, fmt::format("the pattern {} has no number", signal.pattern));
     return std::move(*made);
 }
 
@@ -95,8 +101,8 @@ double SpaceFunctions::pattern(const Block& block, const Vec3& at) {
     Stage& s = stage();
     auto known = s.patterns.find(&block);
     if (known == s.patterns.end()) {
-        Pattern made = build_pattern(s.build, block);
-        s.held.emplace_back(const_cast<Block*>(&block));
+        s.held.emplace_back(const_cast<Block*>(&block));             // also if it fails: the builders keep what they made of its parts
+        Pattern made = build_pattern(s.build, s.pigments, block);
         known = s.patterns.emplace(&block, std::move(made)).first;
     }
     return known->second.value(at);
@@ -106,10 +112,9 @@ std::array<double, 5> SpaceFunctions::pigment(const Block& block, const Vec3& at
     Stage& s = stage();
     auto known = s.colours.find(&block);
     if (known == s.colours.end()) {
-        s.held.emplace_back(const_cast<Block*>(&block));             // also if it fails: the builders keep what they made of its parts
+        s.held.emplace_back(const_cast<Block*>(&block));
         const SignalId signal = build_pigment(s.build, block, default_texture(s.build, block.defaults).pigment);
-        const auto ready = s.pigments.prepare(signal);
-        if (!ready) p_.fail(block.place, ready.error());
+        prepare(p_, s.pigments, signal, block.place);
         known = s.colours.emplace(&block, signal).first;
     }
     const PigmentColor c = s.pigments.color(known->second, at);

@@ -2,6 +2,7 @@
 /// Blocks of the scene language -> the scene graph. (Whether they look as in POV-Ray is asked by tests/scenes/pov_pictures_test.cpp.)
 #include "importers/importer.h"
 #include "scene/queries.h"
+#include "tests/povray/povray.h"
 
 #include <cmath>
 #include <filesystem>
@@ -216,6 +217,28 @@ TEST_F(PovBuilders, ErrorsHaveTheirPlaceAndMoreThanOneIsTold) {
     EXPECT_THAT(messages, HasSubstr("s.pov:6:16: error: a number is expected"));
     EXPECT_THAT(messages, HasSubstr("s.pov:7:9: error: the normal of a plane has no length"));
     EXPECT_THAT(messages, Not(HasSubstr("s.pov:2")));
+}
+
+/// What POV-Ray refuses is no word that is left out. The places were asked of POV-Ray.
+TEST_F(PovBuilders, AWordOfAnotherBlockIsAnError) {
+    EXPECT_THAT(said("#version 3.7;\nsphere { 0, 1 pigment { rgb 1 phong 1 } }"), HasSubstr("s.pov:2:31: error: phong cannot stand in pigment"));
+    const std::pair<const char*, const char*> cases[] = {{"sphere { 0, 1 phong 1 }", "phong cannot stand in sphere"}, {"sphere { 0, 1 location 0 }", "location cannot stand in sphere"},
+        {"camera { phong 1 }", "phong cannot stand in camera"}, {"light_source { 0 rgb 1 ambient 1 }", "ambient cannot stand in light_source"}, {"fog { distance 1 look_at 0 }", "look_at cannot stand in fog"},
+        {"sphere { 0, 1 texture { pigment { rgb 1 } diffuse 1 } }", "diffuse cannot stand in texture"}, {"sphere { 0, 1 finish { fog_alt 1 } }", "fog_alt cannot stand in finish"},
+        {"global_settings { brilliance 1 }", "brilliance cannot stand in global_settings"}, {"sphere { 0, 1 interior { spotlight } }", "spotlight cannot stand in interior"},
+        {"sky_sphere { pigment { rgb 1 } fade_power 1 }", "fade_power cannot stand in sky_sphere"}, {"sphere { 0, 1 normal { bumps max_trace_level 3 } }", "max_trace_level cannot stand in normal"}};
+    for (const auto& [text, message] : cases) {
+        EXPECT_THAT(said(text), HasSubstr(std::string("error: ") + message));
+        if (!povray_is_installed()) continue;
+        const std::string run = fmt::format("cd '{}' && povray +I{} -F -D +W1 +H1 > out.txt 2>&1", folder_.string(), write("misplaced.pov", text));
+        EXPECT_NE(std::system(run.c_str()), 0) << text << " is refused by POV-Ray";
+    }
+    EXPECT_THAT(said("sphere { 0, 1 interior { media { } } photons { target } }"), Not(HasSubstr("error")));
+}
+
+TEST_F(PovBuilders, AnErrorInALoopIsSaidOnce) {
+    const std::string messages = said("#for (I, 1, 9) sphere { 0, 1 finish { roughness 0 } } #end");
+    EXPECT_EQ(messages.find("a roughness of 0"), messages.rfind("a roughness of 0")) << messages;
 }
 
 TEST_F(PovBuilders, IncludesAndDeclarationsComeFromTheOptions) {

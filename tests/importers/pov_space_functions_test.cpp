@@ -8,6 +8,7 @@
 #include <cmath>
 #include <fmt/format.h>
 #include <gmock/gmock.h>
+#include <span>
 #include <sstream>
 
 using namespace alidade;
@@ -24,11 +25,16 @@ const char* const kPatterns[] = {
     "spherical cubic_wave", "boxed", "dents", "spotted scale 2", "bumps warp { turbulence .5 } translate x", "cylindrical warp { repeat x }", "waves", "ripples", "magnet 1 mandel 10",
 };
 
+/// Greys of colours, which POV-Ray has in single precision.
+const char* const kPigmentPatterns[] = {
+    "pigment_pattern { agate color_map { [.4 rgb 0] [.6 rgb <1,.5,.2>] } scale .8 } frequency 2 translate y", "pigment_pattern { checker pigment { pigment_pattern { Declared } } pigment { rgb x } }",
+};
+
 const char* const kPigments[] = {
     "rgb <.1,.2,.3>", "rgbft <.1,.2,.3,.4,.5>", "bozo", "marble turbulence .5", "checker", "checker rgb x, rgbt <0,1,0,.5>", "brick", "hexagon rgb 1, rgb x, rgb y scale .3", "agate", "wood", "radial",
     "granite color_map { [0 rgb <1,.2,0>] [.4 rgbf <0,1,.5,.2>] [.4 rgbt <1,1,1,.3>] [.8 rgb z] } scale 2 turbulence .2",
     "gradient x pigment_map { [.2 rgb x] [.5 checker rgb y, rgb z scale .2] [.9 bozo turbulence 1] } rotate 20*y",
-    "average pigment_map { [1 granite] [2 rgb x] [.5 wood turbulence .1] }", "checker pigment { bozo }, pigment { rgb <.5,.2,.1> } scale .5", "Declared scale .4", "cubic",
+    "pigment_pattern { Declared scale 2 } color_map { [0 rgb x] [1 rgb <1.5,1,0>] } rotate 20", "average pigment_map { [1 granite] [2 rgb x] [.5 wood turbulence .1] }", "checker pigment { bozo }, pigment { rgb <.5,.2,.1> } scale .5", "Declared scale .4", "cubic",
 };
 
 std::vector<std::string> lines_of(const std::string& text) {
@@ -69,13 +75,22 @@ const std::string kPrelude =
 
 }  // namespace
 
-TEST(PovSpaceFunctions, PatternsAreNumbersAsInPovRay) {
-    if (!povray_is_installed()) GTEST_SKIP() << "povray is not installed";
+namespace {
+
+std::string calls_of(std::span<const char* const> patterns) {
     std::string scene = kPrelude;
     size_t number = 0;
-    for (const char* pattern : kPatterns)
+    for (const char* pattern : patterns)
         scene += fmt::format("Say(\"pattern {}\") #local F = function {{ pattern {{ {} }} }} #local G = function(a, b) {{ 2*F(b, a, b) + 1 }}\n#for (I, 1, {}) #local P = Place(); Put(F(P.x, P.y, P.z)) Put(G(P.x, P.y)) #end #undef F #undef G\n", number++, pattern, kPoints);
-    expect_same(scene, 1e-9, std::size(kPatterns) * (2 * kPoints + 1));
+    return scene;
+}
+
+}  // namespace
+
+TEST(PovSpaceFunctions, PatternsAreNumbersAsInPovRay) {
+    if (!povray_is_installed()) GTEST_SKIP() << "povray is not installed";
+    expect_same(calls_of(kPatterns), 1e-9, std::size(kPatterns) * (2 * kPoints + 1));
+    expect_same(calls_of(kPigmentPatterns), 5e-7, std::size(kPigmentPatterns) * (2 * kPoints + 1));
 }
 
 TEST(PovSpaceFunctions, PigmentsAreColoursAsInPovRay) {

@@ -43,6 +43,11 @@ std::string old_camera(const std::string& words) {
            "plane { y, -1 pigment { checker rgb .2 rgb <0,0,1> } finish { ambient 1 diffuse 0 } }";
 }
 
+/// A camera at <0,2,-6> in fog, with a bare ground and something.
+std::string in_fog(const std::string& things, const std::string& camera = "location <0,2,-6> look_at <0,.5,0> angle 50") {
+    return kHead + "camera { " + camera + " } fog { distance 8 rgb <.8,.8,.9> } " + kSun + "plane { y, -1 pigment { checker rgb 1 rgb <1,0,0> scale .7 } hollow }\n" + things;
+}
+
 /// Twelve things in three rows, seen from the front: `thing` with the I-th of the declared list T.
 std::string twelve(const std::string& type, const std::string& list, const std::string& thing) {
     return kHead + "camera { orthographic location -10*z look_at 0 right 8*x up 6*y } light_source { <10,20,-30> rgb 1 }\n#declare T = array[12] { " + list + " }\n#for (I, 0, 11) " + thing +
@@ -157,8 +162,38 @@ std::vector<PovPicture> sampled_pictures() {
     return out;
 }
 
+std::vector<PovPicture> fog_pictures() {
+    const std::string air = "pigment { rgbt 1 } finish { ambient 0 diffuse 0 } ";
+    return {
+        {"FogOutsideOfTheCamerasSphere", in_fog("sphere { <0,2,-6>, 3 " + air + "}")},
+        {"FogInAHollowSphere", in_fog("sphere { <0,2,-6>, 3 " + air + "hollow }")},
+        {"FogUnderAPlane", in_fog("plane { y, 30 pigment { rgb <.1,.2,.3> } finish { ambient 1 diffuse 0 reflection .3 } } sphere { 0, 1 pigment { rgb 1 } finish { reflection .5 } }")},
+        {"FogUnderAHollowPlane", in_fog("plane { y, 30 hollow pigment { rgb <.1,.2,.3> } finish { ambient 1 diffuse 0 reflection .3 } }")},
+        {"FogAndPartsOfAUnion", in_fog("union { sphere { <0,2,-6>, 2 } sphere { <0,2,-6>, 3 hollow } " + air + "}")},
+        {"FogAndTheLastPartOfAUnion", in_fog("union { sphere { <0,2,-6>, 2 hollow } sphere { <1,1,2>, 1 } " + air + "}")},
+        {"FogInAShell", in_fog("difference { sphere { <0,2,-6.7>, 2 } sphere { <0,2,-8>, 1 } " + air + "} difference { sphere { <0,0,0>, 1 } sphere { <.2,.2,-.4>, .8 } " + air + "}")},
+        {"FogAndAnOrthographicCamera", in_fog("sphere { <0,2,-6>, 1 " + air + "}", "orthographic location <0,2,-6> look_at <0,.5,0> right 4*x up 3*y")},
+        {"FogAndAnInverseSphere", in_fog("sphere { <0,2,-6>, 40 inverse pigment { rgb <.3,.2,.6> } } sphere { 0, 1 pigment { rgb 1 } }")},
+        {"FogBehindHollowGlass", in_fog("sphere { 0, 1 pigment { rgbf <.9,1,.8,.8> } hollow interior { ior 1.4 } } sphere { <2,0,1>, 1 pigment { rgbf <.9,1,.8,.8> } interior { ior 1.4 } } merge { sphere { <-2,0,0>, .8 } sphere { <-2,1,0>, .6 } " + air + "}")},
+    };
+}
+
+std::vector<PovPicture> old_cameras() {
+    return {
+        {"OldCameraLooksFirst", old_camera("look_at <0,.3,1> location <1,1,-6>")},
+        {"OldCameraAngleFirst", old_camera("location <0,1,-6> angle 40 right 2*x look_at <.5,0,0> up <0,2,0>")},
+        {"OldCameraMoves", old_camera("location <0,1,-6> rotate y*20 right x look_at <.3,0,0> angle 50 rotate x*4 location <0,2,-6>")},
+        {"OldCameraOrthographicFirst", old_camera("orthographic right 4*x up 3*y location <0,1,-6> look_at 0 angle 40 rotate y*20")},
+        {"OldCameraOrthographicLast", old_camera("location <0,1,-6> right 2*x look_at 0 angle 40 translate -z rotate y*20 orthographic")},
+        {"OldCameraOrthographicLastAndBlind", old_camera("location <0,.5,-2> direction <0,-.2,2> orthographic")},
+        {"OldCameraFisheyeBehindItsAngle", old_camera("location <0,1,-3> look_at 0 angle 120 fisheye")},
+        {"OldCameraDeclared", "#version 3.5; #declare C = camera { look_at <0,.3,1> angle 40 right 2*x location <1,1,-6> }" + old_camera("C location <0,2,-6>")},
+    };
+}
+
 std::vector<PovPicture> pictures() {
     const std::string usual = kHead + kView + kSun, sphere = "sphere { <0,.5,0>, 2 ";
+    const std::string old = "#version 3.0; global_settings { assumed_gamma 1 } background { rgb <.1,.2,.3> }" + kView + kSun, clear = "pigment { rgbf <.9,1,.8,.8> }";
     return {
         {"Solids", usual + "box { -1, 1 scale .6 rotate y*30 translate <2,.6,0> pigment { rgb 1 } } torus { 1.2 .15 translate <0,.15,-1.5> pigment { rgb .9 } } cone { <1,0,-2.5>, .4 <1,1,-2.5>, .1 open pigment { rgb "
                            "<.9,.9,.1> } } cylinder { <-1,0,-2.5>, <-1.5,.8,-2.2>, .2 pigment { rgb .5 } } disc { <0,2,0>, <0,1,-1>, .6, .3 pigment { rgb <.3,.3,1> } } plane { <0,2,0>, -1 pigment { rgb .4 } }"},
@@ -184,6 +219,11 @@ std::vector<PovPicture> pictures() {
         {"Reflections", usual + "plane { y, -1 pigment { rgb .6 } finish { reflection .3 } } " + sphere + "scale .5 pigment { rgb <.9,.7,.2> } finish { reflection { .1, .8 falloff 3 metallic .7 } } }"},
         {"TraceLevels", kHead + "global_settings { max_trace_level 3 }" + kView + kSun + "#default { pigment { rgb <.3,.5,.4> } finish { reflection .9 } } plane { y, -1 } sphere { <-1.2,.5,0>, 1.1 } sphere { <1.2,.5,0>, 1.1 }"},
         {"Glass", usual + "plane { y, -2 pigment { rgb <.7,.8,.3> } } " + sphere + "pigment { rgbft <.8,.9,1,.6,.2> } interior { ior 1.5 } finish { conserve_energy reflection { .0, 1 fresnel } specular .5 } }"},
+        {"RefractionOfAFinish", old + sphere + clear + "finish { ior 1.5 refraction .7 } } plane { y, -1 pigment { checker rgb 1 rgb x } }"},
+        {"InteriorOfAFinishOverOne", old + sphere + clear + "finish { ior 1.5 caustics 9 } interior { ior 1.1 caustics .9 fade_distance 1 fade_power 1 } } plane { y, -1 pigment { checker rgb 1 rgb x } }"},
+        {"FinishOfTheLayerOnTop", usual + sphere + "texture { " + clear + "finish { ior 1.5 caustics 20 refraction .2 } } texture { pigment { rgbf <1,.8,.9,.7> } finish { ior 1.2 } } } plane { y, -1 pigment { checker rgb 1 rgb x } }"},
+        {"FinishOfAUnion", old + "union { sphere { <-.5,.5,0>, .8 interior { ior 1.8 } } sphere { <.6,.5,0>, .7 } texture { " + clear + "finish { ior 1.3 } } } plane { y, -1 pigment { checker rgb 1 rgb x } }"},
+        {"FinishesInAMap", old + sphere + "texture { checker texture { " + clear + "finish { ior 1.5 } } texture { " + clear + "} scale .5 } } plane { y, -1 pigment { checker rgb 1 rgb x } }"},
         {"FadedGlass", usual + sphere + "pigment { rgbt <1,1,1,.9> } interior { ior 1.2 fade_distance 1 fade_power 2 fade_color <.8,.2,.1> } }"},
         {"Caustics", usual + "plane { y, -2 pigment { rgb .6 } } sphere { <0,1,0>, 1 texture { pigment { rgbf <1,.6,.3,.8> } } texture { pigment { rgbt <.9,.9,1,.6> } } interior { ior 1.3 caustics .4 } }"},
         {"ColouredShadows", usual + "plane { y, -2 pigment { rgb 1 } } sphere { <0,1,0>, 1 pigment { rgbf <1,.3,.2,.8> } } sphere { <2,1,0>, .6 pigment { rgb 1 } no_shadow }"},
@@ -193,14 +233,6 @@ std::vector<PovPicture> pictures() {
         {"Spotlights", kHead + kView + "light_source { <5,8,-6> rgb 1.2 spotlight radius 12 falloff 22 tightness 3 point_at 0 fade_distance 8 fade_power 2 } light_source { <-5,4,-6> rgb <.2,.3,.6> parallel point_at "
                              "0 } light_source { <0,9,0> rgb .2 shadowless } plane { y, -1 pigment { rgb .7 } finish { phong .5 } } sphere { 0, .8 pigment { rgb 1 } finish { phong 1 } }"},
         {"Orthographic", kHead + "camera { orthographic location <1,3,-6> look_at 0 angle 40 rotate y*10 sky <1,3,0> }" + kSun + "box { -1, 1 pigment { rgb <.9,.5,.3> } }"},
-        {"OldCameraLooksFirst", old_camera("look_at <0,.3,1> location <1,1,-6>")},
-        {"OldCameraAngleFirst", old_camera("location <0,1,-6> angle 40 right 2*x look_at <.5,0,0> up <0,2,0>")},
-        {"OldCameraMoves", old_camera("location <0,1,-6> rotate y*20 right x look_at <.3,0,0> angle 50 rotate x*4 location <0,2,-6>")},
-        {"OldCameraOrthographicFirst", old_camera("orthographic right 4*x up 3*y location <0,1,-6> look_at 0 angle 40 rotate y*20")},
-        {"OldCameraOrthographicLast", old_camera("location <0,1,-6> right 2*x look_at 0 angle 40 translate -z rotate y*20 orthographic")},
-        {"OldCameraOrthographicLastAndBlind", old_camera("location <0,.5,-2> direction <0,-.2,2> orthographic")},
-        {"OldCameraFisheyeBehindItsAngle", old_camera("location <0,1,-3> look_at 0 angle 120 fisheye")},
-        {"OldCameraDeclared", "#version 3.5; #declare C = camera { look_at <0,.3,1> angle 40 right 2*x location <1,1,-6> }" + old_camera("C location <0,2,-6>")},
         {"Fisheye", around("fisheye angle 220 right x up y")},
         {"UltraWide", around("ultra_wide_angle angle 160 right 1.5*x up y")},
         {"Omnimax", around("omnimax right x up y")},
@@ -321,6 +353,8 @@ TEST_P(PovPictures, AreThoseOfPovRay) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Patterned, PovPictures, testing::ValuesIn(patterned_pictures()), [](const auto& info) { return std::string(info.param.name); });
+INSTANTIATE_TEST_SUITE_P(Fogs, PovPictures, testing::ValuesIn(fog_pictures()), [](const auto& info) { return std::string(info.param.name); });
+INSTANTIATE_TEST_SUITE_P(OldCameras, PovPictures, testing::ValuesIn(old_cameras()), [](const auto& info) { return std::string(info.param.name); });
 INSTANTIATE_TEST_SUITE_P(Lights, PovPictures, testing::ValuesIn(light_pictures()), [](const auto& info) { return std::string(info.param.name); });
 INSTANTIATE_TEST_SUITE_P(Antialiasing, PovPictures, testing::ValuesIn(sampled_pictures()), [](const auto& info) { return std::string(info.param.name); });
 INSTANTIATE_TEST_SUITE_P(All, PovPictures, testing::ValuesIn(pictures()), [](const auto& info) { return std::string(info.param.name); });

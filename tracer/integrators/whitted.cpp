@@ -4,6 +4,7 @@
 #include "tracer/integrators/direct_light.h"
 #include "tracer/pov_sky.h"
 #include "tracer/segment.h"
+#include "tracer/start_inside.h"
 
 namespace alidade {
 namespace {
@@ -29,6 +30,7 @@ template <unsigned F> struct Whitted {
     static Color radiance(Tracing& tracing, const Ray& ray, const RayState& state, FirstHit& first) {
         Whitted whitted{tracing, first};
         PendingRay next{ray, state};
+        if (!tracing.scene.scene.atmosphere.fogs.empty()) next.state.inside = start_inside(tracing.scene, ray.origin);
         for (;;) {
             whitted.trace(next.ray, next.state);
             if (tracing.pending.empty()) return whitted.sum;
@@ -43,7 +45,7 @@ template <unsigned F> struct Whitted {
         for (;;) {
             Hit hit;
             const bool found = tracing.scene.top->intersect(ray, hit, tracing.stats.work);
-            if (!tracing.scene.scene.atmosphere.fogs.empty() && state.inside.empty()) pass_fogs(ray, found ? hit.t * length(ray.dir) : kInf, state);
+            if (!tracing.scene.scene.atmosphere.fogs.empty() && fog_reaches(tracing.scene, state.inside)) pass_fogs(ray, found ? hit.t * length(ray.dir) : kInf, state);
             if (!found) {
                 sum += state.weight * tracing.scene.sky->radiance(normalized(ray.dir));
                 return;

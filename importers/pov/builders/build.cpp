@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "importers/pov/builders/build.h"
 
+#include "importers/pov/builders/misplaced.h"
 #include "importers/pov/builders/transforms.h"
 #include "importers/pov/operators.h"
 
@@ -90,11 +91,19 @@ void Cursor::skip() {
     while (takes_values && !done() && (peek().kind == Item::Kind::numbers || (peek().kind == Item::Kind::value && !any_block()))) ++i_;
 }
 
+void Cursor::refuse_misplaced() const {
+    const Block* block = any_block();
+    if (!block && peek().kind != Item::Kind::word) return;
+    const WordId word = block ? block->word : peek().word;
+    if (const auto home = belongs_elsewhere(word, block_.word)) build_.p.fail(peek().place, fmt::format("{} cannot stand in {}", kWords[word], kWords[block_.word]), fmt::format("it is a word of {}", *home));
+}
+
 void Cursor::skip_unmodelled() {
     const Item& item = peek();
     const Block* block = any_block();
     const bool named = item.kind == Item::Kind::word || block;
     const std::string_view word = named ? kWords[block ? block->word : item.word] : std::string_view("a value");
+    refuse_misplaced();
     build_.p.tally(item.place, fmt::format("{} in {} is not modelled yet: it is left out", word, kWords[block_.word]));
     skip();
 }

@@ -79,7 +79,10 @@ class Cursor {
     bool flag();
     bool at_transform() const;
     Transform transform();
+    /// Fails if the word that comes next is one that POV-Ray does not take in such a block.
+    void refuse_misplaced() const;
     /// Skips what comes next, a word with its values, and tallies it as not modelled.
+    /// Fails as `refuse_misplaced`.
     void skip_unmodelled();
     /// Skips it without a word: it has no influence on a picture.
     void skip();

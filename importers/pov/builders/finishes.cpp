@@ -59,6 +59,18 @@ double* plain_number(PovFinish& f, WordId word) {
     }
 }
 
+/// Words of POV-Ray 3.0, which are those of an interior; its `caustics` are given in other units.
+bool take_interior_word(Build& build, Cursor& at, PovFinish& f) {
+    const Place place = at.place();
+    if (at.accept("ior"_w)) {
+        f.ior = at.number("the index of refraction");
+        if (!(*f.ior > 0)) build.p.fail(place, "the index of refraction must be greater than 0");
+    } else if (at.accept("caustics"_w)) f.caustics = at.number("the caustics") / 45;
+    else if (at.accept("refraction"_w)) f.refraction = at.number("the refraction");
+    else return false;
+    return true;
+}
+
 bool take_lit(Cursor& at, PovFinish& f, Albedo& albedo) {
     if (at.accept("diffuse"_w)) {
         albedo.diffuse = at.accept("albedo"_w);
@@ -75,7 +87,7 @@ bool take_lit(Cursor& at, PovFinish& f, Albedo& albedo) {
 }
 
 void take_word(Build& build, Cursor& at, PovFinish& f, Albedo& albedo) {
-    if (take_lit(at, f, albedo)) return;
+    if (take_lit(at, f, albedo) || take_interior_word(build, at, f)) return;
     if (double* number = at.peek().kind == Item::Kind::word ? plain_number(f, at.peek().word) : nullptr) {
         at.next();
         *number = double(float(at.number("this part of a finish")));   // POV-Ray keeps them in single precision

@@ -76,6 +76,7 @@ void read_pigment(Build& build, Cursor& at, Signal& pigment) {
         } else if (is_quick_color(at)) {
             if (at.at_numeric()) at.next();
         } else if (!take_patterned(build, at, pigment)) {
+            at.refuse_misplaced();
             tally_pattern(build, at.peek(), "pigment");
             pigment.what = ConstantSignal{Vec4(0.5, 0.5, 0.5, 1)};
             return;

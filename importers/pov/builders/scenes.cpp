@@ -76,7 +76,7 @@ Scene build_scene(Parser& parser, const Program& program) {
         try {
             build_item(build, item, camera);
         } catch (Failure& failure) {
-            parser.said.add(std::move(failure.diagnostic));
+            parser.report(std::move(failure.diagnostic));
             if (failure.fatal) break;
         }
     }

@@ -1,6 +1,10 @@
 //---- a name that is not declared, with the nearest one
 #declare Radius = 2;
 sphere { 0, Radios }    // expect error 2:13 Radios is not declared
+//---- an error in a loop is said once
+#for (I, 1, 5)
+    sphere { I, Foo }   // expect error 2:17 Foo is not declared
+#end
 //---- a missing semicolon
 #declare A = 3 B        // expect error 1:16 ; is expected behind the value of A
 //---- a comparison of vectors

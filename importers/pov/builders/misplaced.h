@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "importers/pov/words.h"
+
+#include <optional>
+#include <string_view>
+
+namespace alidade::pov {
+
+/// Of a word that POV-Ray refuses in blocks of the word `block`: the kind of block that it belongs to. Nothing for the many words that are not known to be
+/// refused there.
+/// Source   experiments with POV-Ray 3.7: each word in each kind of block
+std::optional<std::string_view> belongs_elsewhere(WordId word, WordId block);
+
+}  // namespace alidade::pov

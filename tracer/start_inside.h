@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: Apache-2.0
+/// What a camera's rays are in when they begin. Asked where there is fog, which is kept out by all that is not hollow.
+#pragma once
+
+#include "tracer/compiled_scene.h"
+#include "tracer/interior_stack.h"
+
+namespace alidade {
+
+/// Fills in CompiledScene::around_cameras.
+void find_what_is_around_cameras(CompiledScene& scene);
+
+/// The bodies that hold the origin of a camera's ray, in the order of the scene. By experiment: POV-Ray counts those that a camera does not see, too.
+InteriorStack start_inside(const CompiledScene& scene, const Vec3& origin);
+
+}  // namespace alidade
