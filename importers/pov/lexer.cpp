@@ -11,6 +11,8 @@ namespace {
 
 constexpr size_t kLongestName = 200;
 
+constexpr double kPowersOfTen[] = {1, 1e1, 1e2, 1e3, 1e4, 1e5, 1e6, 1e7, 1e8, 1e9, 1e10, 1e11, 1e12, 1e13, 1e14, 1e15};
+
 enum CharKind : uint8_t { kOther, kBlank, kDigit, kLetter };
 
 constexpr std::array<CharKind, 256> char_kinds() {
@@ -119,11 +121,23 @@ class Lexer {
         start(TokenKind::number, begin).number = take_number();
     }
 
+    /// Up to 15 digits and a power of ten up to 10^15 are exact as doubles, so that one division rounds as reading all at once would.
     double take_number() {
+        constexpr size_t kExactDigits = 15;
         const size_t begin = at_;
-        while (is_digit(peek())) ++at_;
-        if (peek() == '.') ++at_;
-        while (is_digit(peek())) ++at_;
+        uint64_t digits = 0;
+        const auto take_digits = [&] {
+            const size_t first = at_;
+            for (; is_digit(peek()); ++at_) digits = digits * 10 + uint64_t(peek() - '0');     // wraps, and is not used, where there are too many
+            return at_ - first;
+        };
+        const size_t before = take_digits();
+        const size_t behind = peek() == '.' ? ++at_, take_digits() : 0;
+        if (peek() != 'e' && peek() != 'E' && before + behind <= kExactDigits) return double(digits) / kPowersOfTen[behind];
+        return take_long_number(begin);
+    }
+
+    double take_long_number(size_t begin) {
         if (peek() == 'e' || peek() == 'E') {
             const size_t sign = peek(1) == '+' || peek(1) == '-' ? 1 : 0;
             if (is_digit(peek(1 + sign)))

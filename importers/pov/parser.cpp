@@ -176,6 +176,7 @@ void Parser::open_scene(const std::string& path, std::string text) {
 }
 
 void Parser::include(const std::string& name, Place at) {
+    files.flush();
     const std::optional<SourceFinder::Found> found = finder.find(name);
     if (!found || (found->other_case && options.strict)) {
         const bool installed = std::filesystem::exists(kStandardIncludes);

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "importers/pov/symbols.h"
 
-#include <algorithm>
-
 namespace alidade::pov {
 
 std::vector<Symbols::Binding>& Symbols::of(WordId id) {

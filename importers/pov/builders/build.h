@@ -6,6 +6,7 @@
 #include "importers/pov/parser.h"
 #include "scene/scene.h"
 
+#include <iterator>
 #include <map>
 
 namespace alidade::pov {
@@ -15,6 +16,18 @@ struct BuiltObject {
     NodeId node;
     bool textured = false;
 };
+
+/// Appends. Where there is no room any more, what is there is moved: std::vector would copy it, since GLM does not promise that copying its vectors cannot throw.
+template <class T>
+void append(std::vector<T>& all, T one) {
+    if (all.size() == all.capacity()) {
+        std::vector<T> more;
+        more.reserve(2 * all.size() + 16);
+        std::move(all.begin(), all.end(), std::back_inserter(more));
+        all.swap(more);
+    }
+    all.push_back(std::move(one));
+}
 
 /// The scene under construction. Builders read blocks and add to it; what they do not model they tally with the parser.
 struct Build {

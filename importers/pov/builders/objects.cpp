@@ -60,12 +60,12 @@ bool take_layer(Build& build, Draft& d, Cursor& at) {
     return take_layer_part(build, at, d.layers, d.transform);
 }
 
-void append(TextureLayers& layers, TextureLayers more) { layers.insert(layers.end(), more.begin(), more.end()); }
+void add_all(TextureLayers& layers, TextureLayers more) { layers.insert(layers.end(), more.begin(), more.end()); }
 
 void add_layers(Build& build, Draft& d, TextureLayers more, Place at) {
     begin_texture(d, at);
     move_layers(build, more, inverse(d.transform).value_or(Transform()));   // what stood between the layers moves those before it alone
-    append(d.layers, std::move(more));
+    add_all(d.layers, std::move(more));
 }
 
 /// The layers of `material { ... }`, moved by what stands behind them in it.
@@ -74,7 +74,7 @@ TextureLayers read_material(Build& build, const Block& block, std::optional<Inte
     TextureLayers layers;
     for (Cursor at(build, block); !at.done();) {
         if (const Block* base = at.block_at("material"_w)) at.next(), layers = read_material(build, *base, interior);
-        else if (const Block* texture = at.block_at("texture"_w)) at.next(), append(layers, build_texture(build, *texture));
+        else if (const Block* texture = at.block_at("texture"_w)) at.next(), add_all(layers, build_texture(build, *texture));
         else if (const Block* inside = at.block_at("interior"_w)) at.next(), interior = add_interior(build, *inside);
         else if (at.at_transform()) move_layers(build, layers, at.transform());
         else at.skip_unmodelled();
@@ -237,7 +237,7 @@ std::optional<Draft> shape(Build& build, const Block& block, Cursor& at) {
     ShapeEntry entry;
     entry.geometry = std::move(built->geometry);
     entry.from = build.position(block.place);
-    build.scene.shapes.push_back(std::move(entry));
+    append(build.scene.shapes, std::move(entry));
     d.node.what = ShapeId{uint32_t(build.scene.shapes.size() - 1)};
     d.node.materials = std::move(built->slots);
     return d;
