@@ -35,10 +35,10 @@ Value component(Parser& p, const Value& value, const Token& word) {
     p.fail(word.place(), fmt::format("a component (x, y, z, t, u, v, red, green, blue, filter, transmit, gray) is expected behind the dot, not {}", p.describe(word)));
 }
 
-Value with_components(Parser& p, Value value) {
-    if (!value.numeric()) return value;           // behind a string, say, nothing is looked at: the next directive must wait
+/// `.x`, `.red` ... behind a value.
+void take_components(Parser& p, Value& value) {
+    if (!value.numeric()) return;                 // behind a string, say, nothing is looked at: the next directive must wait
     while (p.accept('.')) value = component(p, value, p.next());
-    return value;
 }
 
 Value vector_literal(Parser& p, Place at) {
@@ -74,10 +74,10 @@ Value identifier(Parser& p, const Token& name) {
     if (plain->value.numeric()) return plain->value;
     const Ref<Slot> slot = parse_reference(p, name, false);
     if (!slot) p.fail(name.place(), "this array element has no value yet");
-    Value value = slot->value;
-    if (value.kind == Kind::function) return p.peek_in_value().is('(') ? call_function(p, value.as<Function>(), name.place()) : value;
-    if (value.kind == Kind::spline) return p.peek_in_value().is('(') ? call_spline(p, value.as<Spline>(), name.place()) : value;
-    return value;
+    const bool callable = slot->value.kind == Kind::function || slot->value.kind == Kind::spline;
+    if (!callable || !p.peek_in_value().is('(')) return slot->value;
+    const Value called = slot->value;             // which may be declared anew by its arguments
+    return called.kind == Kind::function ? call_function(p, called.as<Function>(), name.place()) : call_spline(p, called.as<Spline>(), name.place());
 }
 
 [[noreturn]] void fail_no_value(Parser& p, const Token& token) {
@@ -112,26 +112,32 @@ Value factor_of_mark(Parser& p, const Token& token) {
     if (token.mark == '(') {
         Value value = parse_full(p);
         p.expect(')', "behind the expression");
-        return with_components(p, std::move(value));
+        return value;
     }
-    if (token.mark == '<') return with_components(p, vector_literal(p, token.place()));
+    if (token.mark == '<') return vector_literal(p, token.place());
+    fail_no_value(p, token);
+}
+
+Value factor_without_components(Parser& p) {
+    const Token token = p.next();
+    switch (token.kind) {
+        case TokenKind::vector: return p.vector(token);
+        case TokenKind::string: return Value::string(p.text(token));
+        case TokenKind::name: return identifier(p, token);
+        case TokenKind::mark: return factor_of_mark(p, token);
+        case TokenKind::word:
+            if (const Builtin builtin = find_builtin(token.id)) return builtin(p, token.place());
+            break;
+        default: break;
+    }
     fail_no_value(p, token);
 }
 
 Value factor(Parser& p) {
     if (double x; take_plain(p, x)) return Value::number(x);
-    const Token token = p.next();
-    switch (token.kind) {
-        case TokenKind::vector: return with_components(p, p.vector(token));
-        case TokenKind::string: return Value::string(p.text(token));
-        case TokenKind::name: return with_components(p, identifier(p, token));
-        case TokenKind::word:
-            if (const Builtin builtin = find_builtin(token.id)) return with_components(p, builtin(p, token.place()));
-            break;
-        case TokenKind::mark: return factor_of_mark(p, token);
-        default: break;
-    }
-    fail_no_value(p, token);
+    Value value = factor_without_components(p);
+    take_components(p, value);
+    return value;
 }
 
 /// left = left op right
@@ -213,14 +219,15 @@ Ref<Slot> parse_reference(Parser& p, const Token& name, bool make) {
 }
 
 Value continue_from_identifier(Parser& p, const Token& name) {
-    Value value = with_components(p, identifier(p, name));
+    Value value = identifier(p, name);
+    take_components(p, value);
     if (value.numeric()) continue_expression(p, value);
     return value;
 }
 
 Value continue_from_value(Parser& p, Value value) {
     if (!value.numeric()) return value;
-    value = with_components(p, std::move(value));
+    take_components(p, value);
     continue_expression(p, value);
     return value;
 }
@@ -311,7 +318,8 @@ Value parse_value(Parser& p) {
     if (begins_colour(token)) return parse_colour(p);
     if (token.kind != TokenKind::word || find_builtin(token.id)) {
         Value value = parse_expression(p);
-        return value.kind == Kind::colour ? Value::colour(value.c) : value;      // what is kept of a colour is in single precision
+        if (value.kind == Kind::colour) value = Value::colour(value.c);          // what is kept of a colour is in single precision
+        return value;
     }
     p.next();
     if (token.id != "array"_w && token.id != "spline"_w && token.id != "function"_w && !p.peek().is('{')) fail_no_value(p, token);

@@ -13,7 +13,7 @@ SourcePos Build::position(Place at) const {
     return p.stream.source(uint16_t(at.source)).position(at.offset);
 }
 
-NodeId Build::add_node(Node node) {
+NodeId Build::add_node(Node&& node) {
     constexpr size_t kMostNodes = 1'500'000;
     if (scene.nodes.size() >= kMostNodes) p.fail_limit({}, fmt::format("the scene has more than {} objects", kMostNodes));
     append(scene.nodes, std::move(node));

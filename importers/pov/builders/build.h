@@ -19,7 +19,7 @@ struct BuiltObject {
 
 /// Appends. Where there is no room any more, what is there is moved: std::vector would copy it, since GLM does not promise that copying its vectors cannot throw.
 template <class T>
-void append(std::vector<T>& all, T one) {
+void append(std::vector<T>& all, T&& one) {
     if (all.size() == all.capacity()) {
         std::vector<T> more;
         more.reserve(2 * all.size() + 16);
@@ -53,7 +53,7 @@ struct Build {
 
     SourcePos position(Place at) const;
     /// Fails where a scene copies its parts into parts of parts without end.
-    NodeId add_node(Node node);
+    NodeId add_node(Node&& node);
     SignalId add_signal(Signal signal);
     SignalId add_signal(decltype(Signal::what) what, Place at);
 };
