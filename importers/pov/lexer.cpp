@@ -42,9 +42,11 @@ void append_utf8(std::string& out, uint32_t code) {
 
 class Lexer {
   public:
-    Lexer(const Source& source, uint16_t number, Names& names) : text_(source.text()), number_(number), names_(names) {}
+    Lexer(const Source& source, uint16_t number, Names& names, std::vector<Token>& room) : text_(source.text()), number_(number), names_(names), room_(room) {}
 
     TokenList run(size_t max_tokens) {
+        list_.tokens.swap(room_);
+        list_.tokens.clear();
         list_.tokens.reserve(std::min(text_.size(), max_tokens) + 2);    // the most there can be: growing would hold large lists twice
         while (skip_blanks() && at_ < text_.size()) {
             if (list_.tokens.size() >= max_tokens) {
@@ -54,8 +56,11 @@ class Lexer {
             lex_one();
         }
         start(TokenKind::end, text_.size());
-        if (list_.tokens.size() < 1'000'000) list_.tokens.shrink_to_fit();
         match_directives();
+        if (list_.tokens.size() < 1'000'000) {
+            room_.swap(list_.tokens);
+            list_.tokens = room_;                    // no larger than it has to be
+        }
         return std::move(list_);
     }
 
@@ -276,12 +281,15 @@ class Lexer {
     std::string_view text_;
     uint16_t number_;
     Names& names_;
+    std::vector<Token>& room_;
     size_t at_ = 0;
     TokenList list_;
 };
 
 }  // namespace
 
-TokenList lex(const Source& source, uint16_t number, Names& names, size_t max_tokens) { return Lexer(source, number, names).run(max_tokens); }
+TokenList lex(const Source& source, uint16_t number, Names& names, size_t max_tokens, std::vector<Token>& room) {
+    return Lexer(source, number, names, room).run(max_tokens);
+}
 
 }  // namespace alidade::pov

@@ -54,6 +54,7 @@ class SourceFinder {
     bool allowed(const std::filesystem::path& path) const;
 
     std::vector<std::filesystem::path> folders_;
+    mutable std::vector<std::filesystem::path> roots_;   ///< the same with links and ".." resolved; made when first asked
 };
 
 /// The name of a standard include that declares `name` (a value or a macro); empty if none does. Reads them all: for messages.

@@ -8,6 +8,7 @@
 
 #include <iterator>
 #include <map>
+#include <tuple>
 
 namespace alidade::pov {
 
@@ -38,6 +39,8 @@ struct Build {
     std::vector<Value> defaults;                        ///< blocks of #default, in order
     std::map<const Block*, BuiltObject> declared;       ///< objects that were referred to, so that each is stored once
     std::map<std::string, std::shared_ptr<Font>> fonts; ///< by the name in the scene
+    std::map<std::pair<const Font*, uint32_t>, std::optional<Glyph>> glyphs;
+    std::map<std::tuple<const Font*, uint32_t, uint64_t>, ShapeId> letters;   ///< glyphs as shapes, by the bits of their depth: stored once for all texts
     std::vector<PovFinish> default_textures;            ///< what holds after each of them; the first: before all
     std::map<uint32_t, MaterialId> default_materials;   ///< by the number of #default before
 
