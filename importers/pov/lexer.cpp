@@ -49,7 +49,7 @@ class Lexer {
         list_.tokens.clear();
         list_.tokens.reserve(std::min(text_.size(), max_tokens) + 2);    // the most there can be: growing would hold large lists twice
         while (skip_blanks() && at_ < text_.size()) {
-            if (list_.tokens.size() >= max_tokens) {
+            if (list_.tokens.size() + list_.vectors.size() >= max_tokens) {
                 bad(at_, fmt::format("the file has more than {} tokens", max_tokens));
                 break;
             }

@@ -50,7 +50,7 @@ struct TokenList {
 };
 
 /// What is wrong with the text (an open comment or string, a byte that means nothing) becomes a token `bad`: it is an error only if it is reached.
-/// More than `max_tokens`: the list ends with a bad token.
+/// More than `max_tokens`, with the numbers in vectors: the list ends with a bad token.
 /// `room` is for its work: memory that one file after the other is lexed in.
 TokenList lex(const Source& source, uint16_t number, Names& names, size_t max_tokens, std::vector<Token>& room);
 
