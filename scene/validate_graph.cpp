@@ -31,7 +31,7 @@ void check_graph(Validation& v) {
     const std::vector<bool> drawn = leads_to_shape(s, order.sequence);
     for (size_t i = 0; i < s.nodes.size(); ++i) {
         const Node& node = s.nodes[i];
-        if (drawn[i] && !inverse(node.to_parent)) {
+        if (drawn[i] && !node.to_parent.is_identity() && !inverse(node.to_parent)) {
             const char* fault = node.to_parent.is_finite() ? "cannot be inverted" : "is not finite";
             v.warning(node.from, fmt::format("{} has a transform that {}: it and all below it are left out", label("node", i, node.name).text(), fault),
                       node.to_parent.is_finite() ? "a scale of 0 along an axis flattens everything" : "");

@@ -23,6 +23,7 @@ Item block_item(Parser& p, Item::Kind kind, WordId word, char close, Place at) {
     const Nested nested(p, at);
     Ref<Block> block(new Block(p.items));
     block->word = word, block->place = at, block->defaults = uint32_t(p.defaults.size()), block->version = float(p.version);
+    block->items.reserve(4);                  // most have no more
     read_items(p, *block, close);
     Item item = item_of(kind, at);
     item.word = word, item.value = Value::of(Kind::block, block);
@@ -31,17 +32,18 @@ Item block_item(Parser& p, Item::Kind kind, WordId word, char close, Place at) {
 
 /// `<...>`: up to five numbers begin an expression, more are a list (a matrix, the terms of a polynomial).
 Item vector_item(Parser& p, Place at) {
-    std::vector<double> numbers = parse_number_list(p, at);
-    if (numbers.size() == 1) p.fail(at, "a vector has at least two components");
-    if (numbers.size() > 5) {
+    Value v;
+    std::vector<double> numbers;
+    const size_t count = parse_components(p, at, v.c, numbers);
+    if (count == 1) p.fail(at, "a vector has at least two components");
+    if (count > 5) {
         Item item = item_of(Item::Kind::numbers, at);
         Ref<NumberList> list(new NumberList);
         list->numbers = std::move(numbers);
         item.value.shared = Ref<Shared>(list.get());
         return item;
     }
-    Value v = Value::vector(uint8_t(numbers.size()), {});
-    std::copy(numbers.begin(), numbers.end(), v.c.begin());
+    v.kind = Kind::vector, v.terms = uint8_t(count);
     Item item = item_of(Item::Kind::value, at);
     item.value = continue_from_value(p, std::move(v));
     return item;

@@ -51,7 +51,7 @@ void declare(Parser& p, const Token& directive) {
     const Place at = p.peek().place();
     Value value = parse_value(p);
     if (value.kind == Kind::nothing) p.fail(at, "this has no value");
-    value = owned(p, std::move(value), at);
+    if (value.kind == Kind::array) value = owned(p, std::move(value), at);
     Slot& slot = into ? *into : local ? p.symbols.local(name.id, depth) : p.symbols.global(name.id);
     const bool needs_semicolon = value.numeric();
     slot.value = std::move(value);

@@ -35,18 +35,19 @@ Value component(Parser& p, const Value& value, const Token& word) {
     p.fail(word.place(), fmt::format("a component (x, y, z, t, u, v, red, green, blue, filter, transmit, gray) is expected behind the dot, not {}", p.describe(word)));
 }
 
-Value with_components(Parser& p, Value value) {
-    if (!value.numeric()) return value;           // behind a string, say, nothing is looked at: the next directive must wait
+/// `.x`, `.red` ... behind a value.
+void take_components(Parser& p, Value& value) {
+    if (!value.numeric()) return;                 // behind a string, say, nothing is looked at: the next directive must wait
     while (p.accept('.')) value = component(p, value, p.next());
-    return value;
 }
 
 Value vector_literal(Parser& p, Place at) {
-    std::vector<double> numbers = parse_number_list(p, at);
-    if (numbers.size() == 1) p.fail(at, "a vector has at least two components");
-    if (numbers.size() > 5) p.fail(at, fmt::format("a vector has at most five components, not {}", numbers.size()));
-    Value v = Value::vector(uint8_t(numbers.size()), {});
-    std::copy(numbers.begin(), numbers.end(), v.c.begin());
+    Value v;
+    std::vector<double> more;
+    const size_t count = parse_components(p, at, v.c, more);
+    if (count == 1) p.fail(at, "a vector has at least two components");
+    if (count > 5) p.fail(at, fmt::format("a vector has at most five components, not {}", count));
+    v.kind = Kind::vector, v.terms = uint8_t(count);
     return v;
 }
 
@@ -73,79 +74,117 @@ Value identifier(Parser& p, const Token& name) {
     if (plain->value.numeric()) return plain->value;
     const Ref<Slot> slot = parse_reference(p, name, false);
     if (!slot) p.fail(name.place(), "this array element has no value yet");
-    Value value = slot->value;
-    if (value.kind == Kind::function) return p.peek_in_value().is('(') ? call_function(p, value.as<Function>(), name.place()) : value;
-    if (value.kind == Kind::spline) return p.peek_in_value().is('(') ? call_spline(p, value.as<Spline>(), name.place()) : value;
-    return value;
+    const bool callable = slot->value.kind == Kind::function || slot->value.kind == Kind::spline;
+    if (!callable || !p.peek_in_value().is('(')) return slot->value;
+    const Value called = slot->value;             // which may be declared anew by its arguments
+    return called.kind == Kind::function ? call_function(p, called.as<Function>(), name.place()) : call_spline(p, called.as<Spline>(), name.place());
 }
 
 [[noreturn]] void fail_no_value(Parser& p, const Token& token) {
     p.fail(token.place(), fmt::format("a number, a vector or another value is expected, not {}", p.describe(token)));
 }
 
-Value factor(Parser& p) {
+/// Takes a float that stands there as a literal or in a variable, if one does: what most operands are, so that no Value is made of them.
+bool take_plain(Parser& p, double& x) {
+    const Token& token = p.peek();
+    if (token.kind == TokenKind::number) {
+        x = token.number;
+    } else {
+        const Slot* slot = token.kind == TokenKind::name ? p.symbols.find(token.id) : nullptr;
+        if (!slot || slot->value.kind != Kind::number || slot->deprecation) return false;
+        x = slot->value.c[0];
+    }
+    p.take();
+    return true;
+}
+
+Value factor(Parser& p);
+
+Value factor_of_mark(Parser& p, const Token& token) {
+    const Nested nested(p, token.place());
+    if (token.mark == '-' || token.mark == '+' || token.mark == '!') {
+        Value value = factor(p);
+        require_numeric(p, value, token.place());
+        if (token.mark == '!') return Value::number(!truth(value.c[0]));
+        if (token.mark == '-') negate(value);
+        return value;
+    }
+    if (token.mark == '(') {
+        Value value = parse_full(p);
+        p.expect(')', "behind the expression");
+        return value;
+    }
+    if (token.mark == '<') return vector_literal(p, token.place());
+    fail_no_value(p, token);
+}
+
+Value factor_without_components(Parser& p) {
     const Token token = p.next();
     switch (token.kind) {
-        case TokenKind::number: return Value::number(token.number);
+        case TokenKind::vector: return p.vector(token);
         case TokenKind::string: return Value::string(p.text(token));
-        case TokenKind::name: {
-            const Slot* slot = p.symbols.find(token.id);      // the most frequent case, made short
-            if (slot && slot->value.kind == Kind::number && !slot->deprecation) return slot->value;
-            return with_components(p, identifier(p, token));
-        }
+        case TokenKind::name: return identifier(p, token);
+        case TokenKind::mark: return factor_of_mark(p, token);
         case TokenKind::word:
-            if (const Builtin builtin = find_builtin(token.id)) return with_components(p, builtin(p, token.place()));
+            if (const Builtin builtin = find_builtin(token.id)) return builtin(p, token.place());
             break;
-        case TokenKind::mark: {
-            const Nested nested(p, token.place());
-            if (token.mark == '-' || token.mark == '+' || token.mark == '!') {
-                Value value = factor(p);
-                require_numeric(p, value, token.place());
-                if (token.mark == '!') return Value::number(!truth(value.c[0]));
-                return token.mark == '-' ? negated(std::move(value)) : value;
-            }
-            if (token.mark == '(') {
-                Value value = parse_full(p);
-                p.expect(')', "behind the expression");
-                return with_components(p, std::move(value));
-            }
-            if (token.mark == '<') return with_components(p, vector_literal(p, token.place()));
-            break;
-        }
         default: break;
     }
     fail_no_value(p, token);
 }
 
-Value apply(Parser& p, const Token& op, const Value& a, const Value& b) {
-    require_numeric(p, a, op.place());
-    require_numeric(p, b, op.place());
-    bool by_zero = false;
-    Value value = arithmetic(op.mark, a, b, by_zero);
-    if (by_zero) p.warn(op.place(), "division by zero");
+Value factor(Parser& p) {
+    if (double x; take_plain(p, x)) return Value::number(x);
+    Value value = factor_without_components(p);
+    take_components(p, value);
     return value;
 }
 
-Value continue_term(Parser& p, Value left) {
-    while (p.peek().is('*') || p.peek().is('/')) {
-        const Token op = p.next();
-        left = apply(p, op, left, factor(p));
-    }
-    return left;
+/// left = left op right
+void calculate(Parser& p, const Token& op, Value& left, const Value& right) {
+    require_numeric(p, left, op.place());
+    require_numeric(p, right, op.place());
+    if (apply(op.mark, left, right)) p.warn(op.place(), "division by zero");
 }
 
-Value continue_expression(Parser& p, Value left) {
-    left = continue_term(p, std::move(left));
-    while (p.peek().is('+') || p.peek().is('-')) {
+void calculate(Parser& p, const Token& op, Value& left, double right) {
+    if (left.kind == Kind::number && (right != 0 || op.mark != '/')) left.c[0] = arithmetic(op.mark, left.c[0], right);
+    else calculate(p, op, left, Value::number(right));
+}
+
+bool is_product(const Token& token) { return token.mark == '*' || token.mark == '/'; }
+bool is_sum(const Token& token) { return token.mark == '+' || token.mark == '-'; }
+
+void continue_term(Parser& p, Value& left) {
+    while (is_product(p.peek())) {
         const Token op = p.next();
-        left = apply(p, op, left, continue_term(p, factor(p)));
+        if (double x; take_plain(p, x)) calculate(p, op, left, x);
+        else calculate(p, op, left, factor(p));
     }
-    return left;
+}
+
+void continue_expression(Parser& p, Value& left) {
+    continue_term(p, left);
+    while (is_sum(p.peek())) {
+        const Token op = p.next();
+        if (double x; take_plain(p, x)) {
+            if (!is_product(p.peek())) {
+                calculate(p, op, left, x);
+                continue;
+            }
+            Value right = Value::number(x);
+            continue_term(p, right);
+            calculate(p, op, left, right);
+        } else {
+            Value right = factor(p);
+            continue_term(p, right);
+            calculate(p, op, left, right);
+        }
+    }
 }
 
 bool is_comparison(const Token& token) {
-    return token.kind == TokenKind::mark && (token.mark == '<' || token.mark == '>' || token.mark == '=' || token.mark == kLessEqual ||
-                                             token.mark == kGreaterEqual || token.mark == kNotEqual);
+    return token.mark == '<' || token.mark == '>' || token.mark == '=' || token.mark == kLessEqual || token.mark == kGreaterEqual || token.mark == kNotEqual;
 }
 
 Value comparison(Parser& p) {
@@ -180,18 +219,23 @@ Ref<Slot> parse_reference(Parser& p, const Token& name, bool make) {
 }
 
 Value continue_from_identifier(Parser& p, const Token& name) {
-    Value value = with_components(p, identifier(p, name));
-    return value.numeric() ? continue_expression(p, std::move(value)) : value;
+    Value value = identifier(p, name);
+    take_components(p, value);
+    if (value.numeric()) continue_expression(p, value);
+    return value;
 }
 
 Value continue_from_value(Parser& p, Value value) {
     if (!value.numeric()) return value;
-    return continue_expression(p, with_components(p, std::move(value)));
+    take_components(p, value);
+    continue_expression(p, value);
+    return value;
 }
 
 Value parse_expression(Parser& p) {
-    Value first = factor(p);
-    return first.numeric() ? continue_expression(p, std::move(first)) : first;
+    Value value = factor(p);
+    if (value.numeric()) continue_expression(p, value);
+    return value;
 }
 
 Value parse_full(Parser& p) {
@@ -213,7 +257,14 @@ Value parse_full(Parser& p) {
 
 double parse_float(Parser& p) {
     const Place at = p.peek().place();
-    const Value value = parse_expression(p);
+    Value value;
+    if (double x; take_plain(p, x)) {
+        if (const Token& behind = p.peek(); !is_product(behind) && !is_sum(behind)) return x;
+        value = Value::number(x);
+        continue_expression(p, value);
+    } else {
+        value = parse_expression(p);
+    }
     if (value.kind != Kind::number) p.fail(at, fmt::format("a float is expected, not {}", kind_name(value)));
     return value.c[0];
 }
@@ -241,23 +292,25 @@ bool parse_condition(Parser& p) {
 
 bool begins_expression(const Parser& p, const Token& token) {
     switch (token.kind) {
-        case TokenKind::number: case TokenKind::string: return true;
-        case TokenKind::name: return true;
+        case TokenKind::number: case TokenKind::vector: case TokenKind::string: case TokenKind::name: return true;
         case TokenKind::word: return find_builtin(token.id) != nullptr;
         case TokenKind::mark: return token.mark == '(' || token.mark == '<' || token.mark == '-' || token.mark == '+' || token.mark == '!';
         default: return (void)p, false;
     }
 }
 
-std::vector<double> parse_number_list(Parser& p, Place at) {
+size_t parse_components(Parser& p, Place at, std::array<double, 5>& first, std::vector<double>& all) {
     const Nested nested(p, at);
-    std::vector<double> numbers;
-    while (!p.accept('>')) {
-        if (numbers.size() > 1000) p.fail(at, "more than 1000 numbers stand in < >");
-        numbers.push_back(parse_float(p));
+    size_t count = 0;
+    for (; !p.accept('>'); ++count) {
+        if (count > 1000) p.fail(at, "more than 1000 numbers stand in < >");
+        const double x = parse_float(p);
+        if (count == first.size()) all.assign(first.begin(), first.end());
+        if (count < first.size()) first[count] = x;
+        else all.push_back(x);
         p.accept(',');
     }
-    return numbers;
+    return count;
 }
 
 Value parse_value(Parser& p) {
@@ -265,7 +318,8 @@ Value parse_value(Parser& p) {
     if (begins_colour(token)) return parse_colour(p);
     if (token.kind != TokenKind::word || find_builtin(token.id)) {
         Value value = parse_expression(p);
-        return value.kind == Kind::colour ? Value::colour(value.c) : value;      // what is kept of a colour is in single precision
+        if (value.kind == Kind::colour) value = Value::colour(value.c);          // what is kept of a colour is in single precision
+        return value;
     }
     p.next();
     if (token.id != "array"_w && token.id != "spline"_w && token.id != "function"_w && !p.peek().is('{')) fail_no_value(p, token);

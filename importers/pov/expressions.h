@@ -36,7 +36,7 @@ bool begins_colour(const Token& token);
 Value parse_colour(Parser& p);
 /// `red .3`, `filter .5` ... behind a colour replace its components.
 Value parse_colour_components(Parser& p, Value colour);
-/// A whole vector literal `<...>` behind its `<`, of any length.
-std::vector<double> parse_number_list(Parser& p, Place at);
+/// A whole vector literal `<...>` behind its `<`, of any length, which is returned. All its numbers are in `all` if there are more than five.
+size_t parse_components(Parser& p, Place at, std::array<double, 5>& first, std::vector<double>& all);
 
 }  // namespace alidade::pov

@@ -12,22 +12,24 @@ namespace {
 
 Ref<TextFile> open_for_writing(Parser& p, const std::string& name, bool append, Place at) {
     Ref<TextFile> file(new TextFile);
-    file->path = name, file->writing = true, file->append = append, file->kept = !p.options.write_folder;
-    if (file->kept) {
-        p.tally(at, fmt::format("the file {} is not written, since --allow-write DIR has not allowed it: the scene alone can read it", name));
-        const auto found = append && !p.files.kept(name) ? p.finder.find(name) : std::nullopt;
-        if (found) file->text = read_whole(found->path, p.options.limits.file_bytes).value_or("");
-    } else {
+    file->path = name, file->writing = true;
+    if (p.options.write_folder) {
         const std::optional<std::string> path = TextFiles::below(*p.options.write_folder, name);
         if (!path) p.fail(at, fmt::format("the file {} lies outside of the folder that may be written to", name));
         file->path = *path;
+        if (!p.files.open_on_disk(file, append)) p.fail(at, fmt::format("the file {} cannot be written", file->path));
+        return file;
     }
-    if (!p.files.write(*file)) p.fail(at, fmt::format("the file {} cannot be written", file->path));
-    file->append = true, file->text.clear();
+    p.tally(at, fmt::format("the file {} is not written, since --allow-write DIR has not allowed it: the scene alone can read it", name));
+    const auto found = append && !p.files.kept(name) ? p.finder.find(name) : std::nullopt;
+    p.files.open_in_memory(*file);
+    if (found) *file->kept = read_whole(found->path, p.options.limits.file_bytes).value_or("");
+    if (!append) file->kept->clear();
     return file;
 }
 
 Ref<TextFile> open_for_reading(Parser& p, const std::string& name, Place at) {
+    p.files.flush();
     const std::string* kept = p.files.kept(name);
     const std::optional<SourceFinder::Found> found = kept ? std::nullopt : p.finder.find(name);
     std::optional<std::string> text = kept ? std::optional(*kept) : found ? read_whole(found->path, p.options.limits.file_bytes) : std::nullopt;
@@ -52,12 +54,6 @@ void open(Parser& p) {
     p.symbols.global(name.id).value = Value::of(Kind::file, file);
 }
 
-void flush(Parser& p, TextFile& file, Place at) {
-    if (!file.writing || file.text.empty()) return;
-    if (!p.files.write(file)) p.fail(at, fmt::format("the file {} cannot be written", file.path));
-    file.text.clear();
-}
-
 TextFile& file_of(Parser& p, const Token& name) {
     Slot* slot = name.kind == TokenKind::name ? p.symbols.find(name.id) : nullptr;
     if (!slot || slot->value.kind != Kind::file) p.fail(name.place(), fmt::format("the name of an open file is expected, not {}", p.describe(name)));
@@ -67,7 +63,8 @@ TextFile& file_of(Parser& p, const Token& name) {
 void close(Parser& p) {
     const Token name = p.raw_token();
     if (name.kind == TokenKind::name && !p.symbols.find(name.id)) return;      // read to its end, and so closed already
-    flush(p, file_of(p, name), name.place());
+    TextFile& file = file_of(p, name);
+    if (file.writing && !file.kept && !file.out.flush()) p.fail(name.place(), fmt::format("the file {} cannot be written", file.path));
     p.symbols.undefine(name.id);
 }
 
@@ -155,9 +152,8 @@ void write(Parser& p) {
         const std::string text = written(value);
         p.files.written += text.size();
         if (p.files.written > p.options.limits.written_bytes) p.fail_limit(at, fmt::format("the scene writes more than {} bytes", p.options.limits.written_bytes));
-        file->text += text;
+        if (!TextFiles::write(*file, text)) p.fail(at, fmt::format("the file {} cannot be written", file->path));
     }
-    flush(p, *file, name.place());
 }
 
 }  // namespace

@@ -7,7 +7,9 @@
 #include "importers/pov/function_values.h"
 #include "importers/pov/space_functions.h"
 
+#include <cmath>
 #include <fmt/format.h>
+#include <utility>
 
 namespace alidade::pov {
 
@@ -42,6 +44,24 @@ void resolve(Parser& p, Function& function, Function::Part& part) {
     p.check_depth(part.value, token.place());
 }
 
+/// Between < and > that compare, what looks like a vector are arguments: select(x <1, 2> 3, 4).
+void add_apart(const Parser& p, Function& function, const Token& vector) {
+    Function::Part part;
+    const auto add = [&](TokenKind kind, char mark) {
+        part.token = vector;
+        part.token.kind = kind, part.token.mark = mark;
+        function.parts.push_back(part);
+    };
+    char before = '<';
+    for (const double x : p.stream.vector(vector)) {
+        add(TokenKind::mark, std::exchange(before, ','));
+        if (std::signbit(x)) add(TokenKind::mark, '-');
+        add(TokenKind::number, 0);
+        function.parts.back().token.number = std::fabs(x);
+    }
+    add(TokenKind::mark, '>');
+}
+
 }  // namespace
 
 Value parse_function(Parser& p, Place at) {
@@ -68,6 +88,10 @@ Value parse_function(Parser& p, Place at) {
         if (part.token.kind == TokenKind::end) p.fail_limit(at, "the function is not closed", "} is missing");
         depth += part.token.is('{') - part.token.is('}');
         if (depth == 0) break;
+        if (part.token.kind == TokenKind::vector) {
+            add_apart(p, *function, part.token);
+            continue;
+        }
         resolve(p, *function, part);
         function->parts.push_back(std::move(part));
     }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "importers/pov/lexer.h"
 
+#include <array>
 #include <charconv>
 #include <fmt/format.h>
 
@@ -10,8 +11,24 @@ namespace {
 
 constexpr size_t kLongestName = 200;
 
-bool is_letter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_'; }
-bool is_digit(char c) { return c >= '0' && c <= '9'; }
+constexpr double kPowersOfTen[] = {1, 1e1, 1e2, 1e3, 1e4, 1e5, 1e6, 1e7, 1e8, 1e9, 1e10, 1e11, 1e12, 1e13, 1e14, 1e15};
+
+enum CharKind : uint8_t { kOther, kBlank, kDigit, kLetter };
+
+constexpr std::array<CharKind, 256> char_kinds() {
+    std::array<CharKind, 256> all{};
+    for (int c = 0; c < 256; ++c) {
+        if ((c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_') all[size_t(c)] = kLetter;
+        if (c >= '0' && c <= '9') all[size_t(c)] = kDigit;
+        if (c == ' ' || (c >= '\t' && c <= '\r') || c == 0x1a) all[size_t(c)] = kBlank;
+    }
+    return all;
+}
+constexpr std::array<CharKind, 256> kKinds = char_kinds();
+
+CharKind kind_of(char c) { return kKinds[static_cast<unsigned char>(c)]; }
+bool is_letter(char c) { return kind_of(c) == kLetter; }
+bool is_digit(char c) { return kind_of(c) == kDigit; }
 
 void append_utf8(std::string& out, uint32_t code) {
     if (code < 0x80) {
@@ -25,25 +42,32 @@ void append_utf8(std::string& out, uint32_t code) {
 
 class Lexer {
   public:
-    Lexer(const Source& source, uint16_t number, Names& names) : text_(source.text()), number_(number), names_(names) {}
+    Lexer(const Source& source, uint16_t number, Names& names, std::vector<Token>& room) : text_(source.text()), number_(number), names_(names), room_(room) {}
 
     TokenList run(size_t max_tokens) {
+        list_.tokens.swap(room_);
+        list_.tokens.clear();
         list_.tokens.reserve(std::min(text_.size(), max_tokens) + 2);    // the most there can be: growing would hold large lists twice
         while (skip_blanks() && at_ < text_.size()) {
-            if (list_.tokens.size() >= max_tokens) {
+            if (list_.tokens.size() + list_.vectors.size() >= max_tokens) {
                 bad(at_, fmt::format("the file has more than {} tokens", max_tokens));
                 break;
             }
             lex_one();
         }
         start(TokenKind::end, text_.size());
-        if (list_.tokens.size() < 1'000'000) list_.tokens.shrink_to_fit();
         match_directives();
+        if (list_.tokens.size() < 1'000'000) {
+            room_.swap(list_.tokens);
+            list_.tokens = room_;                    // no larger than it has to be
+        }
         return std::move(list_);
     }
 
   private:
-    char peek(size_t ahead = 0) const { return at_ + ahead < text_.size() ? text_[at_ + ahead] : '\0'; }
+    /// A NUL stands behind the last byte of a source.
+    char peek() const { return text_.data()[at_]; }
+    char peek(size_t ahead) const { return at_ + ahead < text_.size() ? text_[at_ + ahead] : '\0'; }
 
     Token& start(TokenKind kind, size_t offset) {
         Token token;
@@ -60,10 +84,11 @@ class Lexer {
     bool skip_blanks() {
         for (; at_ < text_.size(); ++at_) {
             const char c = text_[at_];
-            if (c == ' ' || c == '\t' || c == '\n' || c == '\r' || c == '\f' || c == '\v' || c == '\x1a') continue;
-            if (c == '/' && peek(1) == '/') {
+            if (kind_of(c) == kBlank) continue;
+            if (c != '/') return true;
+            if (peek(1) == '/') {
                 at_ = std::min(text_.find('\n', at_), text_.size() - 1);
-            } else if (c == '/' && peek(1) == '*') {
+            } else if (peek(1) == '*') {
                 if (!skip_comment()) return false;
             } else {
                 return true;
@@ -89,7 +114,7 @@ class Lexer {
 
     void lex_one() {
         const char c = peek();
-        if (is_digit(c) || (c == '.' && is_digit(peek(1)))) return lex_number();
+        if (at_number()) return lex_number();
         if (is_letter(c)) return lex_name();
         if (c == '"') return lex_string();
         if (c == '#') return lex_directive();
@@ -98,9 +123,26 @@ class Lexer {
 
     void lex_number() {
         const size_t begin = at_;
-        while (is_digit(peek())) ++at_;
-        if (peek() == '.') ++at_;
-        while (is_digit(peek())) ++at_;
+        start(TokenKind::number, begin).number = take_number();
+    }
+
+    /// Up to 15 digits and a power of ten up to 10^15 are exact as doubles, so that one division rounds as reading all at once would.
+    double take_number() {
+        constexpr size_t kExactDigits = 15;
+        const size_t begin = at_;
+        uint64_t digits = 0;
+        const auto take_digits = [&] {
+            const size_t first = at_;
+            for (; is_digit(peek()); ++at_) digits = digits * 10 + uint64_t(peek() - '0');     // wraps, and is not used, where there are too many
+            return at_ - first;
+        };
+        const size_t before = take_digits();
+        const size_t behind = peek() == '.' ? ++at_, take_digits() : 0;
+        if (peek() != 'e' && peek() != 'E' && before + behind <= kExactDigits) return double(digits) / kPowersOfTen[behind];
+        return take_long_number(begin);
+    }
+
+    double take_long_number(size_t begin) {
         if (peek() == 'e' || peek() == 'E') {
             const size_t sign = peek(1) == '+' || peek(1) == '-' ? 1 : 0;
             if (is_digit(peek(1 + sign)))
@@ -109,12 +151,38 @@ class Lexer {
         double value = 0;
         const auto [_, failed] = std::from_chars(text_.data() + begin, text_.data() + at_, value);
         if (failed == std::errc::result_out_of_range) value = std::strtod(std::string(text_.substr(begin, at_ - begin)).c_str(), nullptr);
-        start(TokenKind::number, begin).number = value;
+        return value;
     }
+    bool at_number() const { return is_digit(peek()) || (peek() == '.' && is_digit(peek(1))); }
+
+    /// Behind a `<`: the rest of a literal `<1, -2, 3>` that is nothing but numbers and commas, as one token. Or nothing is taken.
+    bool take_vector(size_t begin) {
+        const size_t before = at_;
+        std::array<double, 6> numbers{};              // how many, and up to five
+        for (size_t count = 1; count <= 5; ++count) {
+            skip_plain_blanks();
+            const char sign = peek();
+            if (sign == '-' || sign == '+') ++at_;
+            if (!at_number()) break;
+            numbers[count] = sign == '-' ? -take_number() : take_number();
+            skip_plain_blanks();
+            const char behind = peek();
+            ++at_;
+            if (behind == ',') continue;
+            if (behind != '>' || count < 2 || peek() == '=') break;
+            start(TokenKind::vector, begin).id = uint32_t(list_.vectors.size());
+            numbers[0] = double(count);
+            list_.vectors.insert(list_.vectors.end(), numbers.begin(), numbers.begin() + std::ptrdiff_t(count) + 1);
+            return true;
+        }
+        at_ = before;
+        return false;
+    }
+    void skip_plain_blanks() { while (kind_of(peek()) == kBlank) ++at_; }
 
     std::string_view take_name() {
         const size_t begin = at_;
-        while (is_letter(peek()) || is_digit(peek())) ++at_;
+        while (kind_of(peek()) >= kDigit) ++at_;
         return text_.substr(begin, at_ - begin);
     }
 
@@ -173,6 +241,7 @@ class Lexer {
         static constexpr std::string_view kMarks = "{}()[]<>,;:.=+-*/?&|!@^%";
         const size_t begin = at_++;
         char mark = text_[begin];
+        if (mark == '<' && take_vector(begin)) return;
         if (mark == '\0') return bad(begin, "a NUL byte stands in the text");
         if (kMarks.find(mark) == std::string_view::npos)
             return bad(begin, static_cast<unsigned char>(mark) < 127 && mark > 32 ? fmt::format("the character {} means nothing here", mark)
@@ -212,12 +281,15 @@ class Lexer {
     std::string_view text_;
     uint16_t number_;
     Names& names_;
+    std::vector<Token>& room_;
     size_t at_ = 0;
     TokenList list_;
 };
 
 }  // namespace
 
-TokenList lex(const Source& source, uint16_t number, Names& names, size_t max_tokens) { return Lexer(source, number, names).run(max_tokens); }
+TokenList lex(const Source& source, uint16_t number, Names& names, size_t max_tokens, std::vector<Token>& room) {
+    return Lexer(source, number, names, room).run(max_tokens);
+}
 
 }  // namespace alidade::pov

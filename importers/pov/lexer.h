@@ -7,7 +7,8 @@
 
 namespace alidade::pov {
 
-enum class TokenKind : uint8_t { end, number, string, word, name, directive, mark, bad };
+/// Those up to `mark` are given out as they are; the others have to be looked at first.
+enum class TokenKind : uint8_t { number, vector, string, word, mark, name, directive, bad, end };
 
 /// Two-character operators as single ones.
 inline constexpr char kLessEqual = 'l', kGreaterEqual = 'g', kNotEqual = 'n';
@@ -22,17 +23,18 @@ struct DirectiveLink {
 /// 16 bytes, because a file of a million triangles has 26 million of them.
 struct Token {
     TokenKind kind = TokenKind::end;
-    char mark = 0;                ///< of a mark: the character itself, or one of the above
+    char mark = 0;                ///< of a mark: the character itself, or one of the above; of no other
     uint16_t source = 0;
     uint32_t offset = 0;
     union {
         double number;
-        uint32_t id;              ///< word, name: its number; string, bad: index into TokenList::texts
+        uint32_t id;              ///< word, name: its number; string, bad: index into TokenList::texts; vector: into its vectors
         DirectiveLink directive;
     };
 
     Token() : number(0) {}
-    bool is(char c) const { return kind == TokenKind::mark && mark == c; }
+    bool is(char c) const { return mark == c; }
+    bool is_plain() const { return kind <= TokenKind::mark; }
     bool is_word(WordId w) const { return kind == TokenKind::word && id == w; }
     Place place() const { return {source, offset}; }
 };
@@ -44,10 +46,12 @@ inline constexpr uint32_t kOpen = ~uint32_t(0);
 struct TokenList {
     std::vector<Token> tokens;          ///< ends with one of kind `end`
     std::vector<std::string> texts;     ///< string literals with their escapes resolved; what is wrong with bad tokens
+    std::vector<double> vectors;        ///< literals `<1, -2, 3>` of 2 to 5 numbers and nothing else: how many, and the numbers; most of a mesh's file
 };
 
 /// What is wrong with the text (an open comment or string, a byte that means nothing) becomes a token `bad`: it is an error only if it is reached.
-/// More than `max_tokens`: the list ends with a bad token.
-TokenList lex(const Source& source, uint16_t number, Names& names, size_t max_tokens);
+/// More than `max_tokens`, with the numbers in vectors: the list ends with a bad token.
+/// `room` is for its work: memory that one file after the other is lexed in.
+TokenList lex(const Source& source, uint16_t number, Names& names, size_t max_tokens, std::vector<Token>& room);
 
 }  // namespace alidade::pov

@@ -34,21 +34,23 @@ namespace {
 Ref<Slot> argument(Parser& p) {
     const Token token = p.next();
     const Slot* known = token.kind == TokenKind::name ? p.symbols.find(token.id) : nullptr;
-    Ref<Slot> fresh(new Slot);
     if (!known) {
         p.put_back(token);
+        Ref<Slot> fresh(new Slot);
         fresh->value = parse_value(p);
         return fresh;
     }
     if (known->value.kind == Kind::function || known->value.kind == Kind::spline) {
         Ref<Slot> same(const_cast<Slot*>(known));
         if (p.peek().is(',') || p.peek().is(')')) return same;
+        Ref<Slot> fresh(new Slot);
         fresh->value = continue_from_identifier(p, token);
         return fresh;
     }
     const Ref<Slot> slot = parse_reference(p, token, false);
     if (!slot) p.fail(token.place(), "this array element has no value yet");
     if (p.peek().is(',') || p.peek().is(')')) return slot;
+    Ref<Slot> fresh(new Slot);
     fresh->value = continue_from_value(p, slot->value);
     if (fresh->value.kind == Kind::colour) fresh->value = Value::colour(fresh->value.c);
     return fresh;

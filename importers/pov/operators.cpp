@@ -15,35 +15,24 @@ std::array<double, 5> promoted(const Value& value, uint8_t terms) {
     return all;
 }
 
-namespace {
-
-double apply(char op, double a, double b, bool& divided_by_zero) {
-    switch (op) {
-        case '+': return a + b;
-        case '-': return a - b;
-        case '*': return a * b;
-        default:
-            if (b != 0) return a / b;
-            divided_by_zero = true;
-            return std::numeric_limits<double>::infinity();
+bool apply(char op, Value& left, const Value& right) {
+    const uint8_t terms = std::max(left.terms, right.terms);
+    if (terms > 1) {
+        const bool colour = left.kind == Kind::colour || right.kind == Kind::colour;
+        left.c = promoted(left, terms), left.terms = terms, left.kind = colour ? Kind::colour : Kind::vector;
     }
+    const std::array<double, 5> all = promoted(right, terms);
+    bool by_zero = false;
+    for (int i = 0; i < terms; ++i) {
+        const bool zero = op == '/' && all[i] == 0;
+        left.c[i] = zero ? std::numeric_limits<double>::infinity() : arithmetic(op, left.c[i], all[i]);
+        by_zero |= zero;
+    }
+    return by_zero;
 }
 
-}  // namespace
-
-Value arithmetic(char op, const Value& a, const Value& b, bool& divided_by_zero) {
-    if (a.terms == 1 && b.terms == 1) return Value::number(apply(op, a.c[0], b.c[0], divided_by_zero));
-    Value out;
-    out.terms = std::max(a.terms, b.terms);
-    out.kind = a.kind == Kind::colour || b.kind == Kind::colour ? Kind::colour : Kind::vector;
-    const std::array<double, 5> p = promoted(a, out.terms), q = promoted(b, out.terms);
-    for (int i = 0; i < out.terms; ++i) out.c[i] = apply(op, p[i], q[i], divided_by_zero);
-    return out;
-}
-
-Value negated(Value value) {
+void negate(Value& value) {
     for (int i = 0; i < value.terms; ++i) value.c[i] = -value.c[i];
-    return value;
 }
 
 double compared(char op, double a, double b) {

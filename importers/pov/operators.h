@@ -14,10 +14,11 @@ bool truth(double x);
 /// `value` with `terms` components.
 std::array<double, 5> promoted(const Value& value, uint8_t terms);
 
-/// `a op b` for + - * /; both are numeric. `divided_by_zero` is set, never cleared.
-Value arithmetic(char op, const Value& a, const Value& b, bool& divided_by_zero);
-/// -value
-Value negated(Value value);
+/// `a op b` for + - * /; b is not 0 where it divides.
+inline double arithmetic(char op, double a, double b) { return op == '+' ? a + b : op == '-' ? a - b : op == '*' ? a * b : a / b; }
+/// The same with b in all components of `left` or in each its own; both are numeric. True if a 0 has divided.
+bool apply(char op, Value& left, const Value& right);
+void negate(Value& value);
 /// `a op b` for < > = and the two-character marks: 1 or 0.
 double compared(char op, double a, double b);
 double compared(char op, const std::string& a, const std::string& b);

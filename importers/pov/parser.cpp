@@ -29,10 +29,9 @@ Macro* Parser::macro_of(const Token& token) const {
     return slot && slot->value.kind == Kind::macro ? &slot->value.as<Macro>() : nullptr;
 }
 
-/// The next token of the stream; what a directive has looked at and left comes first.
-Token Parser::fetch(bool in_value) {
-    for (;;) {
-        const Token token = stream.raw();
+/// What a directive has looked at and left comes before the next token of the stream.
+Token Parser::resolve(Token token, bool in_value) {
+    for (;; token = stream.raw()) {
         switch (token.kind) {
             case TokenKind::directive:
                 if (in_value && (token.directive.word == "declare"_w || token.directive.word == "local"_w)) return token;
@@ -77,7 +76,7 @@ void Parser::finish_frame() {
 
 Token Parser::peek_in_value() {
     if (has_ahead_) return ahead_;
-    const Token token = fetch(true);
+    const Token token = resolve(stream.raw(), true);
     if (token.kind == TokenKind::directive || macro_of(token)) --stream.frame().at;
     else put_back(token);
     return token;
@@ -99,10 +98,18 @@ Token Parser::raw_token() {
     return token;
 }
 
+Value Parser::vector(const Token& token) const {
+    const std::span<const double> numbers = stream.vector(token);
+    Value v = Value::vector(uint8_t(numbers.size()), {});
+    std::copy(numbers.begin(), numbers.end(), v.c.begin());
+    return v;
+}
+
 std::string Parser::describe(const Token& token) const {
     switch (token.kind) {
         case TokenKind::end: return "the end of the text";
         case TokenKind::number: return fmt::format("the number {}", token.number);
+        case TokenKind::vector: return fmt::format("the vector <{}>", fmt::join(stream.vector(token), ", "));
         case TokenKind::string: return fmt::format("the string \"{}\"", text(token).substr(0, 40));
         case TokenKind::word: case TokenKind::name: return std::string(names.text(token.id));
         case TokenKind::directive: return fmt::format("#{}", kWords[token.directive.word]);
@@ -177,6 +184,7 @@ void Parser::open_scene(const std::string& path, std::string text) {
 }
 
 void Parser::include(const std::string& name, Place at) {
+    files.flush();
     const std::optional<SourceFinder::Found> found = finder.find(name);
     if (!found || (found->other_case && options.strict)) {
         const bool installed = std::filesystem::exists(kStandardIncludes);

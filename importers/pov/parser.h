@@ -35,6 +35,8 @@ class Parser {
         if (!has_ahead_) put_back(fetch());
         return ahead_;
     }
+    /// Takes what peek() has shown.
+    void take() { has_ahead_ = false; }
     void put_back(const Token& token) { ahead_ = token, has_ahead_ = true; }
     /// Takes the mark if it comes next.
     bool accept(char mark) {
@@ -50,6 +52,7 @@ class Parser {
     Token raw_token();
     std::string describe(const Token& token) const;
     const std::string& text(const Token& token) const { return stream.text(token); }
+    Value vector(const Token& token) const;
 
     // ---- messages ----
     [[noreturn]] void fail(Place at, std::string message, std::string hint = {}) const;
@@ -101,7 +104,12 @@ class Parser {
     friend class Nested;
     /// What a token names, if that is a macro.
     Macro* macro_of(const Token& token) const;
-    Token fetch(bool in_value = false);
+    Token fetch() {
+        const Token& token = stream.raw();
+        return token.is_plain() ? token : resolve(token, false);
+    }
+    /// What is given out for `token`, which has been taken from the stream: directives are obeyed, macros are called.
+    Token resolve(Token token, bool in_value);
     void finish_frame();
     void check_budget(Place at) const;
 

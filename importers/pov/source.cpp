@@ -39,15 +39,15 @@ SourceFinder::SourceFinder(fs::path scene_folder, std::vector<std::string> inclu
 
 bool SourceFinder::allowed(const fs::path& path) const {
     std::error_code failed;
+    if (roots_.empty())
+        for (const fs::path& folder : folders_)
+            if (fs::path root = fs::weakly_canonical(folder, failed); !failed) roots_.push_back(std::move(root));
     const fs::path real = fs::weakly_canonical(path, failed);
     if (failed) return false;
-    for (const fs::path& folder : folders_) {
-        const fs::path root = fs::weakly_canonical(folder, failed);
-        if (failed) continue;
+    return std::any_of(roots_.begin(), roots_.end(), [&](const fs::path& root) {
         const auto [end, _] = std::mismatch(root.begin(), root.end(), real.begin(), real.end());
-        if (end == root.end()) return true;
-    }
-    return false;
+        return end == root.end();
+    });
 }
 
 namespace {

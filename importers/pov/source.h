@@ -21,6 +21,7 @@ class Source {
     Source(std::string path, std::string text, uint32_t file) : path_(std::move(path)), text_(std::move(text)), file_(file) {}
 
     const std::string& path() const { return path_; }
+    /// A NUL stands behind its last byte.
     std::string_view text() const { return text_; }
     /// Line and column (from 1) of a byte.
     SourcePos position(uint32_t offset) const;
@@ -53,6 +54,7 @@ class SourceFinder {
     bool allowed(const std::filesystem::path& path) const;
 
     std::vector<std::filesystem::path> folders_;
+    mutable std::vector<std::filesystem::path> roots_;   ///< the same with links and ".." resolved; made when first asked
 };
 
 /// The name of a standard include that declares `name` (a value or a macro); empty if none does. Reads them all: for messages.

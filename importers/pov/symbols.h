@@ -15,9 +15,7 @@ class Symbols {
     size_t depth() const { return depth_; }
 
     /// The slot that `id` means, or null.
-    Slot* find(WordId id) const {
-        return id < bindings_.size() && !bindings_[id].empty() ? bindings_[id].back().slot.get() : nullptr;
-    }
+    Slot* find(WordId id) const { return id < newest_.size() ? newest_[id] : nullptr; }
     /// #declare: the slot that `id` means, or a new one at the outermost level.
     Slot& declare(WordId id);
     /// #local: the slot at a level (depth() where the directive stands: macros in its value may not have ended yet); made if there is none.
@@ -35,9 +33,12 @@ class Symbols {
         Ref<Slot> slot;
     };
     std::vector<Binding>& of(WordId id);
+    /// After every change of of(id).
+    void note_newest(WordId id) { newest_[id] = bindings_[id].empty() ? nullptr : bindings_[id].back().slot.get(); }
     Slot& bind(WordId id, size_t level, Ref<Slot> slot);
 
     std::vector<std::vector<Binding>> bindings_;    ///< by name, the outermost level first
+    std::vector<Slot*> newest_;                     ///< by name: the slot of its last binding; asked for every name that is read
     std::vector<std::vector<WordId>> levels_{1};    ///< the names that each level has bound; those above depth_ are empty, and kept for the next call
     size_t depth_ = 1;
 };

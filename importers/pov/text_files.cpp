@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "importers/pov/text_files.h"
 
-#include <fstream>
-
 namespace alidade::pov {
 
 namespace fs = std::filesystem;
@@ -21,16 +19,21 @@ const std::string* TextFiles::kept(const std::string& name) const {
     return at == kept_.end() ? nullptr : &at->second;
 }
 
-bool TextFiles::write(const TextFile& file) {
-    if (file.kept) {
-        std::string& text = kept_[file.path];
-        if (!file.append) text.clear();
-        text += file.text;
-        return true;
-    }
-    std::ofstream out(file.path, std::ios::binary | (file.append ? std::ios::app : std::ios::trunc));
-    out << file.text;
-    return bool(out.flush());
+bool TextFiles::open_on_disk(const Ref<TextFile>& file, bool append) {
+    flush();
+    file->out.open(file->path, std::ios::binary | (append ? std::ios::app : std::ios::trunc));
+    on_disk_.push_back(file);
+    return bool(file->out);
+}
+
+bool TextFiles::write(TextFile& file, const std::string& text) {
+    if (file.kept) return *file.kept += text, true;
+    return bool(file.out << text);
+}
+
+void TextFiles::flush() {
+    for (const Ref<TextFile>& file : on_disk_) file->out.flush();
+    std::erase_if(on_disk_, [](const Ref<TextFile>& file) { return file->uses == 1; });      // closed by the scene
 }
 
 }  // namespace alidade::pov

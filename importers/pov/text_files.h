@@ -5,6 +5,7 @@
 #include "importers/pov/source.h"
 #include "importers/pov/value.h"
 
+#include <fstream>
 #include <map>
 
 namespace alidade::pov {
@@ -12,10 +13,11 @@ namespace alidade::pov {
 /// An open file; what the identifier of #fopen holds.
 struct TextFile : Shared {
     std::string path;
-    bool writing = false, append = false;
-    bool kept = false;           ///< in memory alone, because nothing has allowed to write
+    bool writing = false;
     std::string text;            ///< what there is to read
     size_t at = 0;
+    std::string* kept = nullptr; ///< where it is written to in memory, because nothing has allowed to write
+    std::ofstream out;           ///< where else
 };
 
 /// The files that a scene writes: on the disk where that is allowed, else in memory, where the scene can read them again.
@@ -23,14 +25,19 @@ class TextFiles {
   public:
     /// A path below `folder` for `name`, or nothing if `name` leads out of it.
     static std::optional<std::string> below(const std::string& folder, const std::string& name);
-    /// False if the file cannot be written.
-    bool write(const TextFile& file);
+    /// Both return false if the file cannot be written.
+    bool open_on_disk(const Ref<TextFile>& file, bool append);
+    static bool write(TextFile& file, const std::string& text);
+    void open_in_memory(TextFile& file) { file.kept = &kept_[file.path]; }
+    /// Writes out what is still on its way to the disk: before something is read that the scene may have written.
+    void flush();
     /// What the scene has written to `name` in memory, or null.
     const std::string* kept(const std::string& name) const;
     size_t written = 0;          ///< bytes, of all files
 
   private:
     std::map<std::string, std::string> kept_;
+    std::vector<Ref<TextFile>> on_disk_;     ///< those that are open
 };
 
 }  // namespace alidade::pov

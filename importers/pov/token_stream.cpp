@@ -6,7 +6,7 @@ namespace alidade::pov {
 uint16_t TokenStream::add(Source source, Names& names, const Limits& limits) {
     const uint16_t number = uint16_t(units_.size());
     auto unit = std::make_unique<Unit>(Unit{std::move(source), {}});
-    unit->list = lex(unit->source, number, names, limits.tokens_in_file);
+    unit->list = lex(unit->source, number, names, limits.tokens_in_file, room_);
     units_.push_back(std::move(unit));
     return number;
 }

@@ -5,6 +5,8 @@
 #include "importers/pov/limits.h"
 #include "importers/pov/value.h"
 
+#include <span>
+
 namespace alidade::pov {
 
 /// An open #if, #while, #for or #switch.
@@ -34,6 +36,10 @@ class TokenStream {
     const Source& source(uint16_t number) const { return units_[number]->source; }
     size_t sources() const { return units_.size(); }
     const std::string& text(const Token& token) const { return units_[token.source]->list.texts[token.id]; }
+    std::span<const double> vector(const Token& token) const {
+        const double* count = &units_[token.source]->list.vectors[token.id];
+        return {count + 1, size_t(*count)};
+    }
 
     /// The next token of the newest frame as it stands in the text; of kind `end` at the frame's end.
     const Token& raw() {
@@ -58,6 +64,7 @@ class TokenStream {
         TokenList list;
     };
     std::vector<std::unique_ptr<Unit>> units_;
+    std::vector<Token> room_;                ///< for the lexer
     std::vector<Frame> frames_;
     std::vector<Condition> conditions_;
     Token end_;

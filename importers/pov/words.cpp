@@ -2,19 +2,43 @@
 #include "importers/pov/words.h"
 
 #include <cctype>
-#include <vector>
 
 namespace alidade::pov {
 
+namespace {
+
+/// FNV-1a.
+uint32_t hash_of(std::string_view name) {
+    uint32_t hash = 2166136261u;
+    for (const char c : name) hash = (hash ^ static_cast<unsigned char>(c)) * 16777619u;
+    return hash ^ hash >> 15;
+}
+
+}  // namespace
+
 Names::Names() {
+    rehash(4096);
     for (std::string_view word : kWords) id(word);
 }
 
+void Names::rehash(size_t size) {
+    table_.assign(size, kFree);
+    for (WordId id = 0; id < hashes_.size(); ++id) {
+        size_t at = hashes_[id] & (size - 1);
+        while (table_[at] != kFree) at = (at + 1) & (size - 1);
+        table_[at] = id;
+    }
+}
+
 WordId Names::id(std::string_view name) {
-    if (const auto found = ids_.find(name); found != ids_.end()) return found->second;
-    texts_.emplace_back(name);
-    const WordId fresh = WordId(texts_.size() - 1);
-    ids_.emplace(texts_.back(), fresh);
+    const uint32_t hash = hash_of(name);
+    size_t at = hash & (table_.size() - 1);
+    for (; table_[at] != kFree; at = (at + 1) & (table_.size() - 1))
+        if (const WordId known = table_[at]; hashes_[known] == hash && texts_[known] == name) return known;
+    const WordId fresh = WordId(texts_.size());
+    texts_.emplace_back(name), hashes_.push_back(hash);
+    table_[at] = fresh;
+    if (2 * texts_.size() > table_.size()) rehash(2 * table_.size());
     return fresh;
 }
 

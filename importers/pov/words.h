@@ -8,7 +8,7 @@
 #include <stdexcept>
 #include <string>
 #include <string_view>
-#include <unordered_map>
+#include <vector>
 
 namespace alidade::pov {
 
@@ -81,8 +81,12 @@ class Names {
     std::string_view nearest(std::string_view name, Admit admit) const;
 
   private:
+    static constexpr WordId kFree = ~WordId(0);
+    void rehash(size_t size);
+
     std::deque<std::string> texts_;
-    std::unordered_map<std::string_view, WordId> ids_;
+    std::vector<uint32_t> hashes_;     ///< of texts_
+    std::vector<WordId> table_;        ///< a power of two of places, at most half of them taken: a name stands at its hash or behind; asked for every name of a file
 };
 
 /// Insertions, deletions, replacements and swaps of neighbours that turn `a` into `b`, letters without case.

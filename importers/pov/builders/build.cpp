@@ -14,15 +14,15 @@ SourcePos Build::position(Place at) const {
     return p.stream.source(uint16_t(at.source)).position(at.offset);
 }
 
-NodeId Build::add_node(Node node) {
+NodeId Build::add_node(Node&& node) {
     constexpr size_t kMostNodes = 1'500'000;
     if (scene.nodes.size() >= kMostNodes) p.fail_limit({}, fmt::format("the scene has more than {} objects", kMostNodes));
-    scene.nodes.push_back(std::move(node));
+    append(scene.nodes, std::move(node));
     return {uint32_t(scene.nodes.size() - 1)};
 }
 
 SignalId Build::add_signal(Signal signal) {
-    scene.signals.push_back(std::move(signal));
+    append(scene.signals, std::move(signal));
     return {uint32_t(scene.signals.size() - 1)};
 }
 

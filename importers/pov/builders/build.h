@@ -6,7 +6,9 @@
 #include "importers/pov/parser.h"
 #include "scene/scene.h"
 
+#include <iterator>
 #include <map>
+#include <tuple>
 
 namespace alidade::pov {
 
@@ -15,6 +17,18 @@ struct BuiltObject {
     NodeId node;
     bool textured = false;
 };
+
+/// Appends. Where there is no room any more, what is there is moved: std::vector would copy it, since GLM does not promise that copying its vectors cannot throw.
+template <class T>
+void append(std::vector<T>& all, T&& one) {
+    if (all.size() == all.capacity()) {
+        std::vector<T> more;
+        more.reserve(2 * all.size() + 16);
+        std::move(all.begin(), all.end(), std::back_inserter(more));
+        all.swap(more);
+    }
+    all.push_back(std::move(one));
+}
 
 /// The scene under construction. Builders read blocks and add to it; what they do not model they tally with the parser.
 struct Build {
@@ -25,6 +39,8 @@ struct Build {
     std::vector<Value> defaults;                        ///< blocks of #default, in order
     std::map<const Block*, BuiltObject> declared;       ///< objects that were referred to, so that each is stored once
     std::map<std::string, std::shared_ptr<Font>> fonts; ///< by the name in the scene
+    std::map<std::pair<const Font*, uint32_t>, std::optional<Glyph>> glyphs;
+    std::map<std::tuple<const Font*, uint32_t, uint64_t>, ShapeId> letters;   ///< glyphs as shapes, by the bits of their depth: stored once for all texts
     std::vector<PovFinish> default_textures;            ///< what holds after each of them; the first: before all
     std::map<uint32_t, MaterialId> default_materials;   ///< by the number of #default before
 
@@ -40,7 +56,7 @@ struct Build {
 
     SourcePos position(Place at) const;
     /// Fails where a scene copies its parts into parts of parts without end.
-    NodeId add_node(Node node);
+    NodeId add_node(Node&& node);
     SignalId add_signal(Signal signal);
     SignalId add_signal(decltype(Signal::what) what, Place at);
 };

@@ -60,12 +60,12 @@ bool take_layer(Build& build, Draft& d, Cursor& at) {
     return take_layer_part(build, at, d.layers, d.transform);
 }
 
-void append(TextureLayers& layers, TextureLayers more) { layers.insert(layers.end(), more.begin(), more.end()); }
+void add_all(TextureLayers& layers, TextureLayers more) { layers.insert(layers.end(), more.begin(), more.end()); }
 
 void add_layers(Build& build, Draft& d, TextureLayers more, Place at) {
     begin_texture(d, at);
     move_layers(build, more, inverse(d.transform).value_or(Transform()));   // what stood between the layers moves those before it alone
-    append(d.layers, std::move(more));
+    add_all(d.layers, std::move(more));
 }
 
 /// The layers of `material { ... }`, moved by what stands behind them in it.
@@ -74,7 +74,7 @@ TextureLayers read_material(Build& build, const Block& block, std::optional<Inte
     TextureLayers layers;
     for (Cursor at(build, block); !at.done();) {
         if (const Block* base = at.block_at("material"_w)) at.next(), layers = read_material(build, *base, interior);
-        else if (const Block* texture = at.block_at("texture"_w)) at.next(), append(layers, build_texture(build, *texture));
+        else if (const Block* texture = at.block_at("texture"_w)) at.next(), add_all(layers, build_texture(build, *texture));
         else if (const Block* inside = at.block_at("interior"_w)) at.next(), interior = add_interior(build, *inside);
         else if (at.at_transform()) move_layers(build, layers, at.transform());
         else at.skip_unmodelled();
@@ -182,20 +182,19 @@ void take_modifiers(Build& build, Draft& d, Cursor& at) {
     }
 }
 
-std::optional<Draft> draft(Build& build, const Block& block);
+bool draft(Build& build, const Block& block, Draft& d);
 
 /// The declared object as a child, stored once however often it is referred to.
-std::optional<Draft> reference(Build& build, const Block& object) {
+bool reference(Build& build, const Block& object, Draft& d) {
     auto known = build.declared.find(&object);
     if (known == build.declared.end()) {
         const auto built = build_object(build, object);
-        if (!built) return std::nullopt;
+        if (!built) return false;
         known = build.declared.emplace(&object, *built).first;
     }
-    Draft d;
     d.node.children.push_back(known->second.node);
     d.parts_textured = known->second.textured;
-    return d;
+    return true;
 }
 
 struct Copying {
@@ -206,16 +205,16 @@ struct Copying {
 };
 
 /// `object { NAME ... }`: the thing itself where its texture is changed, a child that it shares with other references where not.
-std::optional<Draft> object(Build& build, Cursor& at) {
+bool object(Build& build, Cursor& at, Draft& d) {
     const Block* inner = at.any_block();
     if (!inner || !is_object(inner->word)) build.p.fail(at.place(), "an object is expected in object { }");
     at.next();
     const std::vector<Item>& items = at.block().items;
-    if (build.shapes_alone || !std::any_of(items.begin(), items.end(), changes_texture)) return reference(build, *inner);
+    if (build.shapes_alone || !std::any_of(items.begin(), items.end(), changes_texture)) return reference(build, *inner, d);
     constexpr size_t kMostCopies = 50'000;
     if (build.copying && ++build.copies_of_copies > kMostCopies) build.p.fail_limit(at.block().place, fmt::format("more than {} objects are copied in copies, because their textures change", kMostCopies));
     const Copying copying(build);
-    return draft(build, *inner);
+    return draft(build, *inner, d);
 }
 
 void take_children(Build& build, Draft& d, Cursor& at) {
@@ -227,53 +226,48 @@ void take_children(Build& build, Draft& d, Cursor& at) {
     }
 }
 
-std::optional<Draft> shape(Build& build, const Block& block, Cursor& at) {
-    Draft d;
+bool shape(Build& build, const Block& block, Cursor& at, Draft& d) {
     auto built = build_shape(build, block.word, at);
     if (!built) {
         build.p.tally(block.place, fmt::format("{} is not modelled yet: it is left out", kWords[block.word]));
-        return std::nullopt;
+        return false;
     }
     ShapeEntry entry;
     entry.geometry = std::move(built->geometry);
     entry.from = build.position(block.place);
-    build.scene.shapes.push_back(std::move(entry));
+    append(build.scene.shapes, std::move(entry));
     d.node.what = ShapeId{uint32_t(build.scene.shapes.size() - 1)};
     d.node.materials = std::move(built->slots);
-    return d;
+    return true;
 }
 
-std::optional<Draft> draft(Build& build, const Block& block) {
+/// Reads an object into `d`, which is as it was made; false if it is not modelled.
+bool draft(Build& build, const Block& block, Draft& d) {
     const Nested nested(build.p, block.place);
     Cursor at(build, block);
-    std::optional<Draft> d;
     const Block* first = at.any_block();
     if (block.word == "object"_w || (first && first->word == block.word && csg_of(block.word) == CsgKind::none)) {
-        d = object(build, at);
+        if (!object(build, at, d)) return false;
     } else if (const CsgKind csg = csg_of(block.word); csg != CsgKind::none) {
-        d.emplace();
-        d->node.csg = csg;
-        take_children(build, *d, at);
+        d.node.csg = csg;
+        take_children(build, d, at);
     } else if (block.word == "text"_w) {
-        d.emplace();
-        d->node.csg = CsgKind::union_;
-        d->node.children = build_text(build, at);
+        d.node.csg = CsgKind::union_;
+        d.node.children = build_text(build, at);
     } else if (block.word == "light_group"_w) {
-        d.emplace();
-        d->node.global_lights = false;
-        take_children(build, *d, at);
-        for (const NodeId child : d->node.children) gather_lights(build.scene, child, d->node.light_group);
-    } else {
-        d = shape(build, block, at);
+        d.node.global_lights = false;
+        take_children(build, d, at);
+        for (const NodeId child : d.node.children) gather_lights(build.scene, child, d.node.light_group);
+    } else if (!shape(build, block, at, d)) {
+        return false;
     }
-    if (!d) return std::nullopt;
-    d->node.from = build.position(block.place);
-    take_modifiers(build, *d, at);
-    return d;
+    d.node.from = build.position(block.place);
+    take_modifiers(build, d, at);
+    return true;
 }
 
 /// One node, or two where transformations stand on both sides of the texture.
-BuiltObject finish(Build& build, Draft d) {
+BuiltObject finish(Build& build, Draft& d) {
     const bool textured = !d.layers.empty();
     if (!textured) {
         d.node.to_parent = d.transform;
@@ -310,8 +304,8 @@ bool is_object(WordId word) {
 
 std::optional<BuiltObject> build_object(Build& build, const Block& block) {
     if (block.word == "light_source"_w) return BuiltObject{build_light(build, block), true};
-    auto d = draft(build, block);
-    return d ? std::optional(finish(build, std::move(*d))) : std::nullopt;
+    Draft d;
+    return draft(build, block, d) ? std::optional(finish(build, d)) : std::nullopt;
 }
 
 }  // namespace alidade::pov

@@ -3,6 +3,7 @@
 
 #include "importers/pov/fonts.h"
 
+#include <bit>
 #include <filesystem>
 #include <fmt/format.h>
 
@@ -87,21 +88,22 @@ std::vector<uint32_t> characters(const std::string& text) {
     return out;
 }
 
-/// A node for a letter at `place`. Letters of one text that look the same are stored once.
+/// The letters of a text. Those of one scene that look the same are stored once.
 class Letters {
   public:
     Letters(Build& build, const Font& font, double depth, SourcePos from) : build_(build), font_(font), depth_(depth), from_(std::move(from)) {}
 
     /// Null if the font has no outlines for it that can be used.
     const Glyph* glyph(uint32_t index) {
-        auto known = glyphs_.find(index);
-        if (known == glyphs_.end()) known = glyphs_.emplace(index, font_.glyph(index)).first;
+        auto known = build_.glyphs.find({&font_, index});
+        if (known == build_.glyphs.end()) known = build_.glyphs.emplace(std::pair(&font_, index), font_.glyph(index)).first;
         return known->second ? &*known->second : nullptr;
     }
 
     NodeId node(uint32_t index, const Vec2& place) {
-        auto known = shapes_.find(index);
-        if (known == shapes_.end()) known = shapes_.emplace(index, add_shape(*glyph(index))).first;
+        const std::tuple key(&font_, index, std::bit_cast<uint64_t>(depth_));
+        auto known = build_.letters.find(key);
+        if (known == build_.letters.end()) known = build_.letters.emplace(key, add_shape(*glyph(index))).first;
         Node node;
         node.what = known->second;
         node.to_parent.translation = Vec3(place.x, place.y, 0);
@@ -114,7 +116,7 @@ class Letters {
         ShapeEntry entry;
         entry.geometry = Extrusion{glyph.outlines, 0, depth_, false};
         entry.from = from_;
-        build_.scene.shapes.push_back(std::move(entry));
+        append(build_.scene.shapes, std::move(entry));
         return {uint32_t(build_.scene.shapes.size() - 1)};
     }
 
@@ -122,8 +124,6 @@ class Letters {
     const Font& font_;
     double depth_;
     SourcePos from_;
-    std::map<uint32_t, std::optional<Glyph>> glyphs_;
-    std::map<uint32_t, ShapeId> shapes_;
 };
 
 }  // namespace

@@ -6,7 +6,6 @@
 
 #include <charconv>
 #include <cmath>
-#include <cstdio>
 #include <cstring>
 #include <ctime>
 #include <fmt/format.h>
@@ -21,10 +20,12 @@ constexpr int kMostDigits = 1000;
 /// POV-Ray's str(): "%*.*f", with zeros in front for a negative width, and six digits for a negative precision.
 std::string formatted(double x, double width, double precision) {
     const int w = std::clamp(to_int(width), -kMostDigits, kMostDigits), p = std::clamp(to_int(precision), -1, kMostDigits);
-    std::string text(2 * kMostDigits + 400, '\0');
-    const char* format = w < 0 ? (p < 0 ? "%0*f" : "%0*.*f") : (p < 0 ? "%*f" : "%*.*f");
-    const int size = p < 0 ? std::snprintf(text.data(), text.size(), format, std::abs(w), x) : std::snprintf(text.data(), text.size(), format, std::abs(w), p, x);
-    text.resize(size_t(std::clamp<int>(size, 0, int(text.size()) - 1)));
+    char digits[kMostDigits + 400];                      // 309 stand before the point of the largest double
+    const char* const end = std::to_chars(digits, std::end(digits), x, std::chars_format::fixed, p < 0 ? 6 : p).ptr;
+    std::string text(digits, size_t(end - digits));
+    const size_t missing = size_t(std::abs(w)) - std::min(size_t(std::abs(w)), text.size());
+    const bool zeros = w < 0 && std::isfinite(x);
+    text.insert(zeros && std::signbit(x) ? 1 : 0, missing, zeros ? '0' : ' ');
     return text;
 }
 

@@ -5,6 +5,13 @@
 #debug concat(vstr(4, t*2, ",", 0, 1), "\n")                // expect 0.0,0.0,0.0,2.0
 #debug concat(vstr(2, u+v, ",", 0, 1), "\n")                // expect 1.0,1.0
 #debug concat(str((<1,2,3>*2).z - <4,5>.v, 0, 1), "\n")     // expect 1.0
+//---- literal vectors, which are lexed as one, and those that are not
+#debug concat(vstr(3, < -1 , +.5, 2.5e1>, ",", 0, 2), " ", vstr(2, -<1,-2>, ",", 0, 0), "\n")   // expect -1.00,0.50,25.00 -1,2
+#debug concat(vstr(3, <1 -2, 3, /* no */ 4>, ",", 0, 0), " ", vstr(3, <1 2 3>, ",", 0, 0), " ", str((<1,2>.y>=2), 0, 0), "\n")   // expect -1,3,4 1,2,3 1
+#declare Chosen = function(x) { select(x <1, 2, 3> 2, 4) };
+#debug concat(str(Chosen(0), 0, 0), str(Chosen(2), 0, 0), "\n")   // expect 41
+#debug concat(str(123456789012345678, 0, 0), " ", str(0.1234567890123456789, 0, 17), " ", str(1.5e-3, 0, 4), "\n")   // expect 123456789012345680 0.12345678901234568 0.0015
+#debug concat(str(-1.5, -8, 2), "|", str(1.5, 8, 2), "|", str(2.5, 0, 0), str(3.5, 0, 0), "|", str(1, 0, -1), "\n")   // expect -0001.50|    1.50|24|1.000000
 //---- operators: unary before product before sum; comparisons in brackets alone
 #debug concat(str(2--3, 0, 0), str(!0+1, 0, 0), str(-!0, 0, 0), str(2+3*4, 0, 0), "\n")   // expect 52-114
 #debug concat(str((1|0&0), 0, 0), str((1 < 2 & 3 > 2), 0, 0), str((1 < 1+1e-11), 0, 0), str((1 = 1+1e-11), 0, 0), "\n")   // expect 0111
