@@ -10,7 +10,9 @@ Alidade   `import`: import_scene, from the file to the validated scene graph. `p
           The ratio is POV-Ray's time over `import`. --compile adds what follows before the first ray: accelerators, also those of meshes, and pictures. It is
           of the whole scene, hence more than what POV-Ray does while it parses; it stands beside and is in no ratio.
 
-The scenes are the twenty of Debian's povray-examples with the longest parse, and four programs that are made here. Exit code 1: a ratio is below the goal.
+The scenes are the twenty of Debian's povray-examples with the longest parse, and four programs that are made here. Of the twenty, most have something that
+is left out here (meshes of cameras, height fields, media ...), which POV-Ray builds: they are starred, and count in the mean of all alone.
+Exit code 1: the mean of those that are read whole, or any ratio, is below its goal.
 """
 import argparse
 import math
@@ -81,7 +83,7 @@ def povray(scene):
 def ours(program, scene, compiles):
     said = subprocess.run([program, scene.name] + ["--compile"] * compiles, cwd=scene.parent, capture_output=True, text=True, errors="replace")
     if said.returncode: sys.exit(f"{program} {scene}:\n{said.stderr[-500:]}")
-    return [float(x) for x in said.stdout.split()], "left out" in said.stderr
+    return [float(x) for x in said.stdout.split()], "left out" in said.stderr or "not modelled" in said.stderr
 
 
 def measured(program, scene, runs, compiles):
@@ -114,8 +116,9 @@ def main():
             ratios.append(times[0] / times[1])
             if not partly: whole.append(ratios[-1])
             print(f"{times[0]:8.3f} {times[1]:8.4f} {times[2]:8.4f} {times[3]:8.4f} {ratios[-1]:7.2f}{'*' if partly else ' '} {name}", flush=True)
-    print(f"geometric mean {mean(ratios):.2f}, without starred scenes {mean(whole):.2f} (goal {GOAL_MEAN}); worst {min(ratios):.2f} (goal {GOAL_WORST}); of {len(ratios)}")
-    return mean(ratios) < GOAL_MEAN or min(ratios) < GOAL_WORST
+    if not whole: sys.exit("none of these scenes is read whole" if ratios else f"no scene has {o.only} in its name")
+    print(f"geometric mean of the {len(whole)} that are read whole {mean(whole):.2f}, of all {len(ratios)} {mean(ratios):.2f} (goal {GOAL_MEAN}); worst {min(ratios):.2f} (goal {GOAL_WORST})")
+    return mean(whole) < GOAL_MEAN or min(ratios) < GOAL_WORST
 
 
 if __name__ == "__main__":

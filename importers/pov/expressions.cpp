@@ -74,9 +74,9 @@ Value identifier(Parser& p, const Token& name) {
     if (plain->value.numeric()) return plain->value;
     const Ref<Slot> slot = parse_reference(p, name, false);
     if (!slot) p.fail(name.place(), "this array element has no value yet");
-    const bool callable = slot->value.kind == Kind::function || slot->value.kind == Kind::spline;
-    if (!callable || !p.peek_in_value().is('(')) return slot->value;
-    const Value called = slot->value;             // which may be declared anew by its arguments
+    if (slot->value.kind != Kind::function && slot->value.kind != Kind::spline) return slot->value;
+    const Value called = slot->value;             // which may be declared anew by directives in front of its arguments, and in them
+    if (!p.peek_in_value().is('(')) return called;
     return called.kind == Kind::function ? call_function(p, called.as<Function>(), name.place()) : call_spline(p, called.as<Spline>(), name.place());
 }
 
@@ -214,7 +214,11 @@ Ref<Slot> parse_reference(Parser& p, const Token& name, bool make) {
     Slot* found = p.symbols.find(name.id);
     if (!found) fail_undeclared(p, name);
     Ref<Slot> slot(found);
-    while (slot && slot->value.kind == Kind::array && p.peek_in_value().is('[')) slot = parse_subscripts(p, slot->value.as<Array>(), make);
+    while (slot && slot->value.kind == Kind::array) {
+        const Value array = slot->value;          // which may be declared anew by directives in front of the subscript
+        if (!p.peek_in_value().is('[')) break;
+        slot = parse_subscripts(p, array.as<Array>(), make);
+    }
     return slot;
 }
 

@@ -64,7 +64,8 @@ void close(Parser& p) {
     const Token name = p.raw_token();
     if (name.kind == TokenKind::name && !p.symbols.find(name.id)) return;      // read to its end, and so closed already
     TextFile& file = file_of(p, name);
-    if (file.writing && !file.kept && !file.out.flush()) p.fail(name.place(), fmt::format("the file {} cannot be written", file.path));
+    if (file.writing && !file.kept) file.out.close();
+    if (!file.out) p.fail(name.place(), fmt::format("the file {} cannot be written", file.path));
     p.symbols.undefine(name.id);
 }
 

@@ -183,24 +183,36 @@ void Parser::open_scene(const std::string& path, std::string text) {
     stream.push_file(stream.add(Source(path, std::move(text), said.add_file(path)), names, options.limits), {});
 }
 
-void Parser::include(const std::string& name, Place at) {
-    files.flush();
+std::string Parser::path_of_include(const std::string& name, Place at) {
     const std::optional<SourceFinder::Found> found = finder.find(name);
+    if (!found && options.write_folder)
+        if (const auto own = TextFiles::below(*options.write_folder, name); own && files.wrote(*own)) return *own;
     if (!found || (found->other_case && options.strict)) {
         const bool installed = std::filesystem::exists(kStandardIncludes);
         fail_limit(at, fmt::format("the file {} is not found", name),
                    installed ? "say where it lies with -I DIR" : "POV-Ray's own includes are in the package povray-includes; other folders are given with -I DIR");
     }
     if (found->other_case) warn(at, fmt::format("the file {} is not found, {} is taken", name, found->path));
+    return found->path;
+}
+
+uint16_t Parser::lexed(const std::string& path, const std::string* kept, Place at) {
+    const auto known = lexed_.find(path);
+    if (known != lexed_.end() && !kept && !files.wrote(path)) return known->second;
+    std::optional<std::string> text = kept ? std::optional(*kept) : read_whole(path, options.limits.file_bytes);
+    if (!text) fail_limit(at, fmt::format("the file {} cannot be read", path));
+    if (known != lexed_.end() && stream.source(known->second).text() == *text) return known->second;
+    if (stream.sources() >= 60000) fail_limit(at, "the scene includes more than 60000 files");
+    return lexed_[path] = stream.add(Source(path, std::move(*text), said.add_file(path)), names, options.limits);
+}
+
+/// What the scene has written itself comes first.
+void Parser::include(const std::string& name, Place at) {
+    files.flush();
+    const std::string* kept = files.kept(name);
+    const std::string path = kept ? name : path_of_include(name, at);
     if (symbols.depth() >= options.limits.levels) fail_limit(at, fmt::format("more than {} files and macros include or call one another", options.limits.levels));
-    auto known = lexed_.find(found->path);
-    if (known == lexed_.end()) {
-        if (stream.sources() >= 60000) fail_limit(at, "the scene includes more than 60000 files");
-        std::optional<std::string> text = read_whole(found->path, options.limits.file_bytes);
-        if (!text) fail_limit(at, fmt::format("the file {} cannot be read", found->path));
-        known = lexed_.emplace(found->path, stream.add(Source(found->path, std::move(*text), said.add_file(found->path)), names, options.limits)).first;
-    }
-    stream.push_file(known->second, at);
+    stream.push_file(lexed(path, kept, at), at);
     symbols.enter();
 }
 

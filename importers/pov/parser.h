@@ -111,6 +111,9 @@ class Parser {
     /// What is given out for `token`, which has been taken from the stream: directives are obeyed, macros are called.
     Token resolve(Token token, bool in_value);
     void finish_frame();
+    std::string path_of_include(const std::string& name, Place at);
+    /// The tokens of a file of the disk, or of what the scene has written to a file in memory.
+    uint16_t lexed(const std::string& path, const std::string* kept, Place at);
     void check_budget(Place at) const;
 
     uint64_t charged_ = 0;
@@ -124,7 +127,7 @@ class Parser {
         size_t count;
     };
     std::vector<Tally> tallies_;
-    std::unordered_map<std::string, uint16_t> lexed_;   ///< by path: an include that is read again is not lexed again
+    std::unordered_map<std::string, uint16_t> lexed_;   ///< by path: an include that is read again is not lexed again, unless the scene has changed it
 };
 
 /// Guards the call stack: stands in every function that can call itself through what a scene nests.

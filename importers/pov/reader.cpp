@@ -26,6 +26,7 @@ class Reader {
             for (const std::string& declaration : p_.options.declarations) declare(declaration);
         });
         while (!done_ && p_.said.errors() < kMostErrors && failures_ < kMostFailures) attempt([&] { statement(); });
+        if (const auto failed = p_.files.flush()) p_.said.error({}, fmt::format("the file {} cannot be written", *failed));
         for (const auto& [place, block] : p_.defaults) program_.defaults.push_back(block);
         program_.version = p_.version, program_.version_given = p_.version_given;
         for (size_t i = 0; i < p_.stream.sources(); ++i) program_.files.push_back({p_.stream.source(uint16_t(i)).path()});

@@ -21,6 +21,7 @@ const std::string* TextFiles::kept(const std::string& name) const {
 
 bool TextFiles::open_on_disk(const Ref<TextFile>& file, bool append) {
     flush();
+    written_.insert(file->path);
     file->out.open(file->path, std::ios::binary | (append ? std::ios::app : std::ios::trunc));
     on_disk_.push_back(file);
     return bool(file->out);
@@ -31,9 +32,17 @@ bool TextFiles::write(TextFile& file, const std::string& text) {
     return bool(file.out << text);
 }
 
-void TextFiles::flush() {
-    for (const Ref<TextFile>& file : on_disk_) file->out.flush();
+std::optional<std::string> TextFiles::flush() {
+    std::optional<std::string> failed;
+    for (const Ref<TextFile>& file : on_disk_)
+        if (file->out.is_open() && !file->out.flush()) failed = file->path;
     std::erase_if(on_disk_, [](const Ref<TextFile>& file) { return file->uses == 1; });      // closed by the scene
+    return failed;
+}
+
+bool TextFiles::wrote(const std::string& path) const {
+    std::error_code failed;
+    return !written_.empty() && written_.count(fs::weakly_canonical(path, failed).string());
 }
 
 }  // namespace alidade::pov

@@ -7,6 +7,7 @@
 
 #include <fstream>
 #include <map>
+#include <set>
 
 namespace alidade::pov {
 
@@ -29,8 +30,11 @@ class TextFiles {
     bool open_on_disk(const Ref<TextFile>& file, bool append);
     static bool write(TextFile& file, const std::string& text);
     void open_in_memory(TextFile& file) { file.kept = &kept_[file.path]; }
-    /// Writes out what is still on its way to the disk: before something is read that the scene may have written.
-    void flush();
+    /// Writes out what is still on its way to the disk: before something is read that the scene may have written. The path of a file that cannot be
+    /// written, if there is one.
+    std::optional<std::string> flush();
+    /// Has the scene opened this file of the disk to write to it?
+    bool wrote(const std::string& path) const;
     /// What the scene has written to `name` in memory, or null.
     const std::string* kept(const std::string& name) const;
     size_t written = 0;          ///< bytes, of all files
@@ -38,6 +42,7 @@ class TextFiles {
   private:
     std::map<std::string, std::string> kept_;
     std::vector<Ref<TextFile>> on_disk_;     ///< those that are open
+    std::set<std::string> written_;          ///< the paths of all that were, links and ".." resolved
 };
 
 }  // namespace alidade::pov

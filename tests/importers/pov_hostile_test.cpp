@@ -156,6 +156,29 @@ TEST(PovFiles, WritingAndReadingBack) {
     fs::remove_all(folder);
 }
 
+/// An include that the scene writes anew is read anew, in memory and on the disk; strings.inc needs that. POV-Ray prints the same.
+TEST(PovFiles, WhatIsWrittenIsIncludedAsItIs) {
+    namespace fs = std::filesystem;
+    const fs::path folder = fs::temp_directory_path() / "alidade_pov_included";
+    for (const bool on_disk : {false, true}) {
+        fs::remove_all(folder);
+        fs::create_directories(folder);
+        ReadOptions options;
+        if (on_disk) options.write_folder = folder.string();
+        std::string printed;
+        options.print = [&](TextStream where, const std::string& text) { printed += where == TextStream::debug ? text : ""; };
+        Diagnostics said;
+        read_program_text((folder / "scene.pov").string(),
+                          "#macro Through(N) #fopen W \"a.inc\" write #write(W, \"#declare G = \", N, \";\") #fclose W #include \"a.inc\" #debug str(G, 0, 0) #end\n"
+                          "Through(1) Through(2) Through(2) Through(3)\n",
+                          options, said);
+        EXPECT_FALSE(said.has_errors()) << said.text();
+        EXPECT_EQ(printed, "1223");
+        EXPECT_EQ(fs::exists(folder / "a.inc"), on_disk);
+    }
+    fs::remove_all(folder);
+}
+
 /// Without leave to write, a scene's files are in memory alone.
 TEST(PovFiles, WhatMayNotBeWrittenIsKept) {
     std::string printed;
