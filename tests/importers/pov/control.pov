@@ -79,7 +79,7 @@ Sum(<1,2,3> 4)                                              // expect 6
 //---- what is declared anew in front of its arguments or its subscript is still what it was there
 #declare Fn = function(x) { x*2 };
 #declare Q = Fn #for (Fn, 1, 1) (4); #end
-#debug str(Q, 0, 0)                                         // expect 8
+#debug concat(str(Q, 0, 0), "\n")                           // expect 8
 #declare Ar = array[2] { 5, 6 }
 #declare Q = Ar #macro Ar() #end [1];
-#debug str(Q, 0, 0)                                         // expect 6
+#debug concat(str(Q, 0, 0), "\n")                           // expect 6
