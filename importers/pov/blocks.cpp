@@ -32,18 +32,15 @@ Item block_item(Parser& p, Item::Kind kind, WordId word, char close, Place at) {
 
 /// `<...>`: up to five numbers begin an expression, more are a list (a matrix, the terms of a polynomial).
 Item vector_item(Parser& p, Place at) {
-    Value v;
     std::vector<double> numbers;
-    const size_t count = parse_components(p, at, v.c, numbers);
-    if (count == 1) p.fail(at, "a vector has at least two components");
-    if (count > 5) {
+    Value v = parse_vector(p, at, numbers);
+    if (!numbers.empty()) {
         Item item = item_of(Item::Kind::numbers, at);
         Ref<NumberList> list(new NumberList);
         list->numbers = std::move(numbers);
         item.value.shared = Ref<Shared>(list.get());
         return item;
     }
-    v.kind = Kind::vector, v.terms = uint8_t(count);
     Item item = item_of(Item::Kind::value, at);
     item.value = continue_from_value(p, std::move(v));
     return item;

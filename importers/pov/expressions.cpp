@@ -42,12 +42,9 @@ void take_components(Parser& p, Value& value) {
 }
 
 Value vector_literal(Parser& p, Place at) {
-    Value v;
-    std::vector<double> more;
-    const size_t count = parse_components(p, at, v.c, more);
-    if (count == 1) p.fail(at, "a vector has at least two components");
-    if (count > 5) p.fail(at, fmt::format("a vector has at most five components, not {}", count));
-    v.kind = Kind::vector, v.terms = uint8_t(count);
+    std::vector<double> list;
+    Value v = parse_vector(p, at, list);
+    if (!list.empty()) p.fail(at, fmt::format("a vector has at most five components, not {}", list.size()));
     return v;
 }
 
@@ -167,19 +164,15 @@ void continue_expression(Parser& p, Value& left) {
     continue_term(p, left);
     while (is_sum(p.peek())) {
         const Token op = p.next();
-        if (double x; take_plain(p, x)) {
-            if (!is_product(p.peek())) {
-                calculate(p, op, left, x);
-                continue;
-            }
-            Value right = Value::number(x);
-            continue_term(p, right);
-            calculate(p, op, left, right);
-        } else {
-            Value right = factor(p);
-            continue_term(p, right);
-            calculate(p, op, left, right);
+        double x = 0;
+        const bool plain = take_plain(p, x);
+        if (plain && !is_product(p.peek())) {
+            calculate(p, op, left, x);
+            continue;
         }
+        Value right = plain ? Value::number(x) : factor(p);
+        continue_term(p, right);
+        calculate(p, op, left, right);
     }
 }
 
@@ -303,18 +296,21 @@ bool begins_expression(const Parser& p, const Token& token) {
     }
 }
 
-size_t parse_components(Parser& p, Place at, std::array<double, 5>& first, std::vector<double>& all) {
+Value parse_vector(Parser& p, Place at, std::vector<double>& list) {
     const Nested nested(p, at);
+    Value v;
     size_t count = 0;
     for (; !p.accept('>'); ++count) {
         if (count > 1000) p.fail(at, "more than 1000 numbers stand in < >");
         const double x = parse_float(p);
-        if (count == first.size()) all.assign(first.begin(), first.end());
-        if (count < first.size()) first[count] = x;
-        else all.push_back(x);
+        if (count == v.c.size()) list.assign(v.c.begin(), v.c.end());
+        if (count < v.c.size()) v.c[count] = x;
+        else list.push_back(x);
         p.accept(',');
     }
-    return count;
+    if (count == 1) p.fail(at, "a vector has at least two components");
+    v.kind = Kind::vector, v.terms = uint8_t(std::min(count, v.c.size()));
+    return v;
 }
 
 Value parse_value(Parser& p) {

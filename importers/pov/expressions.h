@@ -36,7 +36,7 @@ bool begins_colour(const Token& token);
 Value parse_colour(Parser& p);
 /// `red .3`, `filter .5` ... behind a colour replace its components.
 Value parse_colour_components(Parser& p, Value colour);
-/// A whole vector literal `<...>` behind its `<`, of any length, which is returned. All its numbers are in `all` if there are more than five.
-size_t parse_components(Parser& p, Place at, std::array<double, 5>& first, std::vector<double>& all);
+/// A whole vector literal `<...>` behind its `<`. Where it has more than the five components of a vector, all its numbers are in `list`.
+Value parse_vector(Parser& p, Place at, std::vector<double>& list);
 
 }  // namespace alidade::pov
