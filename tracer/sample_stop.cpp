@@ -7,7 +7,7 @@ namespace {
 /// The number of samples at which a lens with `all` is looked at next.
 int next_look(int taken, int all) {
     constexpr int kLooks[] = {7, 13, 19, 23, 27, 31, 35, 37};
-    const int regular = all >= 37 ? 37 : all >= 19 ? 19 : all >= 7 ? 7 : 4;   // samples of the pattern that the lens begins with
+    const int regular = all >= 19 ? 37 : all >= 7 ? 7 : 4;   // samples of the pattern that the lens begins with
     for (const int look : kLooks)
         if (look > taken && look <= regular) return look;
     return taken + 4;

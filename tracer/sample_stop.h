@@ -16,7 +16,7 @@ inline constexpr int kLeastSamples = 16, kSamplesBetweenLooks = 8;
 /// By RenderOptions::adaptive: when the displayed error is below it.
 /// By LensNoise: POV-Ray's rule. With q(n) the quantile of the chi-squared distribution with n degrees of freedom, at 1 - confidence, and N all samples,
 /// n are enough where the variance of their mean (the mean square deviation over n) is below variance q(n) / q(N - 1) in each channel. n is 7, 13, 19, 23,
-/// 27, 31, 35, 37 and each fourth from there; with less than 37 samples each fourth from 19 on, less than 19 from 7, less than 7 from 4.
+/// 27, 31, 35, 37 and each fourth from there; with less than 19 samples each fourth from 7 on, with less than 7 from 4.
 /// Source   POV-Ray 3.7 reference, 3.3.1.6 "Focal Blur", for what the words mean; the rule fits its counts of rays in 30 probes (tests/tracer/sample_stop_test.cpp).
 class SampleStop {
   public:
