@@ -1,0 +1,225 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "core/parallel.h"
+#include "tools/metrics/flip_color.h"
+#include "tools/metrics/flip_filters.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace alidade {
+namespace {
+
+using flip::Three;
+
+// Exponents and constants of the paper: colour (section 4.1.3), features (4.2), and how they join (4.3).
+constexpr float kColorExponent = 0.7f;
+constexpr float kKneeIn = 0.4f, kKneeOut = 0.95f;
+constexpr size_t kStripRows = 64;   // fixed: who computes a row changes nothing in it
+
+/// Planes of a strip, filtered along its rows: what the filters across them start from.
+enum Plane : size_t { achromatic, red_green, blue_yellow_0, blue_yellow_1, smooth, edge, point, planes };
+
+/// out[x] = k[0] center[x] + sum over i of k[i] (after_i[x] + before_i[x]); `row(i)` is the row or the shifted row at offset i.
+template <class Row>
+void even_filter(const HalfKernel& kernel, size_t width, Row row, float* out) {
+    const float* center = row(0);
+    for (size_t x = 0; x < width; ++x) out[x] = kernel[0] * center[x];
+    for (size_t i = 1; i < kernel.size(); ++i) {
+        const float weight = kernel[i];
+        const float *before = row(-int(i)), *after = row(int(i));
+        for (size_t x = 0; x < width; ++x) out[x] += weight * (before[x] + after[x]);
+    }
+}
+
+template <class Row>
+void odd_filter(const HalfKernel& kernel, size_t width, Row row, float* out) {
+    std::fill_n(out, width, 0.0f);
+    for (size_t i = 1; i < kernel.size(); ++i) {
+        const float weight = kernel[i];
+        const float *before = row(-int(i)), *after = row(int(i));
+        for (size_t x = 0; x < width; ++x) out[x] += weight * (after[x] - before[x]);
+    }
+}
+
+/// For a kernel whose sum is 0: of differences to the centre, so that a constant gives 0 exactly; the square root of features magnifies any rest.
+template <class Row>
+void zero_sum_filter(const HalfKernel& kernel, size_t width, Row row, float* out) {
+    const float* center = row(0);
+    std::fill_n(out, width, 0.0f);
+    for (size_t i = 1; i < kernel.size(); ++i) {
+        const float weight = kernel[i];
+        const float *before = row(-int(i)), *after = row(int(i));
+        for (size_t x = 0; x < width; ++x) out[x] += weight * ((before[x] - center[x]) + (after[x] - center[x]));
+    }
+}
+
+/// A row of the picture in opponent space, its ends continued by `pad` pixels.
+class PaddedRow {
+public:
+    PaddedRow(size_t width, size_t pad) : width_(width), pad_(pad) {
+        for (auto& channel : channels_) channel.resize(width + 2 * pad);
+    }
+    void fill(const float* rgb) {
+        float *y = channels_[0].data() + pad_, *x_y = channels_[1].data() + pad_, *y_z = channels_[2].data() + pad_;
+        for (size_t x = 0; x < width_; ++x) {
+            const Three color = flip::opponent({rgb[3 * x], rgb[3 * x + 1], rgb[3 * x + 2]});
+            y[x] = color.x;
+            x_y[x] = color.y;
+            y_z[x] = color.z;
+        }
+        for (auto& channel : channels_) {
+            std::fill_n(channel.begin(), pad_, channel[pad_]);
+            std::fill_n(channel.end() - std::ptrdiff_t(pad_), pad_, channel[pad_ + width_ - 1]);
+        }
+    }
+    /// The row's pixels as seen from `offset` pixels aside.
+    auto from(size_t channel) const {
+        return [start = channels_[channel].data() + pad_](int offset) { return start + offset; };
+    }
+
+private:
+    size_t width_, pad_;
+    std::array<std::vector<float>, 3> channels_;
+};
+
+/// A strip of one picture with the rows that its filters reach, filtered along the rows.
+class Strip {
+public:
+    Strip(const FlipFilters& filters, std::span<const float> picture, size_t width, size_t height, size_t first, size_t last)
+        : filters_(filters), width_(width), height_(height), first_(first - std::min(first, filters.radius)) {
+        const size_t end = std::min(height, last + filters.radius);
+        for (auto& plane : planes_) plane.resize(width * (end - first_));
+        PaddedRow row(width, filters.radius);
+        for (size_t y = first_; y < end; ++y) {
+            row.fill(picture.data() + y * width * 3);
+            filter_along(row, (y - first_) * width);
+        }
+    }
+
+    /// Rows of a plane as seen from row y; the border continues.
+    auto around(Plane plane, size_t y) const {
+        return [this, plane, y](int offset) {
+            const auto row = std::clamp(std::ptrdiff_t(y) + offset, std::ptrdiff_t(0), std::ptrdiff_t(height_) - 1);
+            return planes_[plane].data() + (size_t(row) - first_) * width_;
+        };
+    }
+
+    /// The filters across the rows, at row y: of colours, back to linear Rec. 709 and the display's gamut, then to Hunt-adjusted CIELAB.
+    void colors(size_t y, std::array<std::vector<float>, 4>& buffer, std::vector<Three>& lab) const {
+        even_filter(filters_.achromatic, width_, around(achromatic, y), buffer[0].data());
+        even_filter(filters_.red_green, width_, around(red_green, y), buffer[1].data());
+        even_filter(filters_.blue_yellow[0], width_, around(blue_yellow_0, y), buffer[2].data());
+        even_filter(filters_.blue_yellow[1], width_, around(blue_yellow_1, y), buffer[3].data());
+        const float *a = buffer[0].data(), *b = buffer[1].data(), *c = buffer[2].data(), *d = buffer[3].data();
+        Three* out = lab.data();
+        for (size_t x = 0; x < width_; ++x) {
+            const Three rgb = flip::from_opponent({a[x], b[x], c[x] + d[x]});
+            out[x] = flip::hunt_lab({std::clamp(rgb.x, 0.0f, 1.0f), std::clamp(rgb.y, 0.0f, 1.0f), std::clamp(rgb.z, 0.0f, 1.0f)});
+        }
+    }
+
+    /// Strength of edges and of points at row y.
+    void features(size_t y, std::array<std::vector<float>, 4>& buffer, std::vector<float>& edges, std::vector<float>& points) const {
+        even_filter(filters_.smooth, width_, around(edge, y), buffer[0].data());
+        odd_filter(filters_.edge, width_, around(smooth, y), buffer[1].data());
+        even_filter(filters_.smooth, width_, around(point, y), buffer[2].data());
+        zero_sum_filter(filters_.point, width_, around(smooth, y), buffer[3].data());
+        const float *ex = buffer[0].data(), *ey = buffer[1].data(), *px = buffer[2].data(), *py = buffer[3].data();
+        for (size_t x = 0; x < width_; ++x) {
+            edges[x] = std::sqrt(ex[x] * ex[x] + ey[x] * ey[x]);
+            points[x] = std::sqrt(px[x] * px[x] + py[x] * py[x]);
+        }
+    }
+
+private:
+    void filter_along(const PaddedRow& row, size_t at) {
+        even_filter(filters_.achromatic, width_, row.from(0), &planes_[achromatic][at]);
+        even_filter(filters_.red_green, width_, row.from(1), &planes_[red_green][at]);
+        even_filter(filters_.blue_yellow[0], width_, row.from(2), &planes_[blue_yellow_0][at]);
+        even_filter(filters_.blue_yellow[1], width_, row.from(2), &planes_[blue_yellow_1][at]);
+        even_filter(filters_.smooth, width_, row.from(0), &planes_[smooth][at]);
+        odd_filter(filters_.edge, width_, row.from(0), &planes_[edge][at]);
+        zero_sum_filter(filters_.point, width_, row.from(0), &planes_[point][at]);
+    }
+    const FlipFilters& filters_;
+    size_t width_, height_, first_;
+    std::array<std::vector<float>, planes> planes_;
+};
+
+/// The largest colour error there is, between green and blue (section 4.1.3), before its exponent.
+float largest_color_error() {
+    static const float largest = std::pow(flip::hyab(flip::hunt_lab({0, 1, 0}), flip::hunt_lab({0, 0, 1})), kColorExponent);
+    return largest;
+}
+
+/// Colour errors on 0 .. 1: small ones take nearly all of it, since large ones are all alike (section 4.1.3).
+float color_error(float hyab, float largest) {
+    const float error = std::pow(hyab, kColorExponent), knee = kKneeIn * largest;
+    return error < knee ? kKneeOut / knee * error : kKneeOut + (error - knee) / (largest - knee) * (1 - kKneeOut);
+}
+
+/// What a strip needs of one picture at one row.
+struct RowOf {
+    std::vector<Three> lab;
+    std::vector<float> edges, points;
+    explicit RowOf(size_t width) : lab(width), edges(width), points(width) {}
+    void read(const Strip& strip, size_t y, std::array<std::vector<float>, 4>& buffer) {
+        strip.colors(y, buffer, lab);
+        strip.features(y, buffer, edges, points);
+    }
+};
+
+void compare(const RowOf& a, const RowOf& b, size_t width, float* out) {
+    const float largest = largest_color_error();
+    for (size_t x = 0; x < width; ++x) {
+        const float color = std::min(color_error(flip::hyab(a.lab[x], b.lab[x]), largest), 1.0f);
+        const float feature = std::max(std::abs(a.edges[x] - b.edges[x]), std::abs(a.points[x] - b.points[x]));
+        const float amplified = std::min(std::sqrt(feature * 0.70710678118654752f), 1.0f);   // exponent 0.5, of what is at most sqrt(2)
+        out[x] = std::pow(color, 1 - amplified);
+    }
+}
+
+}  // namespace
+
+std::vector<float> flip_map(int width, int height, std::span<const float> reference, std::span<const float> test, int threads) {
+    static const FlipFilters filters = flip_filters();
+    const auto w = size_t(width), h = size_t(height);
+    std::vector<float> map(w * h);
+    parallel_for((h + kStripRows - 1) / kStripRows, threads, [&](size_t strip) {
+        const size_t first = strip * kStripRows, last = std::min(h, first + kStripRows);
+        const Strip a(filters, reference, w, h, first, last), b(filters, test, w, h, first, last);
+        std::array<std::vector<float>, 4> buffer;
+        for (auto& row : buffer) row.resize(w);
+        RowOf row_a(w), row_b(w);
+        for (size_t y = first; y < last; ++y) {
+            row_a.read(a, y, buffer);
+            row_b.read(b, y, buffer);
+            compare(row_a, row_b, w, &map[y * w]);
+        }
+    });
+    return map;
+}
+
+Measured pooled_flip(const PicturePair& pair, std::vector<float> map) {
+    std::vector<float> counted;
+    counted.reserve(map.size());
+    double sum = 0;
+    for (size_t i = 0; i < map.size(); ++i) {
+        if (!pair.counts[i]) {
+            map[i] = 0;
+            continue;
+        }
+        counted.push_back(map[i]);
+        sum += double(map[i]);
+    }
+    const auto [low, high] = std::minmax_element(counted.begin(), counted.end());
+    const double min = double(*low), max = double(*high), mean = sum / double(counted.size());
+    const double shares[] = {0.25, 0.5, 0.75};
+    const auto quartiles = weighted_percentiles(std::move(counted), shares);
+    return {{{"mean", mean}, {"weighted_median", quartiles[1]}, {"first_weighted_quartile", quartiles[0]},
+             {"third_weighted_quartile", quartiles[2]}, {"min", min}, {"max", max}},
+            std::move(map)};
+}
+
+}  // namespace alidade
