@@ -121,6 +121,16 @@ tl::expected<Picture, std::string> read_picture(const std::string& path, Encodin
     return picture;
 }
 
+tl::expected<StoredPicture, std::string> read_stored_picture(const std::string& path) try {
+    const auto bytes = read_file(path);
+    if (!bytes) return tl::unexpected(bytes.error());
+    Result<Stored> stored = decode_stored(*bytes);
+    if (!stored) return tl::unexpected(fmt::format("cannot read {}: {}", path, stored.error()));
+    return stored;
+} catch (const std::bad_alloc&) {
+    return tl::unexpected(fmt::format("cannot read {}: {}", path, kNoMemory));
+}
+
 tl::expected<void, std::string> write_picture(const std::string& path, const Picture& picture) try {
     const Result<Bytes> bytes = encode_picture(picture, lower_ending(path));
     if (!bytes) return tl::unexpected(fmt::format("cannot write {}: {}", path, bytes.error()));

@@ -38,6 +38,14 @@ tl::expected<Picture, std::string> decode_picture(std::span<const std::byte> byt
 /// The same for a file; an error names it.
 tl::expected<Picture, std::string> read_picture(const std::string& path, Encoding encoding);
 
+/// A picture as its file stores it: no curve is taken off.
+struct StoredPicture {
+    Picture picture;
+    uint32_t levels = 0;   ///< values are k / levels with k = 0 .. levels; 0: they are floats
+    double gamma = 0;      ///< of a PNG that says by a gAMA chunk, without an sRGB chunk: stored = linear ^ gamma; 0: it does not say
+};
+tl::expected<StoredPicture, std::string> read_stored_picture(const std::string& path);
+
 /// Writes `picture`, linear and premultiplied by alpha, by the ending of `path`: .exr (float, every channel, names as layers); .png (8 bit,
 /// sRGB-encoded, colour and alpha only); .ppm (the same without alpha: over black); .pfm (float, colour only, over black); others through the
 /// OpenImageIO module. PNG's alpha is straight, so colour is divided by it (where it is 0, colour stays); it is left out if it is 1 everywhere.

@@ -5,6 +5,7 @@
 #include "eval/shapes/shape_ops.h"
 #include "exporters/exporter.h"
 #include "importers/importer.h"
+#include "tools/metrics/metric.h"
 #include "tools/verbs.h"
 #include "tracer/render.h"
 #include "tracer/sampler.h"
@@ -49,6 +50,7 @@ Json features() {
         {"integrators", rows_of(integrators())},
         {"samplers", rows_of(samplers())},
         {"output layers", rows_of(aovs(), [](const AovEntry& row, Json& each) { each["channels"] = row.channels; })},
+        {"metrics", rows_of(metrics(), [](const Metric& row, Json& each) { each["unit"] = row.unit; })},
         {"verbs", rows_of(verbs(), [](const Verb& row, Json& each) { each["usage"] = row.usage, each["exits"] = row.exits; })},
     };
 }

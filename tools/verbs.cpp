@@ -16,6 +16,8 @@ constexpr Verb kVerbs[] = {
     {"povray", "povray WORDS", "renders a POV-Ray scene as POV-Ray's own words ask", "as POV-Ray: 0 done, 1 error, also of an unknown word, 2 interrupted", run_povray},
     {"info", "info SCENE [options] | info --features", "tells what a scene holds and requires, or what the program can do", kExits, run_info},
     {"convert", "convert SCENE OUT [options]", "writes a scene in another format, and lists what that cannot hold", kExits, run_convert},
+    {"diff", "diff REFERENCE TEST [options]", "tells how far a picture is from another, where, and whether that is good enough",
+     "0 pass, 1 warn, 2 fail, 3 incomparable, 4 file or usage", run_diff},
 };
 
 std::string help() {

@@ -39,5 +39,6 @@ int run_render(const Verb& verb, const Words& words);
 int run_info(const Verb& verb, const Words& words);
 int run_povray(const Verb& verb, const Words& words);
 int run_convert(const Verb& verb, const Words& words);
+int run_diff(const Verb& verb, const Words& words);
 
 }  // namespace alidade

@@ -12,11 +12,7 @@ namespace alidade::image {
 using Bytes = std::vector<std::byte>;
 template <class T> using Result = tl::expected<T, std::string>;
 
-/// A picture as its file stores it.
-struct Stored {
-    Picture picture;
-    uint32_t levels = 0;   ///< values are k / levels with k = 0 .. levels; 0: they are floats
-};
+using Stored = StoredPicture;
 
 /// Refuses a picture of `width` x `height` x `channels` values that a file of `file_bytes` bytes cannot hold, before memory is asked for.
 /// The densest honest file is a 1-bit PNG, whose deflate stream makes 1032 bytes of one: 8256 values a byte.

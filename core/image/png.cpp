@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-/// PNG, by libpng. Its gAMA, cHRM and iCCP chunks are not applied (glTF 2.0, section 3.8.4.1, forbids it): Encoding says what the numbers mean.
+/// PNG, by libpng. Its gAMA, cHRM and iCCP chunks are not applied (glTF 2.0, section 3.8.4.1, forbids it): Encoding says what the
+/// numbers mean. Who reads the stored numbers is told the gamma.
 #include "core/image/codec.h"
 
 #include <fmt/format.h>
@@ -27,6 +28,7 @@ struct Reader {
 struct Header {
     png_uint_32 width = 0, height = 0;
     int bits = 0, channels = 0;   ///< of a decoded pixel; filled after the transforms are set
+    double gamma = 0;             ///< as in StoredPicture
 };
 
 void on_error(png_structp png, png_const_charp message) {
@@ -54,6 +56,7 @@ bool read_header(Reader& reader, Header& header) {
     png_set_interlace_handling(reader.png);
     header.width = png_get_image_width(reader.png, reader.info);
     header.height = png_get_image_height(reader.png, reader.info);
+    if (!png_get_valid(reader.png, reader.info, PNG_INFO_sRGB)) png_get_gAMA(reader.png, reader.info, &header.gamma);   // 0 stays where there is none
     png_read_update_info(reader.png, reader.info);
     header.bits = png_get_bit_depth(reader.png, reader.info);
     header.channels = png_get_channels(reader.png, reader.info);
@@ -104,7 +107,7 @@ Result<Stored> decode_png(std::span<const std::byte> bytes) {
     Header header;
     const Result<std::vector<uint8_t>> samples = read_samples(reader, header);
     if (!samples) return tl::unexpected(samples.error());
-    Stored stored{Picture(int(header.width), int(header.height), channel_names(header.channels)), header.bits == 16 ? 65535u : 255u};
+    Stored stored{Picture(int(header.width), int(header.height), channel_names(header.channels)), header.bits == 16 ? 65535u : 255u, header.gamma};
     for (size_t i = 0; i < stored.picture.values.size(); ++i) {
         uint16_t sample = (*samples)[header.bits == 16 ? 2 * i : i];
         if (header.bits == 16) std::memcpy(&sample, &(*samples)[2 * i], 2);

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: Apache-2.0
+/// What `diff` tells, for programs and for people. The schema is docs/diff.md.
+#pragma once
+
+#include "tools/diff/cause.h"
+#include "tools/diff/judge.h"
+#include "tools/diff/tiles.h"
+#include "tools/json.h"
+
+namespace alidade {
+
+/// Everything that is known of one comparison.
+struct Comparison {
+    std::string reference, test;       ///< the files' names
+    std::optional<LoadedPair> loaded;  ///< absent if there is nothing to measure
+    Measurements measured;
+    TileTable tiles;
+    std::optional<Shift> shift;        ///< if it was asked for
+    Judgement judgement;
+    Cause cause;
+};
+
+/// The versioned document: `schema` counts up when a key changes its meaning or goes.
+Json to_json(const Comparison& comparison);
+/// Lines for a terminal.
+std::string as_lines(const Comparison& comparison);
+/// A JUnit file: one test case a rule, or one that says why there is nothing to measure.
+std::string as_junit(const Comparison& comparison);
+
+/// FLIP's error map (HDR-FLIP's where there is one), from black over purple and orange to white.
+Picture heat_map(const Comparison& comparison);
+
+}  // namespace alidade

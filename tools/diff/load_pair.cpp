@@ -1,0 +1,265 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "tools/diff/load_pair.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace alidade {
+namespace {
+
+using Refused = tl::unexpected<NoPair>;
+
+Refused bad_file(std::string sentence) { return Refused({false, "file", std::move(sentence)}); }
+Refused incomparable(const char* cause, std::string sentence) { return Refused({true, cause, std::move(sentence)}); }
+
+/// A file's channels that are compared, and what their numbers mean.
+struct Side {
+    Picture picture;       ///< R, G, B or Y, then A
+    uint32_t levels = 0;
+    double gamma = 0;
+    bool premultiplied = false;
+    size_t others = 0;     ///< channels that are left out
+};
+
+int channel_at(const Picture& picture, const std::string& name) {
+    const auto found = std::find(picture.names.begin(), picture.names.end(), name);
+    return found == picture.names.end() ? -1 : int(found - picture.names.begin());
+}
+
+/// The channels of `picture` at `from`, under new names.
+Picture select(const Picture& picture, const std::vector<int>& from, std::vector<std::string> names) {
+    Picture out(picture.width, picture.height, std::move(names));
+    size_t at = 0;
+    for (size_t p = 0; p < size_t(picture.width) * size_t(picture.height); ++p)
+        for (const int c : from) out.values[at++] = picture.values[p * size_t(picture.channels) + size_t(c)];
+    return out;
+}
+
+/// Which channels are the colours: R, G, B or Y, then A.
+std::vector<int> color_channels(const Picture& picture) {
+    std::vector<int> found{channel_at(picture, "R"), channel_at(picture, "G"), channel_at(picture, "B")};
+    if (std::min({found[0], found[1], found[2]}) < 0) found = {channel_at(picture, "Y")};
+    if (found[0] < 0) return {};
+    if (const int alpha = channel_at(picture, "A"); alpha >= 0) found.push_back(alpha);
+    return found;
+}
+
+/// Which channels are those of a layer: one, or the first three, in the file's order.
+std::vector<int> layer_channels(const Picture& picture, const std::string& layer) {
+    std::vector<int> found;
+    for (size_t c = 0; c < picture.names.size(); ++c)
+        if (picture.names[c].rfind(layer + ".", 0) == 0 || picture.names[c] == layer) found.push_back(int(c));
+    if (found.size() > 1 && found.size() != 3) found.resize(1);
+    return found;
+}
+
+tl::expected<Side, NoPair> read_side(const std::string& path, const std::string& layer) {
+    auto stored = read_stored_picture(path);
+    if (!stored) return bad_file(stored.error());
+    const std::vector<int> from = layer.empty() ? color_channels(stored->picture) : layer_channels(stored->picture, layer);
+    if (from.empty()) {
+        const std::string has = fmt::format("{}", fmt::join(stored->picture.names, ", "));
+        if (!layer.empty()) return bad_file(fmt::format("{} has no layer '{}': its channels are {}", path, layer, has));
+        return bad_file(fmt::format("{} has no channels R, G, B or Y: --layer names one of its layers; its channels are {}", path, has));
+    }
+    std::vector<std::string> names;
+    if (from.size() <= 2) names = {"Y", "A"};
+    else names = {"R", "G", "B", "A"};
+    names.resize(from.size());
+    return Side{select(stored->picture, from, names), stored->levels, stored->gamma, stored->levels == 0, stored->picture.names.size() - from.size()};
+}
+
+bool has_alpha(const Picture& picture) { return picture.names.back() == "A"; }
+
+void drop_last_channel(Picture& picture) {
+    std::vector<int> from;
+    for (int c = 0; c + 1 < picture.channels; ++c) from.push_back(c);
+    std::vector<std::string> names(picture.names.begin(), picture.names.end() - 1);
+    picture = select(picture, from, std::move(names));
+}
+
+bool is_opaque(const Picture& picture) {
+    for (size_t i = size_t(picture.channels) - 1; i < picture.values.size(); i += size_t(picture.channels))
+        if (picture.values[i] != 1) return false;
+    return true;
+}
+
+/// NaN is as gray as any other.
+bool is_gray(const Picture& picture) {
+    const auto same = [](float a, float b) { return a == b || (std::isnan(a) && std::isnan(b)); };
+    for (size_t i = 0; i < picture.values.size(); i += size_t(picture.channels))
+        if (!same(picture.values[i], picture.values[i + 1]) || !same(picture.values[i], picture.values[i + 2])) return false;
+    return true;
+}
+
+tl::expected<void, NoPair> match_alpha(Side& reference, Side& test, const std::string (&paths)[2], std::vector<std::string>& notes) {
+    for (Side* side : {&reference, &test})
+        if (has_alpha(side->picture) && is_opaque(side->picture)) drop_last_channel(side->picture);
+    const bool has[2] = {has_alpha(reference.picture), has_alpha(test.picture)};
+    if (has[0] != has[1])
+        return incomparable("alpha", fmt::format("{} is transparent in places, {} has no alpha", paths[has[0] ? 0 : 1], paths[has[0] ? 1 : 0]));
+    if (has[0]) notes.push_back("colours are compared premultiplied by alpha, and alpha as one channel more");
+    return {};
+}
+
+tl::expected<void, NoPair> match_colors(Side& reference, Side& test, const std::string (&paths)[2], std::vector<std::string>& notes) {
+    const bool gray[2] = {reference.picture.names[0] == "Y", test.picture.names[0] == "Y"};
+    if (gray[0] == gray[1]) return {};
+    Picture& colored = gray[0] ? test.picture : reference.picture;
+    if (!is_gray(colored)) return incomparable("channels", fmt::format("{} is gray, {} has colours", paths[gray[0] ? 0 : 1], paths[gray[0] ? 1 : 0]));
+    notes.push_back(fmt::format("{} is gray in each pixel: one channel is compared", paths[gray[0] ? 1 : 0]));
+    colored = colored.channels == 4 ? select(colored, {0, 3}, {"Y", "A"}) : select(colored, {0}, {"Y"});
+    return {};
+}
+
+/// Calls change(value) for each value that is not alpha.
+template <class Change>
+void for_each_color(Picture& picture, Change&& change) {
+    const size_t channels = size_t(picture.channels), colors = channels - has_alpha(picture);
+    for (size_t i = 0; i < picture.values.size(); ++i)
+        if (i % channels < colors) picture.values[i] = change(picture.values[i]);
+}
+
+/// Multiplies colour by alpha, or divides it where `by` is -1 (where alpha is 0, colour stays).
+void premultiply(Picture& picture, int by) {
+    if (!has_alpha(picture)) return;
+    const size_t channels = size_t(picture.channels);
+    for (size_t p = 0; p < picture.values.size(); p += channels) {
+        const float alpha = picture.values[p + channels - 1];
+        for (size_t c = 0; c + 1 < channels; ++c)
+            if (by > 0) picture.values[p + c] *= alpha;
+            else if (alpha != 0 && alpha != 1) picture.values[p + c] /= alpha;
+    }
+}
+
+float encoded(double linear) { return std::isfinite(linear) ? float(linear_to_srgb(std::clamp(linear, 0.0, 1.0))) : float(linear); }
+
+/// Straight display values. Files of floats hold premultiplied linear ones.
+void to_display(Side& side) {
+    if (side.levels == 0) {
+        premultiply(side.picture, -1);
+        for_each_color(side.picture, [](float value) { return encoded(value); });
+    } else if (side.gamma > 0 && std::abs(side.gamma - 1 / 2.2) > 0.01) {
+        for_each_color(side.picture, [&](float value) { return encoded(std::pow(double(value), 1 / side.gamma)); });
+    }
+}
+
+/// Rounds to k / levels.
+void round_to(Picture& picture, uint32_t levels) {
+    for (float& value : picture.values)
+        if (std::isfinite(value)) value = float(double(std::lround(double(value) * levels)) / levels);
+}
+
+void match_values(Side& reference, Side& test, std::vector<std::string>& notes) {
+    to_display(reference), to_display(test);
+    const uint32_t coarser = std::min(reference.levels ? reference.levels : UINT32_MAX, test.levels ? test.levels : UINT32_MAX);
+    if (reference.levels != test.levels) {
+        notes.push_back(fmt::format("the {} has finer values than the {}: they are rounded to steps of 1/{}", reference.levels == coarser ? "test" : "reference",
+                                    reference.levels == coarser ? "reference" : "test", coarser));
+        round_to(reference.levels == coarser ? test.picture : reference.picture, coarser);
+    }
+    premultiply(reference.picture, 1), premultiply(test.picture, 1);
+}
+
+bool same_value(float a, float b) { return a == b || (std::isnan(a) && std::isnan(b)); }
+
+/// Takes pixels that are not finite out of the count, and tells of them.
+NonFinite take_out_non_finite(PicturePair& pair) {
+    NonFinite found;
+    const size_t channels = size_t(pair.reference.channels);
+    for (size_t p = 0; p < pair.pixels(); ++p) {
+        if (!pair.counts[p]) continue;
+        bool finite = true, same = true, nan = false, in_test = false;
+        for (size_t i = p * channels; i < (p + 1) * channels; ++i) {
+            const float a = pair.reference.values[i], b = pair.test.values[i];
+            if (std::isfinite(a) && std::isfinite(b)) continue;
+            finite = false;
+            if (same_value(a, b)) continue;
+            same = false, nan = nan || std::isnan(a) || std::isnan(b), in_test = in_test || !std::isfinite(b);
+        }
+        if (finite) continue;
+        const bool first = same ? found.in_one + found.in_both == 0 : found.in_one == 0;
+        ++(same ? found.in_both : found.in_one);
+        if (first) found.x = int(p % size_t(pair.width())), found.y = int(p / size_t(pair.width())), found.nan = nan, found.in_test = in_test;
+        pair.counts[p] = 0;
+    }
+    return found;
+}
+
+/// Pixels that do not count hold 0, so that what looks around a pixel meets a number.
+void clear_uncounted(PicturePair& pair) {
+    const size_t channels = size_t(pair.reference.channels);
+    for (size_t i = 0; i < pair.reference.values.size(); ++i)
+        if (!pair.counts[i / channels]) pair.reference.values[i] = pair.test.values[i] = 0;
+}
+
+Picture crop(const Picture& picture, int x0, int y0, int x1, int y1) {
+    Picture out(x1 - x0, y1 - y0, picture.names);
+    for (int y = y0; y < y1; ++y) std::copy_n(picture.at(x0, y), size_t(out.width) * size_t(out.channels), out.at(0, y - y0));
+    return out;
+}
+
+tl::expected<void, NoPair> crop_both(Picture& reference, Picture& test, const PairOptions& options) {
+    if (!options.x0) return {};
+    if (*options.x1 > reference.width || *options.y1 > reference.height)
+        return bad_file(fmt::format("--crop {},{},{},{} is not inside the picture, which has {} x {} pixels", *options.x0, *options.y0, *options.x1, *options.y1,
+                                    reference.width, reference.height));
+    reference = crop(reference, *options.x0, *options.y0, *options.x1, *options.y1);
+    test = crop(test, *options.x0, *options.y0, *options.x1, *options.y1);
+    return {};
+}
+
+/// The mask has the size of the files, or of the part that is compared.
+tl::expected<std::vector<uint8_t>, NoPair> read_counts(const PairOptions& options, const Picture& whole, const Picture& part) {
+    std::vector<uint8_t> counts(size_t(part.width) * size_t(part.height), 1);
+    if (options.mask.empty()) return counts;
+    auto side = read_side(options.mask, "");
+    if (!side) return tl::unexpected(side.error());
+    Picture& mask = side->picture;
+    if (options.x0 && mask.width == whole.width && mask.height == whole.height) mask = crop(mask, *options.x0, *options.y0, *options.x1, *options.y1);
+    if (mask.width != part.width || mask.height != part.height)
+        return incomparable("mask", fmt::format("the mask {} has {} x {} pixels, the pictures {} x {}", options.mask, mask.width, mask.height, whole.width, whole.height));
+    for (size_t p = 0; p < counts.size(); ++p) counts[p] = mask.values[p * size_t(mask.channels)] > 0.5F;
+    if (std::none_of(counts.begin(), counts.end(), [](uint8_t c) { return c != 0; }))
+        return incomparable("mask", fmt::format("the mask {} leaves no pixel to compare", options.mask));
+    return counts;
+}
+
+bool same_bytes(const std::string& a, const std::string& b) {
+    const auto first = read_file(a), second = read_file(b);
+    return first && second && *first == *second;
+}
+
+}  // namespace
+
+tl::expected<LoadedPair, NoPair> load_pair(const std::string& reference_path, const std::string& test_path, const PairOptions& options) {
+    const std::string paths[2] = {reference_path, test_path};
+    auto reference = read_side(paths[0], options.layer), test = read_side(paths[1], options.layer);
+    if (!reference) return tl::unexpected(reference.error());
+    if (!test) return tl::unexpected(test.error());
+    const Picture &a = reference->picture, &b = test->picture;
+    if (a.width != b.width || a.height != b.height)
+        return incomparable("size", fmt::format("{} has {} x {} pixels, {} has {} x {}", paths[0], a.width, a.height, paths[1], b.width, b.height));
+
+    LoadedPair out;
+    out.same_files = same_bytes(paths[0], paths[1]);
+    if (options.layer.empty() && reference->others + test->others > 0)
+        out.notes.push_back(fmt::format("only colours are compared: {} other channels are not (--layer names one)", std::max(reference->others, test->others)));
+    if (auto fits = match_alpha(*reference, *test, paths, out.notes); !fits) return tl::unexpected(fits.error());
+    if (auto fits = match_colors(*reference, *test, paths, out.notes); !fits) return tl::unexpected(fits.error());
+    out.pair.hdr = reference->levels == 0 && test->levels == 0;
+    if (!out.pair.hdr) match_values(*reference, *test, out.notes);
+    const Picture whole(a.width, a.height, {});
+    if (auto fits = crop_both(reference->picture, test->picture, options); !fits) return tl::unexpected(fits.error());
+    auto counts = read_counts(options, whole, reference->picture);
+    if (!counts) return tl::unexpected(counts.error());
+    out.pair.reference = std::move(reference->picture), out.pair.test = std::move(test->picture);
+    out.pair.counts = std::move(*counts), out.pair.threads = options.threads;
+    out.non_finite = take_out_non_finite(out.pair);
+    clear_uncounted(out.pair);
+    return out;
+}
+
+}  // namespace alidade

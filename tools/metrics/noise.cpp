@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "tools/metrics/noise.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace alidade {
+namespace {
+
+constexpr int kTile = 16;
+constexpr size_t kLeastPixels = 8;
+constexpr double kFalseAlarms = 0.01;
+
+/// The normal deviate that a Student's t of `degrees` is as rare as, to 0.02 for 8 degrees and more.
+/// Source   Wallace, "Bounds on normal approximations to Student's and the chi-square distributions", Ann. Math. Statist. 30 (1959), section 3.
+double normal_deviate(double t, double degrees) {
+    return (8 * degrees + 1) / (8 * degrees + 3) * std::sqrt(degrees * std::log1p(t * t / degrees));
+}
+
+/// The z that |z| exceeds with this probability.
+double two_sided_limit(double probability) {
+    double low = 0, high = 40;
+    for (int i = 0; i < 60; ++i) {
+        const double middle = 0.5 * (low + high);
+        (std::erfc(middle / std::sqrt(2.0)) > probability ? low : high) = middle;
+    }
+    return low;
+}
+
+/// z of one channel of the tile at (x0, y0); negative if it has too few pixels.
+double tile_z(const PicturePair& pair, int x0, int y0, int channel) {
+    double sum = 0, squares = 0;
+    size_t n = 0;
+    const auto each = [&](auto&& see) {
+        for (int y = y0; y < std::min(y0 + kTile, pair.height()); ++y)
+            for (int x = x0; x < std::min(x0 + kTile, pair.width()); ++x)
+                if (pair.counts[size_t(y) * size_t(pair.width()) + size_t(x)]) see(double(pair.test.at(x, y)[channel]) - pair.reference.at(x, y)[channel]);
+    };
+    each([&](double difference) { sum += difference, ++n; });
+    if (n < kLeastPixels) return -1;
+    const double mean = sum / double(n);
+    each([&](double difference) { squares += (difference - mean) * (difference - mean); });
+    if (mean == 0) return 0;
+    const double error = std::sqrt(squares / double(n - 1) / double(n));
+    return error > 1e-7 * std::abs(mean) ? normal_deviate(mean / error, double(n - 1)) : std::numeric_limits<double>::infinity();
+}
+
+}  // namespace
+
+Noise measure_noise(const PicturePair& pair) {
+    Noise out;
+    size_t tests = 0;
+    for (int y = 0; y < pair.height(); y += kTile)
+        for (int x = 0; x < pair.width(); x += kTile)
+            for (int c = 0; c < pair.reference.channels; ++c) {
+                const double z = tile_z(pair, x, y, c);
+                if (z < 0) continue;
+                ++tests;
+                out.largest_z = std::max(out.largest_z, z);
+            }
+    out.limit = two_sided_limit(1 - std::pow(1 - kFalseAlarms, 1 / double(std::max<size_t>(tests, 1))));
+    return out;
+}
+
+}  // namespace alidade
