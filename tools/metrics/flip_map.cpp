@@ -16,42 +16,63 @@ using flip::Three;
 constexpr float kColorExponent = 0.7f;
 constexpr float kKneeIn = 0.4f, kKneeOut = 0.95f;
 constexpr size_t kStripRows = 64;   // fixed: who computes a row changes nothing in it
+constexpr size_t kMaxTaps = 16;     // of half a kernel
 
 /// Planes of a strip, filtered along its rows: what the filters across them start from.
 enum Plane : size_t { achromatic, red_green, blue_yellow_0, blue_yellow_1, smooth, edge, point, planes };
 
-/// out[x] = k[0] center[x] + sum over i of k[i] (after_i[x] + before_i[x]); `row(i)` is the row or the shifted row at offset i.
+/// Rows (or one row, shifted) around a pixel's own.
+struct Around {
+    const float* center;
+    std::array<const float*, kMaxTaps> before, after;
+
+    template <class Row>   // `row(i)`: the one at offset i
+    Around(const HalfKernel& kernel, Row row) : center(row(0)) {
+        for (size_t i = 1; i < kernel.size(); ++i) {
+            before[i] = row(-int(i));
+            after[i] = row(int(i));
+        }
+    }
+};
+
+/// out[x] = first(center) + the sum over i of k[i] * pair(before_i, center, after_i), all at x. Sums of a block of pixels stay in registers.
+template <size_t block, class First, class Pair>
+size_t filter_blocks(const HalfKernel& kernel, size_t x, size_t width, const Around& in, float* out, First first, Pair pair) {
+    const float* weights = kernel.data();
+    const size_t taps = kernel.size();
+    for (; x + block <= width; x += block) {
+        float center[block], sum[block];
+        for (size_t j = 0; j < block; ++j) center[j] = in.center[x + j];
+        for (size_t j = 0; j < block; ++j) sum[j] = first(weights[0], center[j]);
+        for (size_t i = 1; i < taps; ++i) {
+            const float *before = in.before[i] + x, *after = in.after[i] + x, weight = weights[i];
+            for (size_t j = 0; j < block; ++j) sum[j] += weight * pair(before[j], center[j], after[j]);
+        }
+        for (size_t j = 0; j < block; ++j) out[x + j] = sum[j];
+    }
+    return x;
+}
+
+template <class First, class Pair>
+void filter(const HalfKernel& kernel, size_t width, const Around& in, float* out, First first, Pair pair) {
+    const size_t done = filter_blocks<16>(kernel, 0, width, in, out, first, pair);
+    filter_blocks<1>(kernel, done, width, in, out, first, pair);
+}
+
 template <class Row>
 void even_filter(const HalfKernel& kernel, size_t width, Row row, float* out) {
-    const float* center = row(0);
-    for (size_t x = 0; x < width; ++x) out[x] = kernel[0] * center[x];
-    for (size_t i = 1; i < kernel.size(); ++i) {
-        const float weight = kernel[i];
-        const float *before = row(-int(i)), *after = row(int(i));
-        for (size_t x = 0; x < width; ++x) out[x] += weight * (before[x] + after[x]);
-    }
+    filter(kernel, width, Around(kernel, row), out, [](float k, float c) { return k * c; }, [](float b, float, float a) { return b + a; });
 }
 
 template <class Row>
 void odd_filter(const HalfKernel& kernel, size_t width, Row row, float* out) {
-    std::fill_n(out, width, 0.0f);
-    for (size_t i = 1; i < kernel.size(); ++i) {
-        const float weight = kernel[i];
-        const float *before = row(-int(i)), *after = row(int(i));
-        for (size_t x = 0; x < width; ++x) out[x] += weight * (after[x] - before[x]);
-    }
+    filter(kernel, width, Around(kernel, row), out, [](float, float) { return 0.0f; }, [](float b, float, float a) { return a - b; });
 }
 
 /// For a kernel whose sum is 0: of differences to the centre, so that a constant gives 0 exactly; the square root of features magnifies any rest.
 template <class Row>
 void zero_sum_filter(const HalfKernel& kernel, size_t width, Row row, float* out) {
-    const float* center = row(0);
-    std::fill_n(out, width, 0.0f);
-    for (size_t i = 1; i < kernel.size(); ++i) {
-        const float weight = kernel[i];
-        const float *before = row(-int(i)), *after = row(int(i));
-        for (size_t x = 0; x < width; ++x) out[x] += weight * ((before[x] - center[x]) + (after[x] - center[x]));
-    }
+    filter(kernel, width, Around(kernel, row), out, [](float, float) { return 0.0f; }, [](float b, float c, float a) { return (b - c) + (a - c); });
 }
 
 /// A row of the picture in opponent space, its ends continued by `pad` pixels.
@@ -83,6 +104,21 @@ private:
     std::array<std::vector<float>, 3> channels_;
 };
 
+using Rows = std::array<std::vector<float>, 4>;
+
+float in_gamut(float value) { return std::min(std::max(value, 0.0f), 1.0f); }
+
+/// From opponent space, with blue-yellow in two parts. __restrict: more rows than compilers compare before they make vectors.
+void to_lab(size_t width, const float* y, const float* x_y, const float* y_z0, const float* y_z1, float* __restrict l, float* __restrict a, float* __restrict b) {
+    for (size_t x = 0; x < width; ++x) {
+        const Three rgb = flip::from_opponent({y[x], x_y[x], y_z0[x] + y_z1[x]});
+        const Three lab = flip::hunt_lab({in_gamut(rgb.x), in_gamut(rgb.y), in_gamut(rgb.z)});
+        l[x] = lab.x;
+        a[x] = lab.y;
+        b[x] = lab.z;
+    }
+}
+
 /// A strip of one picture with the rows that its filters reach, filtered along the rows.
 class Strip {
 public:
@@ -106,21 +142,16 @@ public:
     }
 
     /// The filters across the rows, at row y: of colours, back to linear Rec. 709 and the display's gamut, then to Hunt-adjusted CIELAB.
-    void colors(size_t y, std::array<std::vector<float>, 4>& buffer, std::vector<Three>& lab) const {
+    void colors(size_t y, Rows& buffer, Rows& lab) const {
         even_filter(filters_.achromatic, width_, around(achromatic, y), buffer[0].data());
         even_filter(filters_.red_green, width_, around(red_green, y), buffer[1].data());
         even_filter(filters_.blue_yellow[0], width_, around(blue_yellow_0, y), buffer[2].data());
         even_filter(filters_.blue_yellow[1], width_, around(blue_yellow_1, y), buffer[3].data());
-        const float *a = buffer[0].data(), *b = buffer[1].data(), *c = buffer[2].data(), *d = buffer[3].data();
-        Three* out = lab.data();
-        for (size_t x = 0; x < width_; ++x) {
-            const Three rgb = flip::from_opponent({a[x], b[x], c[x] + d[x]});
-            out[x] = flip::hunt_lab({std::clamp(rgb.x, 0.0f, 1.0f), std::clamp(rgb.y, 0.0f, 1.0f), std::clamp(rgb.z, 0.0f, 1.0f)});
-        }
+        to_lab(width_, buffer[0].data(), buffer[1].data(), buffer[2].data(), buffer[3].data(), lab[0].data(), lab[1].data(), lab[2].data());
     }
 
     /// Strength of edges and of points at row y.
-    void features(size_t y, std::array<std::vector<float>, 4>& buffer, std::vector<float>& edges, std::vector<float>& points) const {
+    void features(size_t y, Rows& buffer, std::vector<float>& edges, std::vector<float>& points) const {
         even_filter(filters_.smooth, width_, around(edge, y), buffer[0].data());
         odd_filter(filters_.edge, width_, around(smooth, y), buffer[1].data());
         even_filter(filters_.smooth, width_, around(point, y), buffer[2].data());
@@ -161,10 +192,12 @@ float color_error(float hyab, float largest) {
 
 /// What a strip needs of one picture at one row.
 struct RowOf {
-    std::vector<Three> lab;
+    Rows lab;   // three of them
     std::vector<float> edges, points;
-    explicit RowOf(size_t width) : lab(width), edges(width), points(width) {}
-    void read(const Strip& strip, size_t y, std::array<std::vector<float>, 4>& buffer) {
+    explicit RowOf(size_t width) : edges(width), points(width) {
+        for (auto& row : lab) row.resize(width);
+    }
+    void read(const Strip& strip, size_t y, Rows& buffer) {
         strip.colors(y, buffer, lab);
         strip.features(y, buffer, edges, points);
     }
@@ -173,7 +206,8 @@ struct RowOf {
 void compare(const RowOf& a, const RowOf& b, size_t width, float* out) {
     const float largest = largest_color_error();
     for (size_t x = 0; x < width; ++x) {
-        const float color = std::min(color_error(flip::hyab(a.lab[x], b.lab[x]), largest), 1.0f);
+        const float distance = flip::hyab({a.lab[0][x], a.lab[1][x], a.lab[2][x]}, {b.lab[0][x], b.lab[1][x], b.lab[2][x]});
+        const float color = std::min(color_error(distance, largest), 1.0f);
         const float feature = std::max(std::abs(a.edges[x] - b.edges[x]), std::abs(a.points[x] - b.points[x]));
         const float amplified = std::min(std::sqrt(feature * 0.70710678118654752f), 1.0f);   // exponent 0.5, of what is at most sqrt(2)
         out[x] = std::pow(color, 1 - amplified);
@@ -189,7 +223,7 @@ std::vector<float> flip_map(int width, int height, std::span<const float> refere
     parallel_for((h + kStripRows - 1) / kStripRows, threads, [&](size_t strip) {
         const size_t first = strip * kStripRows, last = std::min(h, first + kStripRows);
         const Strip a(filters, reference, w, h, first, last), b(filters, test, w, h, first, last);
-        std::array<std::vector<float>, 4> buffer;
+        Rows buffer;
         for (auto& row : buffer) row.resize(w);
         RowOf row_a(w), row_b(w);
         for (size_t y = first; y < last; ++y) {

@@ -13,7 +13,7 @@ constexpr Metric kMetrics[] = {
     {"rmse", "value", "root of the mean squared error", kAll, true, measure_rmse},
     {"psnr", "dB", "-10 log10 of the mean squared error; a peak of 1", kAll, true, measure_psnr},
     {"rel_mse", "1", "mean of squared error / (squared reference + 0.01); Rousselle et al. 2011", kAll, false, measure_rel_mse},
-    //{"ssim", "1", "structural similarity of display values, 1 if equal; Wang et al. 2004", kAll, true, measure_ssim},
+    {"ssim", "1", "structural similarity of display values, 1 if equal; Wang et al. 2004", kAll, true, measure_ssim},
     {"flip", "1", "perceived difference of display values at 67.02 pixels a degree; Andersson et al. 2020", kAll, true, measure_flip},
     {"hdr_flip", "1", "the same for linear values, the largest over exposures; Andersson et al. 2021", kHdr, false, measure_hdr_flip},
     {"over1", "share of pixels", "differ by more than 1/255 in a channel", kAll, true, measure_over1},
