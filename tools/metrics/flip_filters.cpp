@@ -96,10 +96,10 @@ void add_detectors(FlipFilters& filters, double pixels_per_degree) {
 
 }  // namespace
 
-FlipFilters flip_filters(double pixels_per_degree) {
+FlipFilters flip_filters() {
     FlipFilters filters;
-    add_color_filters(filters, pixels_per_degree);
-    add_detectors(filters, pixels_per_degree);
+    add_color_filters(filters, kPixelsPerDegree);
+    add_detectors(filters, kPixelsPerDegree);
     return filters;
 }
 

@@ -19,7 +19,7 @@ inline constexpr double kPixelsPerDegree = 3840 * 3.14159265358979323846 / 180;
 /// Weights of a filter that is the same on both sides (or the negative on the other), from the centre outwards.
 using HalfKernel = std::vector<float>;
 
-/// The filters, each the 1D factor of a 2D one, at a resolution in pixels per degree of the visual field.
+/// The filters, each the 1D factor of a 2D one, at kPixelsPerDegree. None has more than kMaxTaps weights.
 struct FlipFilters {
     size_t radius = 0;              ///< of the widest, in pixels
     HalfKernel achromatic;          ///< contrast sensitivity, sum 1
@@ -29,13 +29,14 @@ struct FlipFilters {
     HalfKernel edge;                ///< first derivative: odd, the positive side sums to 1
     HalfKernel point;               ///< second derivative: positive weights sum to 1, negative ones to -1
 };
-FlipFilters flip_filters(double pixels_per_degree = kPixelsPerDegree);
+inline constexpr size_t kMaxTaps = 16;
+FlipFilters flip_filters();
 
 /// The FLIP error of each pixel, 0 .. 1.
 ///
 /// Units    both pictures are linear Rec. 709, 0 .. 1, interleaved, `width` * `height` * 3 values; the world beyond the border continues its pixels.
 /// Method   separable filters over strips of fixed height: no value depends on `threads`. Symmetric in the two pictures, bit for bit; equal ones give 0.
-/// Error    float arithmetic: within 1e-5 of double evaluation where features are not faint (their square root magnifies rounding).
+/// Error    float arithmetic: within 1e-4 of double evaluation (measured 2e-5): the square root of features magnifies rounding where they are faint.
 std::vector<float> flip_map(int width, int height, std::span<const float> reference, std::span<const float> test, int threads);
 
 /// Mean, weighted quartiles, min and max over the pixels that count, and the map itself with 0 at the others.

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cassert>
 #include <cmath>
 
 namespace alidade {
@@ -16,7 +17,6 @@ using flip::Three;
 constexpr float kColorExponent = 0.7f;
 constexpr float kKneeIn = 0.4f, kKneeOut = 0.95f;
 constexpr size_t kStripRows = 64;   // fixed: who computes a row changes nothing in it
-constexpr size_t kMaxTaps = 16;     // of half a kernel
 
 /// Planes of a strip, filtered along its rows: what the filters across them start from.
 enum Plane : size_t { achromatic, red_green, blue_yellow_0, blue_yellow_1, smooth, edge, point, planes };
@@ -28,6 +28,7 @@ struct Around {
 
     template <class Row>   // `row(i)`: the one at offset i
     Around(const HalfKernel& kernel, Row row) : center(row(0)) {
+        assert(kernel.size() <= kMaxTaps);
         for (size_t i = 1; i < kernel.size(); ++i) {
             before[i] = row(-int(i));
             after[i] = row(int(i));

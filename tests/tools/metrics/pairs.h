@@ -4,6 +4,10 @@
 
 #include "tools/metrics/metric.h"
 
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
 #include <functional>
 #include <string>
 
