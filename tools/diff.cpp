@@ -100,7 +100,7 @@ Comparison compare(const Asked& asked) {
     out.judgement = judge(*out.loaded, out.measured, asked.rules);
     if (asked.align) out.shift = find_shift(pair);
     const NonFinite& odd = out.loaded->non_finite;
-    if (odd.in_one + odd.in_both > 0) out.cause = {odd.nan ? "nan" : odd.in_one ? "inf" : "not finite", out.judgement.reason};
+    if (odd.in_one + odd.nan_in_both > 0) out.cause = {odd.nan ? "nan" : "inf", out.judgement.reason};
     else out.cause = find_cause(pair);
     return out;
 }

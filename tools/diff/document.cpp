@@ -27,7 +27,7 @@ Json to_json(const TileTable& table) {
 }
 
 Json to_json(const NonFinite& found) {
-    return {{"in_one", found.in_one}, {"in_both", found.in_both}};
+    return {{"in_one", found.in_one}, {"nan_in_both", found.nan_in_both}, {"inf_in_both", found.inf_in_both}};
 }
 
 void add_pair(const Comparison& c, Json& out) {

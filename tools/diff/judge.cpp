@@ -107,10 +107,10 @@ Judgement judge(const LoadedPair& loaded, const Measurements& measured, const Ru
         const Verdict verdict = check.warns ? Verdict::warn : Verdict::fail;
         if (int(verdict) > int(out.verdict)) out.verdict = verdict, out.reason = reason_of(check);
     }
-    if (out.verdict == Verdict::pass && loaded.non_finite.in_both > 0) {
+    if (out.verdict == Verdict::pass && loaded.non_finite.nan_in_both > 0) {
         out.verdict = Verdict::warn;
-        out.reason = fmt::format("both pictures have the same values that are not finite: {} pixels, the first at {},{}", loaded.non_finite.in_both,
-                                 loaded.non_finite.x, loaded.non_finite.y);
+        out.reason = fmt::format("NaN in both pictures: {} pixels, the first at {},{}", loaded.non_finite.nan_in_both, loaded.non_finite.x,
+                                 loaded.non_finite.y);
     }
     if (out.reason.empty()) out.reason = out.checks.empty() ? "there is no rule to break" : fmt::format("every rule is kept ({})", out.checks.size());
     return out;

@@ -165,25 +165,35 @@ void match_values(Side& reference, Side& test, std::vector<std::string>& notes) 
 
 bool same_value(float a, float b) { return a == b || (std::isnan(a) && std::isnan(b)); }
 
+/// What a pixel's values that are not finite are.
+struct Odd {
+    bool any = false, differ = false, nan = false, in_test = false;
+};
+
+Odd odd_values(const PicturePair& pair, size_t pixel) {
+    Odd odd;
+    const size_t channels = size_t(pair.reference.channels);
+    for (size_t i = pixel * channels; i < (pixel + 1) * channels; ++i) {
+        const float a = pair.reference.values[i], b = pair.test.values[i];
+        if (std::isfinite(a) && std::isfinite(b)) continue;
+        odd.any = true, odd.nan = odd.nan || std::isnan(a) || std::isnan(b);
+        if (!same_value(a, b)) odd.differ = true, odd.in_test = odd.in_test || !std::isfinite(b);
+    }
+    return odd;
+}
+
 /// Takes pixels that are not finite out of the count, and tells of them.
 NonFinite take_out_non_finite(PicturePair& pair) {
     NonFinite found;
-    const size_t channels = size_t(pair.reference.channels);
     for (size_t p = 0; p < pair.pixels(); ++p) {
-        if (!pair.counts[p]) continue;
-        bool finite = true, same = true, nan = false, in_test = false;
-        for (size_t i = p * channels; i < (p + 1) * channels; ++i) {
-            const float a = pair.reference.values[i], b = pair.test.values[i];
-            if (std::isfinite(a) && std::isfinite(b)) continue;
-            finite = false;
-            if (same_value(a, b)) continue;
-            same = false, nan = nan || std::isnan(a) || std::isnan(b), in_test = in_test || !std::isfinite(b);
-        }
-        if (finite) continue;
-        const bool first = same ? found.in_one + found.in_both == 0 : found.in_one == 0;
-        ++(same ? found.in_both : found.in_one);
-        if (first) found.x = int(p % size_t(pair.width())), found.y = int(p / size_t(pair.width())), found.nan = nan, found.in_test = in_test;
+        const Odd odd = pair.counts[p] ? odd_values(pair, p) : Odd();
+        if (!odd.any) continue;
         pair.counts[p] = 0;
+        size_t& kind = odd.differ ? found.in_one : odd.nan ? found.nan_in_both : found.inf_in_both;
+        const bool first = ++kind == 1 && (odd.differ || (odd.nan && found.in_one == 0));
+        if (!first) continue;
+        found.nan = odd.nan, found.in_test = odd.in_test;
+        found.x = int(p % size_t(pair.width())), found.y = int(p / size_t(pair.width()));
     }
     return found;
 }
@@ -258,6 +268,7 @@ tl::expected<LoadedPair, NoPair> load_pair(const std::string& reference_path, co
     out.pair.reference = std::move(reference->picture), out.pair.test = std::move(test->picture);
     out.pair.counts = std::move(*counts), out.pair.threads = options.threads;
     out.non_finite = take_out_non_finite(out.pair);
+    if (out.non_finite.inf_in_both > 0) out.notes.push_back(fmt::format("{} pixels are infinite in both pictures: they are equal", out.non_finite.inf_in_both));
     clear_uncounted(out.pair);
     return out;
 }

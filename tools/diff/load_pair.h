@@ -18,11 +18,12 @@ struct PairOptions {
 
 /// Pixels with a value that is NaN or infinite.
 struct NonFinite {
-    size_t in_one = 0;    ///< where the other picture has another value
-    size_t in_both = 0;   ///< the same in both
-    bool nan = false;     ///< the first in_one holds a NaN (else an infinity)
-    bool in_test = false; ///< and it is the test's
-    int x = 0, y = 0;     ///< of the first in_one, else of the first in_both
+    size_t in_one = 0;         ///< where the other picture has another value
+    size_t nan_in_both = 0;    ///< NaN in both: both are broken there
+    size_t inf_in_both = 0;    ///< the same infinity in both, as the depth of a background is
+    bool nan = false;          ///< of the first in_one: it is a NaN (else an infinity)
+    bool in_test = false;      ///< and the test's
+    int x = 0, y = 0;          ///< of the first in_one, else of the first nan_in_both
 };
 
 struct LoadedPair {

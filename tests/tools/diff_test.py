@@ -1,0 +1,124 @@
+# SPDX-License-Identifier: Apache-2.0
+"""`alidade diff`: the table of pairs with known answers, its files and its words."""
+import json
+import unittest
+import xml.etree.ElementTree
+
+from diff_pairs import CODES, files, pairs
+from pictures import changed, png_bytes, pfm_bytes, scene, write
+from program import InFolder, read_png, run
+
+
+class Diff(InFolder):
+    def diff(self, *words):
+        return run("diff", *words, cwd=self.folder)
+
+    def document(self, *words):
+        return json.loads(self.diff(*words, "--json").stdout)
+
+    def picture(self, name, picture):
+        return write(self.folder / name, png_bytes(picture))
+
+    def test_pairs_with_known_answers(self):
+        for name, reference, test, words, verdict, cause in pairs():
+            with self.subTest(name):
+                said = self.diff(*files(self.folder, name, reference, test), *words, "--json")
+                told = json.loads(said.stdout)
+                self.assertEqual((told["verdict"], told["cause"], said.returncode), (verdict, cause, CODES[verdict]), told["reason"] + "; " + told["cause_text"])
+                self.assertEqual(told["exit_code"], said.returncode)
+                self.assertTrue(told["reason"])
+
+    def test_numbers_of_one_pixel(self):
+        a = scene()
+        b = changed(a, lambda x, y, pixel: (pixel[0], pixel[1] + 30 / 255, pixel[2]) if (x, y) == (5, 60) else pixel)
+        told = self.document(self.picture("a.png", a), self.picture("b.png", b))
+        metrics, pixels, step = told["metrics"], 96 * 64, 30 / 255
+        self.assertEqual((metrics["max_abs"]["x"], metrics["max_abs"]["y"], metrics["max_abs"]["channel"]), (5, 60, 1))
+        self.assertAlmostEqual(metrics["max_abs"]["value"], step, 6)
+        self.assertAlmostEqual(metrics["mae"]["value"], step / pixels / 3, 8)
+        self.assertAlmostEqual(metrics["rmse"]["value"], step / (3 * pixels) ** 0.5, 8)
+        self.assertAlmostEqual(metrics["bias"]["G"], step / pixels, 8)
+        self.assertEqual(metrics["over8"], {"value": 1 / pixels, "pixels": 1})
+        self.assertEqual({key: metrics["region"][key] for key in ("pixels", "x0", "y0", "x1", "y1")}, {"pixels": 1, "x0": 5, "y0": 60, "x1": 6, "y1": 61})
+        tiles = told["tiles"]
+        self.assertEqual((tiles["size"], tiles["columns"], tiles["rows"]), (8, 12, 8))
+        self.assertEqual([i for i, most in enumerate(tiles["max"]) if most > 0], [7 * 12])
+
+    def test_mask_and_crop_leave_out_what_differs(self):
+        a = scene()
+        b = changed(a, lambda x, y, pixel: (0, 0, 0) if x < 10 else pixel)
+        mask = changed(a, lambda x, y, pixel: (0.0 if x < 10 else 1.0,))
+        paths = [self.picture("a.png", a), self.picture("b.png", b)]
+        self.picture("mask.png", mask)
+        self.assertEqual(self.diff(*paths).returncode, 2)
+        self.assertEqual(self.diff(*paths, "--mask", "mask.png").returncode, 0)
+        self.assertEqual(self.diff(*paths, "--crop", "10,0,96,64").returncode, 0)
+        self.assertEqual(self.diff(*paths, "--crop", "9,0,96,64").returncode, 2)
+        self.assertEqual(self.diff(*paths, "--crop", "9,0,97,64").returncode, 4)
+        self.picture("black.png", changed(mask, lambda x, y, pixel: (0.0,)))
+        self.assertEqual(self.diff(*paths, "--mask", "black.png").returncode, 3)
+
+    def test_idiffs_words_with_one_dash_or_two(self):
+        a = scene()
+        b = changed(a, lambda x, y, pixel: tuple(v + (0.2 if x == 3 and y < 10 else 0.0) * (v < 0.7) for v in pixel))
+        paths = [self.picture("a.png", a), self.picture("b.png", b)]
+        for words, code in ((["fail", "0.3"], 0), (["fail", "0.1"], 2), (["allowfailures", "10"], 0), (["allowfailures", "9"], 2), (["failpercent", "0.17"], 0),
+                            (["failpercent", "0.1"], 2), (["failrelative", "5"], 0), (["fail", "0.3", "hardfail", "0.1"], 2), (["warn", "0.1"], 1),
+                            (["warn", "0.1", "warnpercent", "1"], 0), (["fail", "0.3", "hardwarn", "0.1"], 1), (["warn", "0.1", "allowwarnings", "10"], 0)):
+            for dashes in ("-", "--"):
+                said = self.diff(*paths, *(dashes + w if w.isalpha() else w for w in words))
+                self.assertEqual(said.returncode, code, (words, dashes, said.stdout, said.stderr))
+
+    def test_requirements(self):
+        a = scene()
+        paths = [self.picture("a.png", a), self.picture("b.png", changed(a, lambda x, y, pixel: (1, 1, 1) if y == 0 and x < 6 else pixel))]
+        for rule, code in (("over8<0.1%", 0), ("over8<0.05%", 2), ("over8.value<=0.001", 0), ("max_abs<8/255", 2), ("p99<1/255", 0), ("percentiles.p99.9<1/255", 0),
+                           ("psnr>20", 0), ("psnr>=60", 2), ("flip.mean<0.02", 0), ("flip<0.02", 0), ("region.pixels<6", 2), ("region.pixels<=6", 0)):
+            said = self.diff(*paths, "--require", rule)
+            self.assertEqual(said.returncode, code, (rule, said.stdout, said.stderr))
+        for rule, hint in (("flop.mean<1", "flip.mean"), ("flip.mean", "METRIC<LIMIT"), ("flip<much", "no limit"), ("hdr_flip<1", None)):
+            said = self.diff(*paths, "--require", rule)
+            self.assertEqual(said.returncode, 4 if hint else 2, (rule, said.stdout))   # what is not measured for these files keeps no rule
+            self.assertIn(hint or "not measured", said.stderr + said.stdout)
+
+    def test_shift_is_told(self):
+        a = scene()
+        told = self.document(self.picture("a.png", a), self.picture("b.png", [row[2:] + [row[-1]] * 2 for row in a]), "--align")
+        self.assertAlmostEqual(told["shift"]["x"], -2, 2)
+        self.assertAlmostEqual(told["shift"]["y"], 0, 2)
+
+    def test_files(self):
+        a = scene()
+        paths = [self.picture("a.png", a), self.picture("b.png", changed(a, lambda x, y, pixel: (1, 1, 1) if x > 80 else pixel))]
+        self.assertEqual(self.diff(*paths, "--heatmap", "heat.png", "--junit", "out.xml", "--preset", "ci").returncode, 2)
+        self.assertEqual(read_png(self.folder / "heat.png")[:2], (96, 64))
+        suite = xml.etree.ElementTree.parse(self.folder / "out.xml").getroot()[0]
+        self.assertEqual((suite.get("tests"), suite.get("failures"), len(suite.findall("testcase/failure"))), ("1", "1", 1))
+
+    def test_floats_beyond_one_are_seen(self):
+        a = [[(float(x + 1), 0.5, 0.25) for x in range(16)] for _ in range(16)]
+        b = [[(x * 1.5, y, z) if x > 15 else (x, y, z) for x, y, z in row] for row in a]
+        write(self.folder / "a.pfm", pfm_bytes(a)), write(self.folder / "b.pfm", pfm_bytes(b))
+        told = self.document("a.pfm", "b.pfm")
+        self.assertEqual((told["values"], told["metrics"]["max_abs"]["value"]), ("linear", 8.0))
+        self.assertIn("hdr_flip", told["metrics"])
+
+    def test_layers(self):
+        self.assertEqual(run("render", self.scene, "-o", self.folder / "a.exr", "--size", "32x32", "--aov", "depth,normal").returncode, 0)
+        self.assertEqual(self.diff("a.exr", "a.exr", "--layer", "depth").returncode, 0)   # the background's depth is infinite in both
+        self.assertEqual(self.diff("a.exr", "a.exr", "--layer", "normal").returncode, 0)
+        said = self.diff("a.exr", "a.exr", "--layer", "uv")
+        self.assertEqual(said.returncode, 4)
+        self.assertIn("normal.X", said.stderr)
+
+    def test_bad_words_exit_4(self):
+        path = self.picture("a.png", scene())
+        for words in ([path], [path, path, "--fial", "1"], [path, path, "--fail", "much"], [path, path, "--preset", "strict"], [path, path, "--crop", "1,2,3"],
+                      [path, "absent.png"], [path, path, "--heatmap", "absent/heat.png"]):
+            said = self.diff(*words)
+            self.assertEqual(said.returncode, 4, (words, said.stdout, said.stderr))
+            self.assertTrue(said.stderr)
+
+
+if __name__ == "__main__":
+    unittest.main()
