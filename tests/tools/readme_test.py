@@ -17,6 +17,7 @@ TABLES = {   # the README's marker: (the registry, its columns)
     "importers": ("importers", ["name", "extensions", "doc"]),
     "exporters": ("exporters", ["name", "extensions", "doc"]),
     "accelerators": ("accelerators", ["name", "doc"]),
+    "metrics": ("metrics", ["name", "unit", "doc"]),
 }
 
 
