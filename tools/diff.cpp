@@ -1,134 +1,26 @@
 // SPDX-License-Identifier: Apache-2.0
 /// The gate: how far is a picture from its reference, where, and is it good enough?
-#include "tools/diff/document.h"
+#include "tools/diff/words.h"
 #include "tools/options.h"
-#include "tools/output.h"
-#include "tools/values.h"
 
 #include <CLI/CLI.hpp>
-#include <fmt/format.h>
-#include <nlohmann/json.hpp>
 
 namespace alidade {
-namespace {
-
-struct Asked {
-    std::string reference, test;
-    PairOptions pair;
-    Rules rules;
-    bool align = false, json = false;
-    std::string junit, heatmap;
-};
-
-void add_pixel_rule(CLI::App& app, const std::string& name, const std::string& hard, const std::string& allowed, std::optional<PixelRule>& rule) {
-    const auto add = [&](const std::string& option, double PixelRule::*field, const char* doc) {
-        app.add_option_function<double>("--" + option, [&rule, field](double value) {
-               if (!rule) rule = PixelRule{};
-               (*rule).*field = value;
-           }, doc)->type_name("N")->check(CLI::NonNegativeNumber)->group(name == "fail" ? "Rules that fail" : "Rules that warn");
-    };
-    add(name, &PixelRule::over, "a pixel is over the rule where a channel differs by more than this (0)");
-    add(name + "percent", &PixelRule::percent, "percent of the pixels that may be over it (0)");
-    add(name + "relative", &PixelRule::relative, "and by more than this times the mean of both values (0)");
-    add(hard, &PixelRule::hard, "no pixel may differ by more (infinite)");
-    add(allowed, &PixelRule::allowed, "number of pixels that may be over it (0)");
-}
-
-void merge(const Rules& from, Rules& into) {
-    if (from.fail) into.fail = from.fail;
-    if (from.warn) into.warn = from.warn;
-    into.require.insert(into.require.end(), from.require.begin(), from.require.end());
-    into.noise = into.noise || from.noise;
-}
-
-void add_rules(CLI::App& app, Rules& rules) {
-    std::vector<std::string> names;
-    std::string docs = "rules by name:";
-    for (const Preset& preset : presets()) names.emplace_back(preset.name), docs += fmt::format(" {} = {};", preset.name, preset.doc);
-    add_choice(app, "--preset", names, [&rules](size_t i) { merge(presets()[i].rules(), rules); }, docs);
-    app.add_option_function<std::vector<std::string>>("--require", [&rules](const std::vector<std::string>& texts) {
-           for (const std::string& text : texts) {
-               auto rule = parse_requirement(text);
-               if (!rule) throw CLI::ValidationError("--require", rule.error());
-               rules.require.push_back(std::move(*rule));
-           }
-       }, "METRIC<LIMIT: flip.mean<0.02, over8<0.5%, p99<16/255, psnr>40; may be given again")->type_name("RULE")->allow_extra_args(false);
-    add_pixel_rule(app, "fail", "hardfail", "allowfailures", rules.fail);
-    add_pixel_rule(app, "warn", "hardwarn", "allowwarnings", rules.warn);
-}
-
-void add_words(CLI::App& app, Asked& asked) {
-    app.add_option("REFERENCE", asked.reference, "the picture that is right")->type_name("FILE")->required();
-    app.add_option("TEST", asked.test, "the picture that is asked how far it is from it")->type_name("FILE")->required();
-    add_rules(app, asked.rules);
-    app.add_option("--mask", asked.pair.mask, "a picture: only pixels brighter than the half of white count")->type_name("FILE");
-    app.add_option_function<std::string>("--crop", [&asked](const std::string& text) {
-           const auto region = parse_region(text);
-           if (!region) throw CLI::ValidationError("--crop", region.error());
-           asked.pair.x0 = region->x0, asked.pair.y0 = region->y0, asked.pair.x1 = region->x1, asked.pair.y1 = region->y1;
-       }, "compares only this part, in pixels from the top left, the ends outside")->type_name("x0,y0,x1,y1");
-    app.add_option("--layer", asked.pair.layer, "compares the channels NAME.* of EXR files instead of the colours")->type_name("NAME");
-    app.add_flag("--align", asked.align, "tells by how many pixels the test is shifted");
-    app.add_flag("--json", asked.json, "prints the document of docs/diff.md instead of lines");
-    app.add_option("--junit", asked.junit, "writes the verdict for test servers")->type_name("FILE");
-    app.add_option("--heatmap", asked.heatmap, "writes where the pictures differ, by FLIP")->type_name("FILE");
-    app.add_option("--threads", asked.pair.threads, "0: as many as the machine has (0)")->type_name("N")->check(CLI::NonNegativeNumber);
-}
-
-/// idiff's users write one dash.
-Words with_two_dashes(const CLI::App& app, const Words& given) {
-    Words out;
-    for (const std::string& word : given) {
-        const std::string longer = "-" + word;
-        const bool meant = word.size() > 2 && word[0] == '-' && word[1] != '-' && app.get_option_no_throw(longer.substr(0, longer.find('='))) != nullptr;
-        out.push_back(meant ? longer : word);
-    }
-    return out;
-}
-
-Comparison compare(const Asked& asked) {
-    Comparison out{asked.reference, asked.test, {}, {}, {}, {}, {}, {}};
-    auto loaded = load_pair(asked.reference, asked.test, asked.pair);
-    if (!loaded) {
-        out.judgement = {loaded.error().incomparable ? Verdict::incomparable : Verdict::error, loaded.error().sentence, {}};
-        out.cause = {loaded.error().cause, loaded.error().sentence};
-        return out;
-    }
-    out.loaded = std::move(*loaded);
-    const PicturePair& pair = out.loaded->pair;
-    out.measured = measure_all(pair), out.tiles = tile_table(pair);
-    out.judgement = judge(*out.loaded, out.measured, asked.rules);
-    if (asked.align) out.shift = find_shift(pair);
-    const NonFinite& odd = out.loaded->non_finite;
-    if (odd.in_one + odd.nan_in_both > 0) out.cause = {odd.nan ? "nan" : "inf", out.judgement.reason};
-    else out.cause = find_cause(pair);
-    return out;
-}
-
-tl::expected<void, std::string> write_files(const Asked& asked, const Comparison& comparison) {
-    if (!asked.junit.empty()) {
-        const std::string text = as_junit(comparison);
-        if (auto written = write_file(asked.junit, std::as_bytes(std::span(text))); !written) return written;
-    }
-    if (!asked.heatmap.empty() && !comparison.measured.empty()) return write_picture(asked.heatmap, heat_map(comparison));
-    return {};
-}
-
-}  // namespace
 
 int run_diff(const Verb& verb, const Words& given) {
-    Asked asked;
+    DiffRequest request;
+    std::string reference, test;
     CLI::App app;
-    add_words(app, asked);
+    app.add_option("REFERENCE", reference, "the picture that is right")->type_name("FILE")->required();
+    app.add_option("TEST", test, "the picture that is asked how far it is from it")->type_name("FILE")->required();
+    add_rule_words(app, request.rules);
+    add_pair_words(app, request);
+    add_output_words(app, request);
     if (const auto code = parse_words(app, verb, with_two_dashes(app, given))) return *code == kDone ? int(kDone) : int(Verdict::error);
-    for (const std::string& path : {asked.junit, asked.heatmap})
-        if (const std::string why = path.empty() ? "" : why_not_writable(path); !why.empty()) return fail(why), int(Verdict::error);
-    if (!asked.rules.fail && !asked.rules.warn && asked.rules.require.empty() && !asked.rules.noise) asked.rules = presets()[0].rules();
-    const Comparison comparison = compare(asked);
-    if (asked.json) fmt::print("{}", as_json_text(to_json(comparison)));
-    else if (comparison.judgement.verdict == Verdict::error) fail(comparison.judgement.reason);
-    else fmt::print("{}", as_lines(comparison));
-    if (auto written = write_files(asked, comparison); !written) return fail(written.error()), int(Verdict::error);
+    if (const std::string why = why_not_writable(request); !why.empty()) return fail(why), int(Verdict::error);
+    set_default_rules(request.rules, "exact");
+    const Comparison comparison = compare_files(reference, test, request);
+    if (auto written = tell(comparison, request); !written) return fail(written.error()), int(Verdict::error);
     return int(comparison.judgement.verdict);
 }
 
