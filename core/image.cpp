@@ -77,13 +77,6 @@ void linearize(Stored& stored) {
         }
 }
 
-Result<Bytes> encode_picture(const Picture& picture, const std::string& ending) {
-    if (ending.empty()) return tl::unexpected(std::string("the name has no ending that says which format to write"));
-    if (picture.width <= 0 || picture.height <= 0 || picture.channels <= 0) return tl::unexpected(std::string("the picture is empty"));
-    if (const Format* format = find_format(ending)) return format->encode(picture);
-    return image::encode_by_module(picture, ending);
-}
-
 constexpr const char* kNoMemory = "not enough memory";
 
 }  // namespace
@@ -131,12 +124,19 @@ tl::expected<StoredPicture, std::string> read_stored_picture(const std::string& 
     return tl::unexpected(fmt::format("cannot read {}: {}", path, kNoMemory));
 }
 
-tl::expected<void, std::string> write_picture(const std::string& path, const Picture& picture) try {
+tl::expected<std::vector<std::byte>, std::string> encode_picture(const Picture& picture, const std::string& ending) try {
+    if (ending.empty()) return tl::unexpected(std::string("the name has no ending that says which format to write"));
+    if (picture.width <= 0 || picture.height <= 0 || picture.channels <= 0) return tl::unexpected(std::string("the picture is empty"));
+    if (const Format* format = find_format(ending)) return format->encode(picture);
+    return image::encode_by_module(picture, ending);
+} catch (const std::bad_alloc&) {
+    return tl::unexpected(std::string(kNoMemory));
+}
+
+tl::expected<void, std::string> write_picture(const std::string& path, const Picture& picture) {
     const Result<Bytes> bytes = encode_picture(picture, lower_ending(path));
     if (!bytes) return tl::unexpected(fmt::format("cannot write {}: {}", path, bytes.error()));
     return write_file(path, *bytes);
-} catch (const std::bad_alloc&) {
-    return tl::unexpected(fmt::format("cannot write {}: {}", path, kNoMemory));
 }
 
 bool can_write_picture(const std::string& path) { return find_format(lower_ending(path)) != nullptr; }

@@ -52,6 +52,9 @@ tl::expected<StoredPicture, std::string> read_stored_picture(const std::string& 
 /// Written to a temporary name and renamed, without time stamps: the same picture gives the same bytes, and a file is never half there.
 tl::expected<void, std::string> write_picture(const std::string& path, const Picture& picture);
 
+/// The bytes that write_picture would write for `ending` (".png", ...; lower case). An error is one sentence.
+tl::expected<std::vector<std::byte>, std::string> encode_picture(const Picture& picture, const std::string& ending);
+
 /// The endings that write_picture knows without a module.
 bool can_write_picture(const std::string& path);
 
