@@ -4,6 +4,8 @@
 #include "tools/options.h"
 
 #include <CLI/CLI.hpp>
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
 
 namespace alidade {
 
@@ -20,7 +22,10 @@ int run_diff(const Verb& verb, const Words& given) {
     if (const std::string why = why_not_writable(request); !why.empty()) return fail(why), int(Verdict::error);
     set_default_rules(request.rules, "exact");
     const Comparison comparison = compare_files(reference, test, request);
-    if (auto written = tell(comparison, request); !written) return fail(written.error()), int(Verdict::error);
+    if (request.json) fmt::print("{}", as_json_text(to_json(comparison)));
+    else if (comparison.judgement.verdict == Verdict::error) fail(comparison.judgement.reason);
+    else fmt::print("{}", as_lines(comparison));
+    if (auto written = write_files(comparison, request); !written) return fail(written.error()), int(Verdict::error);
     return int(comparison.judgement.verdict);
 }
 

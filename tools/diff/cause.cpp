@@ -128,7 +128,7 @@ Found seam(const Difference& all) {
 }
 
 Found region(const Difference& all) {
-    const Region largest = largest_region(all.pair, all.over);
+    const PixelRegion largest = largest_region(all.pair, all.over);
     const double box = double(largest.x1 - largest.x0) * double(largest.y1 - largest.y0);
     if (double(largest.pixels) < kMostOf * double(all.pixels) || box > 0.5 * double(all.pair.pixels())) return std::nullopt;
     return Cause{"region", fmt::format("{} connected pixels differ, within {},{} .. {},{}", largest.pixels, largest.x0, largest.y0, largest.x1 - 1, largest.y1 - 1)};

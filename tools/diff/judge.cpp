@@ -44,17 +44,17 @@ void check_pixels(const PicturePair& pair, const PixelRule& rule, bool warns, st
     if (std::isfinite(rule.hard)) checks.push_back({fmt::format("--hard{} {:.6g}", name, rule.hard), count.largest, warns, count.largest <= rule.hard});
 }
 
-bool keeps(double value, const Requirement& rule) {
+bool keeps(double value, const MetricRule& rule) {
     switch (rule.is) {
-        case Requirement::Is::less: return value < rule.limit;
-        case Requirement::Is::less_or_equal: return value <= rule.limit;
-        case Requirement::Is::greater: return value > rule.limit;
+        case MetricRule::Is::less: return value < rule.limit;
+        case MetricRule::Is::less_or_equal: return value <= rule.limit;
+        case MetricRule::Is::greater: return value > rule.limit;
         default: return value >= rule.limit;
     }
 }
 
 /// A metric that the pair does not have (hdr_flip of display values) keeps no rule.
-Check check_requirement(const Measurements& measured, const Requirement& rule) {
+Check check_requirement(const Measurements& measured, const MetricRule& rule) {
     const auto found = measured.find(rule.metric);
     const double* value = found == measured.end() ? nullptr : found->second.find(rule.number);
     if (!value) return {"--require " + rule.text, std::numeric_limits<double>::quiet_NaN(), false, false};
@@ -96,7 +96,7 @@ Judgement judge(const LoadedPair& loaded, const Measurements& measured, const Ru
     if (auto surely = judge_non_finite(loaded)) return *surely;
     Judgement out;
     if (rules.fail) check_pixels(loaded.pair, *rules.fail, false, out.checks);
-    for (const Requirement& rule : rules.require) out.checks.push_back(check_requirement(measured, rule));
+    for (const MetricRule& rule : rules.require) out.checks.push_back(check_requirement(measured, rule));
     if (rules.noise) {
         const Noise noise = measure_noise(loaded.pair);
         out.checks.push_back({fmt::format("noise: largest z of a tile < {:.4g}", noise.limit), noise.largest_z, false, noise.largest_z < noise.limit});

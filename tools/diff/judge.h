@@ -23,17 +23,17 @@ struct PixelRule {
 };
 
 /// "flip.mean<0.02": a metric's number (its first one without a dot) against a limit. A number's name that only one metric has needs no metric: "p99<8/255".
-struct Requirement {
+struct MetricRule {
     std::string text, metric, number;
     enum class Is { less, less_or_equal, greater, greater_or_equal } is = Is::less;
     double limit = 0;   ///< "0.5%" is 0.005, "8/255" is 0.0314
 };
 /// An error is one sentence, with the nearest name where the name is unknown.
-tl::expected<Requirement, std::string> parse_requirement(const std::string& text);
+tl::expected<MetricRule, std::string> parse_metric_rule(const std::string& text);
 
 struct Rules {
     std::optional<PixelRule> fail, warn;
-    std::vector<Requirement> require;
+    std::vector<MetricRule> require;
     bool noise = false;   ///< differences must be those of independent noise: measure_noise
 };
 

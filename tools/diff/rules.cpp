@@ -25,7 +25,7 @@ Rules ci() {
 
 Rules pov() {
     Rules rules;
-    rules.require = {*parse_requirement("flip.mean<0.02"), *parse_requirement("p99<16/255")};
+    rules.require = {*parse_metric_rule("flip.mean<0.02"), *parse_metric_rule("p99<16/255")};
     return rules;
 }
 
@@ -88,7 +88,7 @@ tl::unexpected<std::string> unknown(const std::string& name) {
 }
 
 /// "flip", "flip.mean", or "p99" of a metric that alone has it.
-tl::expected<void, std::string> find_number(const std::string& name, Requirement& out) {
+tl::expected<void, std::string> find_number(const std::string& name, MetricRule& out) {
     const size_t dot = name.find('.');
     for (const auto& [metric, measured] : samples()) {
         if (name == metric) return out.metric = metric, out.number = measured.numbers[0].name, tl::expected<void, std::string>();
@@ -106,16 +106,16 @@ tl::expected<void, std::string> find_number(const std::string& name, Requirement
 
 std::span<const Preset> presets() { return kPresets; }
 
-tl::expected<Requirement, std::string> parse_requirement(const std::string& text) {
+tl::expected<MetricRule, std::string> parse_metric_rule(const std::string& text) {
     const size_t sign = text.find_first_of("<>");
     const bool equal = sign != std::string::npos && sign + 1 < text.size() && text[sign + 1] == '=';
     if (sign == std::string::npos) return tl::unexpected(fmt::format("'{}' is not METRIC<LIMIT, such as flip.mean<0.02 or over8<0.5%", text));
-    Requirement out;
+    MetricRule out;
     out.text = text;
     const std::string name(trimmed(std::string_view(text).substr(0, sign)));
     if (auto found = find_number(name, out); !found) return tl::unexpected(found.error());
     const bool less = text[sign] == '<';
-    out.is = less ? (equal ? Requirement::Is::less_or_equal : Requirement::Is::less) : (equal ? Requirement::Is::greater_or_equal : Requirement::Is::greater);
+    out.is = less ? (equal ? MetricRule::Is::less_or_equal : MetricRule::Is::less) : (equal ? MetricRule::Is::greater_or_equal : MetricRule::Is::greater);
     const auto value = limit(std::string_view(text).substr(sign + 1 + equal));
     if (!value) return tl::unexpected(fmt::format("'{}' has no limit that is a number, such as 0.02, 0.5% or 8/255", text));
     out.limit = *value;

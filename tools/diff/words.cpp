@@ -42,7 +42,7 @@ void add_rule_words(CLI::App& app, Rules& rules) {
     add_choice(app, "--preset", names, [&rules](size_t i) { merge(presets()[i].rules(), rules); }, docs);
     app.add_option_function<std::vector<std::string>>("--require", [&rules](const std::vector<std::string>& texts) {
            for (const std::string& text : texts) {
-               auto rule = parse_requirement(text);
+               auto rule = parse_metric_rule(text);
                if (!rule) throw CLI::ValidationError("--require", rule.error());
                rules.require.push_back(std::move(*rule));
            }
@@ -111,10 +111,7 @@ Comparison compare_files(const std::string& reference, const std::string& test, 
     return out;
 }
 
-tl::expected<void, std::string> tell(const Comparison& comparison, const DiffRequest& asked) {
-    if (asked.json) fmt::print("{}", as_json_text(to_json(comparison)));
-    else if (comparison.judgement.verdict == Verdict::error) fail(comparison.judgement.reason);
-    else fmt::print("{}", as_lines(comparison));
+tl::expected<void, std::string> write_files(const Comparison& comparison, const DiffRequest& asked) {
     if (!asked.junit.empty()) {
         const std::string text = as_junit(comparison);
         if (auto written = write_file(asked.junit, std::as_bytes(std::span(text))); !written) return written;

@@ -35,7 +35,7 @@ std::string why_not_writable(const DiffRequest& request);
 
 /// Reads, measures, judges.
 Comparison compare_files(const std::string& reference, const std::string& test, const DiffRequest& request);
-/// Prints the document or the lines, and writes the files that were asked for.
-tl::expected<void, std::string> tell(const Comparison& comparison, const DiffRequest& request);
+/// Writes the files that were asked for.
+tl::expected<void, std::string> write_files(const Comparison& comparison, const DiffRequest& request);
 
 }  // namespace alidade

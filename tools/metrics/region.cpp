@@ -5,7 +5,7 @@
 namespace alidade {
 
 Measured measure_region(const PicturePair& pair) {
-    const Region largest = largest_region(pair, over_steps(8));
+    const PixelRegion largest = largest_region(pair, over_steps(8));
     return {{{"pixels", double(largest.pixels)},
              {"share", double(largest.pixels) / double(counted(pair))},
              {"x0", double(largest.x0)},

@@ -7,8 +7,8 @@ namespace alidade {
 namespace {
 
 /// Takes the set that holds `start` out of `bad`.
-Region take(std::vector<uint8_t>& bad, int width, int height, size_t start) {
-    Region region{0, width, height, 0, 0};
+PixelRegion take(std::vector<uint8_t>& bad, int width, int height, size_t start) {
+    PixelRegion region{0, width, height, 0, 0};
     std::vector<size_t> open{start};
     bad[start] = 0;
     while (!open.empty()) {
@@ -28,14 +28,14 @@ Region take(std::vector<uint8_t>& bad, int width, int height, size_t start) {
 
 }  // namespace
 
-Region largest_region(const PicturePair& pair, double over) {
+PixelRegion largest_region(const PicturePair& pair, double over) {
     const std::vector<float> differences = pixel_differences(pair);
     std::vector<uint8_t> bad(differences.size());
     for (size_t p = 0; p < bad.size(); ++p) bad[p] = double(differences[p]) > over;
-    Region largest;
+    PixelRegion largest;
     for (size_t p = 0; p < bad.size(); ++p)
         if (bad[p])
-            if (const Region region = take(bad, pair.width(), pair.height(), p); region.pixels > largest.pixels) largest = region;
+            if (const PixelRegion region = take(bad, pair.width(), pair.height(), p); region.pixels > largest.pixels) largest = region;
     return largest;
 }
 

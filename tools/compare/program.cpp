@@ -1,0 +1,127 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "tools/compare/program.h"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <spawn.h>
+#include <sys/resource.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <chrono>
+#include <csignal>
+#include <cstring>
+#include <filesystem>
+#include <fstream>
+#include <system_error>
+#include <thread>
+
+extern char** environ;
+
+namespace alidade {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+/// How the process is started: its streams, its folder, and a group of its own, so that what it starts ends with it.
+class Start {
+  public:
+    Start(const std::string& folder, const std::string& log) {
+        posix_spawn_file_actions_init(&actions_), posix_spawnattr_init(&attributes_);
+        posix_spawn_file_actions_addchdir_np(&actions_, folder.c_str());
+        posix_spawn_file_actions_addopen(&actions_, STDIN_FILENO, "/dev/null", O_RDONLY, 0);
+        posix_spawn_file_actions_addopen(&actions_, STDOUT_FILENO, log.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0600);
+        posix_spawn_file_actions_adddup2(&actions_, STDOUT_FILENO, STDERR_FILENO);
+        posix_spawnattr_setflags(&attributes_, POSIX_SPAWN_SETPGROUP);
+        posix_spawnattr_setpgroup(&attributes_, 0);
+    }
+    ~Start() { posix_spawn_file_actions_destroy(&actions_), posix_spawnattr_destroy(&attributes_); }
+    Start(const Start&) = delete;
+
+    tl::expected<pid_t, std::string> run(const std::vector<std::string>& words) const {
+        std::vector<char*> argv;
+        for (const std::string& word : words) argv.push_back(const_cast<char*>(word.c_str()));
+        argv.push_back(nullptr);
+        pid_t pid = 0;
+        const int error = posix_spawnp(&pid, argv[0], &actions_, &attributes_, argv.data(), environ);
+        if (error) return tl::unexpected(fmt::format("cannot run {}: {}", words[0], std::strerror(error)));
+        return pid;
+    }
+
+  private:
+    posix_spawn_file_actions_t actions_{};
+    posix_spawnattr_t attributes_{};
+};
+
+double seconds(const timeval& time) { return double(time.tv_sec) + 1e-6 * double(time.tv_usec); }
+
+void wait_for(pid_t pid, double timeout, ProgramRun& run) {
+    using Clock = std::chrono::steady_clock;
+    const Clock::time_point end = Clock::now() + std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(timeout));
+    int status = 0;
+    rusage usage{};
+    while (wait4(pid, &status, WNOHANG, &usage) == 0) {
+        if (Clock::now() < end) {
+            std::this_thread::sleep_for(std::chrono::milliseconds(5));
+            continue;
+        }
+        run.timed_out = true;
+        ::kill(-pid, SIGKILL);
+        wait4(pid, &status, 0, &usage);
+        break;
+    }
+    run.exit_code = WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
+    run.cpu_seconds = seconds(usage.ru_utime) + seconds(usage.ru_stime);
+}
+
+std::string end_of_file(const std::string& path) {
+    constexpr std::streamoff kMost = 65536;
+    std::ifstream file(path, std::ios::binary | std::ios::ate);
+    if (!file) return {};
+    const std::streamoff size = file.tellg();
+    file.seekg(std::max<std::streamoff>(0, size - kMost));
+    return {std::istreambuf_iterator<char>(file), {}};
+}
+
+}  // namespace
+
+tl::expected<ProgramRun, std::string> run_program(const std::vector<std::string>& words, const std::string& folder, double timeout_seconds) {
+    const ScratchFolder scratch;
+    const std::string log = scratch.path() + "/log";
+    const auto pid = Start(folder, log).run(words);
+    if (!pid) return tl::unexpected(pid.error());
+    ProgramRun run;
+    wait_for(*pid, timeout_seconds, run);
+    run.output = end_of_file(log);
+    return run;
+}
+
+std::string find_program(const std::string& name) {
+    const char* path = std::getenv("PATH");
+    std::string rest = path ? path : "";
+    while (!rest.empty()) {
+        const size_t colon = std::min(rest.find(':'), rest.size());
+        const std::string candidate = rest.substr(0, colon) + "/" + name;
+        std::error_code ignored;
+        if (fs::is_regular_file(candidate, ignored) && ::access(candidate.c_str(), X_OK) == 0) return candidate;
+        rest.erase(0, std::min(colon + 1, rest.size()));
+    }
+    return {};
+}
+
+std::string own_program() { return fs::read_symlink("/proc/self/exe").string(); }
+
+ScratchFolder::ScratchFolder() {
+    std::string name = (fs::temp_directory_path() / "alidade-XXXXXX").string();
+    if (!::mkdtemp(name.data())) throw std::system_error(errno, std::generic_category(), "cannot make a temporary folder");
+    path_ = name;
+}
+
+ScratchFolder::~ScratchFolder() {
+    std::error_code ignored;
+    fs::remove_all(path_, ignored);
+}
+
+}  // namespace alidade

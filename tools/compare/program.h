@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: Apache-2.0
+/// Other programs, run as processes of their own.
+#pragma once
+
+#include <string>
+#include <tl/expected.hpp>
+#include <vector>
+
+namespace alidade {
+
+struct ProgramRun {
+    int exit_code = 0;         ///< 128 + the signal that ended it
+    bool timed_out = false;    ///< and was killed, with what it had started
+    double cpu_seconds = 0;    ///< user and system, with its children
+    std::string output;        ///< the end of what it wrote to both streams, at most 64 KiB
+};
+
+/// Runs words[0], found along PATH, in `folder`, with an empty standard input. An error says why it could not be started.
+tl::expected<ProgramRun, std::string> run_program(const std::vector<std::string>& words, const std::string& folder, double timeout_seconds);
+
+/// Where PATH has a program of this name, or "".
+std::string find_program(const std::string& name);
+/// This program's own file.
+std::string own_program();
+
+/// A folder for what is thrown away at the end of the scope.
+class ScratchFolder {
+  public:
+    ScratchFolder();
+    ~ScratchFolder();
+    ScratchFolder(const ScratchFolder&) = delete;
+    const std::string& path() const { return path_; }
+
+  private:
+    std::string path_;
+};
+
+}  // namespace alidade
