@@ -2,6 +2,7 @@
 /// The gate: how far is a picture from its reference, where, and is it good enough?
 #include "tools/diff/words.h"
 #include "tools/options.h"
+#include "tools/report/report.h"
 
 #include <CLI/CLI.hpp>
 
@@ -19,6 +20,9 @@ int run_diff(const Verb& verb, const Words& given) {
     if (const auto code = parse_words(app, verb, with_two_dashes(app, given))) return *code == kDone ? int(kDone) : int(Verdict::error);
     if (const std::string why = why_not_writable(request); !why.empty()) return fail(why), int(Verdict::error);
     set_default_rules(request.rules, "exact");
+    Words line = {"alidade", "diff"};
+    line.insert(line.end(), given.begin(), given.end());
+    request.commands = {shell_line(line)};
     const Comparison comparison = compare_files(reference, test, request);
     if (auto written = tell(comparison, request); !written) return fail(written.error()), int(Verdict::error);
     return int(comparison.judgement.verdict);
