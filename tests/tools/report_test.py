@@ -167,7 +167,7 @@ class OfDiff(InBrowser):
         self.assertIn("0", self.text("#legend"))
 
     def test_zoom_is_nearest_and_ends_at_32(self):
-        self.show()
+        self.show("#zoom=1")
         levels = []
         for _ in range(7):
             levels.append(self.zoom())
@@ -181,7 +181,7 @@ class OfDiff(InBrowser):
         corners = [self.browser.run(f"[...viewer.canvas.getContext('2d').getImageData({left + dx}, {top + dy}, 1, 1).data].slice(0, 3)") for dx in (-15, 14) for dy in (-15, 14)]
         self.assertEqual(corners, [[reference_code(22, 3, c) for c in range(3)]] * 4, "one colour from corner to corner")
         self.browser.press("0")
-        self.assertEqual(self.zoom(), 1)
+        self.assertEqual(self.zoom(), 16, "the largest whole zoom at which all of it is seen")
 
     def expect_inspected(self, x, y):
         lines = self.text("#inspector").splitlines()

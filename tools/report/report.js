@@ -140,8 +140,10 @@ class Viewer {
     return Array.from({length: count}, (_, i) => ({left: i * width, width, what: count === 3 ? ['reference', 'test', 'error'][i] : this.mode}));
   }
 
+  /// All of the picture: made smaller by any factor, larger by whole ones alone.
   fit() {
-    return Math.min(1, this.panes()[0].width / this.width, this.viewHeight / this.height);
+    const factor = Math.min(this.panes()[0].width / this.width, this.viewHeight / this.height);
+    return factor < 1 ? factor : ZOOMS.filter((zoom) => zoom <= factor).pop();
   }
 
   resize() {
@@ -444,9 +446,9 @@ function tilesTable(pair) {
       style: `background:rgb(${color.join(',')});color:${bright ? '#000' : '#fff'}`, onclick: () => showTile(tiles, column, row)}, tileText(tiles.mean[i])));
     return of('td', {}, buttons[i]);
   })));
-  const table = of('table', {class: 'tiles', id: 'tiles', onkeydown: (event) => tileKey(event, buttons, tiles)},
-    of('caption', {}, `Mean difference of ${tiles.size} x ${tiles.size} pixels, in thousandths; a button shows its place. Arrow keys move.`), of('tbody', {}, ...rows));
-  return section('Tiles', of('div', {class: 'scroll'}, table));
+  const table = of('table', {class: 'tiles', id: 'tiles', 'aria-describedby': 'tiles-doc', onkeydown: (event) => tileKey(event, buttons, tiles)}, of('tbody', {}, ...rows));
+  return section('Tiles', of('p', {class: 'quiet', id: 'tiles-doc'}, `Mean difference in ${tiles.size} x ${tiles.size} pixels, in thousandths; a tile leads to its place, arrow keys from tile to tile.`),
+    of('div', {class: 'scroll'}, table));
 }
 function tileText(mean) {
   return mean === 0 ? '0' : mean < 0.0005 ? '<1' : String(Math.round(mean * 1000));
