@@ -149,7 +149,7 @@ class Viewer {
   resize() {
     const ratio = window.devicePixelRatio || 1;
     this.viewWidth = Math.max(this.canvas.parentElement.clientWidth, 100);
-    this.viewHeight = Math.round(Math.max(200, Math.min(window.innerHeight * 0.65, this.height * Math.max(1, Math.min(4, this.viewWidth / this.width)))));
+    this.viewHeight = Math.round(Math.max(200, Math.min(window.innerHeight * 0.65, this.height * Math.max(1, Math.min(16, this.viewWidth / this.width)))));
     this.canvas.style.height = this.viewHeight + 'px';
     this.canvas.width = Math.round(this.viewWidth * ratio);
     this.canvas.height = Math.round(this.viewHeight * ratio);
