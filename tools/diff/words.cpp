@@ -10,6 +10,8 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include <filesystem>
+
 namespace alidade {
 namespace {
 
@@ -117,7 +119,8 @@ namespace {
 tl::expected<void, std::string> write_text(const std::string& path, const std::string& text) { return write_file(path, std::as_bytes(std::span(text))); }
 
 tl::expected<void, std::string> write_report(const Comparison& comparison, const DiffRequest& asked) {
-    const std::string name = fmt::format("{} against {}", comparison.test, comparison.reference);
+    const auto leaf = [](const std::string& path) { return std::filesystem::path(path).filename().string(); };
+    const std::string name = fmt::format("{} against {}", leaf(comparison.test), leaf(comparison.reference));
     const auto page = report_html({name, {{"alidade", ALIDADE_VERSION}}, {report_pair(comparison, name, asked.commands)}});
     if (!page) return tl::unexpected(page.error());
     return write_text(asked.report, *page);
