@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 /// How far are we from POV-Ray on this scene?
-#include "tools/compare/corpus.h"
+#include "tools/compare/compare_report.h"
 #include "tools/interrupt.h"
 #include "tools/options.h"
 #include "tools/values.h"
@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <utility>
 
 namespace alidade {
 namespace {
@@ -48,16 +49,35 @@ void add_words(CLI::App& app, CompareWords& words) {
     add_output_words(app, words.corpus.diff);
 }
 
+/// A program that made no picture fails; one that is not there is an error of the machine.
+int exit_code(const SceneComparison& compared) {
+    const Verdict verdict = compared.comparison.judgement.verdict;
+    if (verdict != Verdict::error) return int(verdict);
+    fail(compared.comparison.judgement.reason);
+    return compared.missing_program ? int(Verdict::error) : int(Verdict::fail);
+}
+
+void print_rows(const std::vector<CorpusResult>& results) {
+    for (const CorpusResult& result : results) {
+        const auto text = [&](const char* key) { return result.document[key].get<std::string>(); };
+        fmt::print("{:<6} {:<12} {}{}\n", result.document["grade"]["name"].get<std::string>(), text("verdict"), result.entry.name,
+                   text("cause").empty() ? "" : ": " + text("cause_text"));
+    }
+    fmt::print("{}", corpus_table(results));
+}
+
 int compare_one(const CompareWords& words) {
-    const DiffRequest& diff = words.corpus.diff;
+    DiffRequest diff = words.corpus.diff;
+    const std::string report = std::exchange(diff.report, "");
     PovJob job = words.corpus.defaults;
     job.scene = words.scene;
     const SceneComparison compared = compare_with_povray(job, diff);
     if (diff.json) fmt::print("{}", as_json_text(to_json(compared)));
     else fmt::print("{}", as_lines(compared));
-    if (auto written = write_files(compared.comparison, diff); !written) return fail(written.error()), int(Verdict::error);
-    if (compared.comparison.judgement.verdict == Verdict::error) return fail(compared.comparison.judgement.reason), compared.missing_program ? int(Verdict::error) : int(Verdict::fail);
-    return int(compared.comparison.judgement.verdict);
+    auto written = write_files(compared.comparison, diff);
+    if (written && !report.empty()) written = write_report(report, job.scene, {report_pair(compared)});
+    if (!written) return fail(written.error()), int(Verdict::error);
+    return exit_code(compared);
 }
 
 int compare_many(const CompareWords& words) {
@@ -72,16 +92,14 @@ int compare_many(const CompareWords& words) {
     for (const CorpusResult& result : results) {
         const int code = result.document["exit_code"].get<int>();
         worst = std::max(worst, code == int(Verdict::error) ? int(Verdict::fail) : code);
-        if (!words.corpus.diff.json) fmt::print("{:<6} {:<12} {}{}\n", result.document["grade"]["name"].get<std::string>(), result.document["verdict"].get<std::string>(),
-                                                result.entry.name, result.document["cause"] == "" ? "" : ": " + result.document["cause_text"].get<std::string>());
     }
-    if (words.corpus.diff.json) {
-        Json all = Json::array();
-        for (const CorpusResult& result : results) all.push_back(result.document);
-        fmt::print("{}", as_json_text(all));
-    } else {
-        fmt::print("{}", corpus_table(results));
-    }
+    Json all = Json::array();
+    for (const CorpusResult& result : results) all.push_back(result.document);
+    if (words.corpus.diff.json) fmt::print("{}", as_json_text(all));
+    else print_rows(results);
+    const std::string report = words.corpus.diff.report.empty() ? words.corpus.out + "/report.html" : words.corpus.diff.report;
+    const auto written = write_report(report, fmt::format("{} scenes beside POV-Ray", results.size()), report_pairs(results, words.corpus));
+    if (!written) return fail(written.error()), int(Verdict::error);
     return worst;
 }
 

@@ -2,6 +2,7 @@
 /// The gate: how far is a picture from its reference, where, and is it good enough?
 #include "tools/diff/words.h"
 #include "tools/options.h"
+#include "tools/report/report.h"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
@@ -21,6 +22,9 @@ int run_diff(const Verb& verb, const Words& given) {
     if (const auto code = parse_words(app, verb, with_two_dashes(app, given))) return *code == kDone ? int(kDone) : int(Verdict::error);
     if (const std::string why = why_not_writable(request); !why.empty()) return fail(why), int(Verdict::error);
     set_default_rules(request.rules, "exact");
+    Words line = {"alidade", "diff"};
+    line.insert(line.end(), given.begin(), given.end());
+    request.commands = {shell_line(line)};
     const Comparison comparison = compare_files(reference, test, request);
     if (request.json) fmt::print("{}", as_json_text(to_json(comparison)));
     else if (comparison.judgement.verdict == Verdict::error) fail(comparison.judgement.reason);

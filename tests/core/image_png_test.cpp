@@ -167,5 +167,17 @@ std::string kind_name(const testing::TestParamInfo<Kind>& info) {
 
 INSTANTIATE_TEST_SUITE_P(Standard, EveryPng, testing::ValuesIn(all_kinds()), kind_name);
 
+TEST(EncodePicture, GivesTheBytesOfAFile) {
+    Picture picture(3, 2, {"R", "G", "B"});
+    for (size_t i = 0; i < picture.values.size(); ++i) picture.values[i] = float(srgb_to_linear(double(i * 14) / 255));
+    const auto bytes = encode_picture(picture, ".png");
+    ASSERT_TRUE(bytes);
+    const auto codes = decode_picture(*bytes, Encoding::linear);
+    ASSERT_TRUE(codes);
+    for (size_t i = 0; i < picture.values.size(); ++i) EXPECT_FLOAT_EQ(codes->values[i], float(i * 14) / 255);
+    EXPECT_EQ(encode_picture(Picture{}, ".png").error(), "the picture is empty");
+    EXPECT_EQ(encode_picture(picture, "").error(), "the name has no ending that says which format to write");
+}
+
 }  // namespace
 }  // namespace alidade

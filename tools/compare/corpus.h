@@ -14,7 +14,6 @@ struct CorpusRequest {
     std::vector<std::string> where;///< "tier<=3", "category=lights": rows that count
     std::string out;               ///< the folder of results.jsonl, pictures and report.html
     int jobs = 1;
-    bool with_report = true;
     PovJob defaults;
     DiffRequest diff;
 };

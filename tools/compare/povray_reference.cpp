@@ -142,6 +142,7 @@ tl::expected<std::string, std::string> reference_key(const PovJob& job) {
 
 tl::expected<Rendered, RenderFailure> povray_reference(const PovJob& job, const std::string& scratch) {
     if (povray_version().empty()) return tl::unexpected(RenderFailure{true, true, "POV-Ray is not installed: its package is povray (and povray-includes)"});
+    if (!fs::is_regular_file(job.scene)) return failure(true, fmt::format("there is no file {}", job.scene));
     const auto key = reference_key(job);
     if (!key) return failure(true, key.error());
     const std::string stem = fmt::format("{}/{}", job.cache, *key);
@@ -161,8 +162,11 @@ const std::string& povray_version() {
     static const std::string version = [] {
         if (find_program("povray").empty()) return std::string();
         const auto run = run_program({"povray", "--version"}, ".", 20);
-        const size_t from = run ? run->output.find_first_of("0123456789") : std::string::npos;
-        return from == std::string::npos ? std::string("unknown") : run->output.substr(from, run->output.find_first_of(" \n", from) - from);
+        constexpr std::string_view kName = "POV-Ray ";
+        const size_t name = run ? run->output.find(kName) : std::string::npos;
+        if (name == std::string::npos) return std::string("unknown");
+        const size_t from = name + kName.size();
+        return run->output.substr(from, run->output.find_first_of(" \n", from) - from);
     }();
     return version;
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tools/diff/words.h"
 
+#include "tools/diff/report_pair.h"
 #include "tools/options.h"
 #include "tools/output.h"
 #include "tools/values.h"
@@ -8,6 +9,8 @@
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
+
+#include <filesystem>
 
 namespace alidade {
 namespace {
@@ -111,13 +114,26 @@ Comparison compare_files(const std::string& reference, const std::string& test, 
     return out;
 }
 
+namespace {
+
+tl::expected<void, std::string> write_text(const std::string& path, const std::string& text) { return write_file(path, std::as_bytes(std::span(text))); }
+
+tl::expected<void, std::string> write_report(const Comparison& comparison, const DiffRequest& asked) {
+    const auto leaf = [](const std::string& path) { return std::filesystem::path(path).filename().string(); };
+    const std::string name = fmt::format("{} against {}", leaf(comparison.test), leaf(comparison.reference));
+    const auto page = report_html({name, {{"alidade", ALIDADE_VERSION}}, {report_pair(comparison, name, asked.commands)}});
+    if (!page) return tl::unexpected(page.error());
+    return write_text(asked.report, *page);
+}
+
+}  // namespace
+
 tl::expected<void, std::string> write_files(const Comparison& comparison, const DiffRequest& asked) {
-    if (!asked.junit.empty()) {
-        const std::string text = as_junit(comparison);
-        if (auto written = write_file(asked.junit, std::as_bytes(std::span(text))); !written) return written;
-    }
-    if (!asked.heatmap.empty() && !comparison.measured.empty()) return write_picture(asked.heatmap, heat_map(comparison));
-    return {};
+    tl::expected<void, std::string> done;
+    if (!asked.junit.empty()) done = write_text(asked.junit, as_junit(comparison));
+    if (done && !asked.heatmap.empty() && !comparison.measured.empty()) done = write_picture(asked.heatmap, heat_map(comparison));
+    if (done && !asked.report.empty()) done = write_report(comparison, asked);
+    return done;
 }
 
 }  // namespace alidade

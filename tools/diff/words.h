@@ -17,6 +17,7 @@ struct DiffRequest {
     Rules rules;
     bool align = false, json = false;
     std::string junit, heatmap, report;
+    std::vector<std::string> commands;   ///< as the report shows them
 };
 
 /// --fail, --warn and their kin, --require, --preset.

@@ -85,6 +85,11 @@ const MODES = [
 const ZOOMS = [1, 2, 4, 8, 16, 32];
 const BLINK_MS = 250;   // two changes there and back a second: 2 Hz, below what may harm
 
+/// The largest zoom up to `factor`: any below 1, above it those of the list.
+function wholeOrSmaller(factor) {
+  return factor < 1 ? factor : ZOOMS.filter((zoom) => zoom <= factor).pop();
+}
+
 class Viewer {
   constructor(index, pictures, wanted) {
     this.pair = pairs[index];
@@ -140,14 +145,16 @@ class Viewer {
     return Array.from({length: count}, (_, i) => ({left: i * width, width, what: count === 3 ? ['reference', 'test', 'error'][i] : this.mode}));
   }
 
+  /// All of the picture: made smaller by any factor, larger by whole ones alone.
   fit() {
-    return Math.min(1, this.panes()[0].width / this.width, this.viewHeight / this.height);
+    return wholeOrSmaller(Math.min(this.panes()[0].width / this.width, this.viewHeight / this.height));
   }
 
   resize() {
     const ratio = window.devicePixelRatio || 1;
     this.viewWidth = Math.max(this.canvas.parentElement.clientWidth, 100);
-    this.viewHeight = Math.round(Math.max(200, Math.min(window.innerHeight * 0.65, this.height * Math.max(1, Math.min(4, this.viewWidth / this.width)))));
+    const room = window.innerHeight * 0.65;
+    this.viewHeight = Math.max(200, Math.round(Math.min(room, this.height * wholeOrSmaller(Math.min(this.viewWidth / this.width, room / this.height)))));
     this.canvas.style.height = this.viewHeight + 'px';
     this.canvas.width = Math.round(this.viewWidth * ratio);
     this.canvas.height = Math.round(this.viewHeight * ratio);
@@ -444,9 +451,9 @@ function tilesTable(pair) {
       style: `background:rgb(${color.join(',')});color:${bright ? '#000' : '#fff'}`, onclick: () => showTile(tiles, column, row)}, tileText(tiles.mean[i])));
     return of('td', {}, buttons[i]);
   })));
-  const table = of('table', {class: 'tiles', id: 'tiles', onkeydown: (event) => tileKey(event, buttons, tiles)},
-    of('caption', {}, `Mean difference of ${tiles.size} x ${tiles.size} pixels, in thousandths; a button shows its place. Arrow keys move.`), of('tbody', {}, ...rows));
-  return section('Tiles', of('div', {class: 'scroll'}, table));
+  const table = of('table', {class: 'tiles', id: 'tiles', 'aria-describedby': 'tiles-doc', onkeydown: (event) => tileKey(event, buttons, tiles)}, of('tbody', {}, ...rows));
+  return section('Tiles', of('p', {class: 'quiet', id: 'tiles-doc'}, `Mean difference in ${tiles.size} x ${tiles.size} pixels, in thousandths; a tile leads to its place, arrow keys from tile to tile.`),
+    of('div', {class: 'scroll'}, table));
 }
 function tileText(mean) {
   return mean === 0 ? '0' : mean < 0.0005 ? '<1' : String(Math.round(mean * 1000));
@@ -501,7 +508,7 @@ let request = 0;
 
 function head(pair) {
   const known = pair.document;
-  return of('div', {}, of('h2', {}, verdictOf(pair), ' ', pair.name), of('p', {id: 'reason'}, known.reason || ''),
+  return of('div', {}, of('h2', {}, verdictOf(pair), ' ', pair.name === data.title ? '' : pair.name), of('p', {id: 'reason'}, known.reason || ''),
     known.cause_text && known.cause_text !== known.reason ? of('p', {id: 'cause'}, `${known.cause}: ${known.cause_text}`) : null,
     of('p', {class: 'quiet'}, 'reference ', of('code', {}, known.reference || ''), ' \u00b7 test ', of('code', {}, known.test || ''),
       known.width ? ` \u00b7 ${known.width} x ${known.height} \u00b7 ${known.values} values` : ''),
