@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "exporters/pov/cameras.h"
 
+#include "exporters/pov/paths.h"
 #include "scene/queries.h"
 
 #include <fmt/format.h>
@@ -63,14 +64,13 @@ void write_lens(const Camera& c, const RenderSettings& settings, Sdl& sdl) {
 }  // namespace
 
 Camera chosen_camera(const Scene& scene, Losses& losses) {
+    constexpr size_t kMost = 1000;
     std::optional<Camera> first;
     size_t others = 0;
-    visit_paths(scene, [&](const Visit& v) {
-        const auto* id = std::get_if<CameraId>(&scene.nodes[v.node.index].what);
-        if (!id) return true;
+    const auto is_camera = [](const Node& node) { return std::holds_alternative<CameraId>(node.what); };
+    for_each_path(scene, is_camera, kMost, [&](const Node& node, const Transform& to_world) {
         if (first) ++others;
-        else first = placed(scene.cameras[id->index], v.to_world);
-        return true;
+        else first = placed(scene.cameras[std::get<CameraId>(node.what).index], to_world);
     });
     losses.add("further cameras", others);
     return first ? *first : framing_camera(world_bounds(scene));

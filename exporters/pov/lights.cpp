@@ -39,7 +39,7 @@ LightWriter::LightWriter(const Scene& scene, Sdl& sdl, Losses& losses) : scene_(
     near_ = std::max(size_ * kNear, 1e-9);   // POV-Ray takes less than 1e-10 for no fading
 }
 
-Rgbft LightWriter::colour(const Light& light) const {
+Expression LightWriter::colour(const Light& light) const {
     if (!is_radiometric(light)) return {light.intensity};
     if (std::holds_alternative<DirectionalLight>(light.kind)) return {light.intensity / kPi};
     double area = 1;
@@ -96,7 +96,7 @@ void LightWriter::begin(const Light& light, const Transform& to_parent) {
     tell_losses(light);
     sdl_.comment(light.name);
     sdl_.begin("light_source");
-    sdl_.line(to_parent.translation, ", color", colour(light));
+    sdl_.line(to_parent.translation, ",", colour(light));
     kind(light, to_parent);
     grid(light, to_parent);
     fade(light);

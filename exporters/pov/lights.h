@@ -24,7 +24,7 @@ class LightWriter {
     void kind(const Light& light, const Transform& to_parent);
     void fade(const Light& light);
     void grid(const Light& light, const Transform& to_parent);
-    Rgbft colour(const Light& light) const;
+    Expression colour(const Light& light) const;
     void tell_losses(const Light& light);
 
     const Scene& scene_;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "exporters/pov/shapes.h"
+#include "exporters/pov/vertex_colors.h"
 #include "exporters/vertices.h"
 #include "scene/queries.h"
 
@@ -23,7 +24,7 @@ Vec3 unit_normal(const Vec3f& n) {
 
 class MeshText {
   public:
-    MeshText(const Mesh& mesh, const SlotMaterials& slots, const ShapeContext& c) : mesh_(mesh), slots_(slots), c_(c), finite_(finite_triangles(mesh)) {}
+    MeshText(const Mesh& mesh, const SlotMaterials& slots, const ShapeContext& c) : mesh_(mesh), slots_(slots), c_(c), finite_(finite_triangles(mesh)), colors_(mesh, slots, finite_, c.scene, c.losses) {}
 
     void begin() {
         tell_losses();
@@ -43,7 +44,6 @@ class MeshText {
   private:
     void tell_losses() const {
         c_.losses.add("triangles with a vertex that is not finite", mesh_.triangles.size() - finite_.size());
-        c_.losses.add("vertex colours", mesh_.colors.size());
         c_.losses.add("further texture coordinate sets", mesh_.uvs.size() > 1 ? mesh_.uvs.size() - 1 : 0);
         c_.losses.add("faces of more than three corners", !mesh_.faces.empty(), "their triangles");
     }
@@ -105,19 +105,23 @@ class MeshText {
 
     /// Slot 0 is the object's own texture; the others are numbered from 0. One that no node gives a material takes the default.
     void textures() {
-        if (slots_.size() < 2 || mesh_.slots.empty()) return;
+        const bool several = slots_.size() > 1 && !mesh_.slots.empty();
+        if (!several && !colors_.present()) return;
         c_.sdl.begin("texture_list");
-        c_.sdl.line(slots_.size() - 1, ",");
-        for (size_t i = 1; i < slots_.size(); ++i) c_.textures.use(slots_[i]);
+        c_.sdl.line(colors_.present() ? colors_.size() : slots_.size() - 1, ",");
+        if (colors_.present()) colors_.write(c_.textures);
+        for (size_t i = 1; i < slots_.size() && !colors_.present(); ++i) c_.textures.use(slots_[i]);
         c_.sdl.end();
     }
 
     void faces() {
         c_.sdl.begin("face_indices");
         c_.sdl.line(finite_.size(), ",");
-        for (const uint32_t t : finite_) {
+        for (size_t n = 0; n < finite_.size(); ++n) {
+            const uint32_t t = finite_[n];
             c_.sdl.item(mesh_.triangles[t]);
-            if (slots_.size() > 1 && !mesh_.slots.empty() && mesh_.slots[t] > 0) c_.sdl.item(mesh_.slots[t] - 1);
+            if (colors_.present()) c_.sdl.item(colors_.at(n).x), c_.sdl.item(colors_.at(n).y), c_.sdl.item(colors_.at(n).z);
+            else if (slots_.size() > 1 && !mesh_.slots.empty() && mesh_.slots[t] > 0) c_.sdl.item(mesh_.slots[t] - 1);
         }
         end();
     }
@@ -141,6 +145,7 @@ class MeshText {
     const SlotMaterials& slots_;
     const ShapeContext& c_;
     std::vector<uint32_t> finite_;
+    VertexColors colors_;
 };
 
 }  // namespace

@@ -16,15 +16,13 @@ constexpr double kVeil = 1.0 / (1 << 20);
 
 class Surface {
   public:
-    Surface(const Scene& scene, const std::string& name, const PlainSurface& s, Sdl& sdl, ImageWriter& images, Losses& losses)
-        : s_(s), name_(name), sdl_(sdl), images_(images), losses_(losses) {
+    Surface(const std::string& name, const PlainSurface& s, const Color& sky, Sdl& sdl, ImageWriter& images, Losses& losses)
+        : s_(s), name_(name), sdl_(sdl), images_(images), losses_(losses), sky_(sky) {
         metallic_ = scalar(s.metallic, "metalness"), roughness_ = scalar(s.roughness, "roughness");
         through_ = s.transmission ? std::clamp(scalar(*s.transmission, "transmission"), 0.0, 1.0) * (1 - metallic_) : 0;
         base_ = Color(s.base_color.factor), tint_ = base_;
         if (s.alpha_mode == AlphaMode::blend) alpha_ = std::clamp(s.base_color.factor.w, 0.0, 1.0);
         if (s.alpha_mode == AlphaMode::mask && !s.base_color.picture) alpha_ = s.base_color.factor.w < s.alpha_cutoff ? 0 : 1;
-        const Atmosphere& air = scene.atmosphere;
-        if (air.environment) sky_ = *air.environment * air.environment_strength;
         if (s.emissive) glow_ = Color(s.emissive->factor) * s.emissive_strength;
     }
 
@@ -102,7 +100,7 @@ class Surface {
 
     void pigment() {
         sdl_.begin("pigment");
-        if (!picture_pigment()) sdl_.line("color", Rgbft{base_, through_ * alpha_, 1 - alpha_});
+        if (!picture_pigment()) sdl_.line(Rgbft{base_, through_ * alpha_, 1 - alpha_});
         sdl_.end();
     }
 
@@ -155,7 +153,7 @@ class Surface {
         const Color colour = glow_ / most;
         sdl_.begin("texture");
         sdl_.begin("pigment");
-        if (!e.picture || !images_.map(*e.picture, Vec4(colour, 1), PictureAlpha::removed, 1 - kVeil)) sdl_.line("color", Rgbft{colour, 0, 1 - kVeil});
+        if (!e.picture || !images_.map(*e.picture, Vec4(colour, 1), PictureAlpha::removed, 1 - kVeil)) sdl_.line(Rgbft{colour, 0, 1 - kVeil});
         sdl_.end();
         PovFinish f;
         f.ambient = Color(0), f.diffuse = 0, f.emission = Color(most / kVeil * alpha_);
@@ -183,15 +181,16 @@ class Surface {
     Sdl& sdl_;
     ImageWriter& images_;
     Losses& losses_;
+    Color sky_;
     double metallic_ = 0, roughness_ = 1, through_ = 0, alpha_ = 1;
-    Color base_{1}, tint_{1}, sky_{0}, glow_{0};
+    Color base_{1}, tint_{1}, glow_{0};
     bool dark_ = false;   ///< the pigment is that of the emission
 };
 
 }  // namespace
 
-void write_metal_rough(const Scene& scene, const std::string& name, const PlainSurface& surface, Sdl& sdl, ImageWriter& images, Losses& losses) {
-    Surface(scene, name, surface, sdl, images, losses).write();
+void write_metal_rough(const std::string& name, const PlainSurface& surface, const Color& sky, Sdl& sdl, ImageWriter& images, Losses& losses) {
+    Surface(name, surface, sky, sdl, images, losses).write();
 }
 
 void set_beer(Interior& in) {

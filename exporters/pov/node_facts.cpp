@@ -11,6 +11,14 @@ namespace {
 /// Blocks in blocks; what lies deeper is declared.
 constexpr uint32_t kDeepest = 40;
 
+/// POV-Ray changes a transformation that makes things as flat as that.
+bool is_flat(const Transform& t) {
+    constexpr double kSmallest = 1e-10;
+    for (int i = 0; i < 3; ++i)
+        if (!(std::max({std::abs(t.linear[0][i]), std::abs(t.linear[1][i]), std::abs(t.linear[2][i])}) >= kSmallest)) return true;
+    return !inverse(t);
+}
+
 }  // namespace
 
 NodeFacts::NodeFacts(const Scene& scene, Losses& losses) : scene_(scene), facts_(scene.nodes.size()) {
@@ -18,10 +26,15 @@ NodeFacts::NodeFacts(const Scene& scene, Losses& losses) : scene_(scene), facts_
     reach();
     for (auto i = order_.rbegin(); i != order_.rend(); ++i) study(*i);
     count_shapes();
-    size_t flat = 0;
-    for (const uint32_t i : order_)
-        if (const auto* shape = std::get_if<ShapeId>(&scene.nodes[i].what)) flat += !seen_shapes_[shape->index];
-    losses.add("shapes without extent", flat);
+    size_t without = 0, flat = 0, hidden = 0;
+    for (const uint32_t i : order_) {
+        const Node& node = scene.nodes[i];
+        if (const auto* shape = std::get_if<ShapeId>(&node.what)) without += !seen_shapes_[shape->index];
+        flat += is_flat(node.to_parent), hidden += !node.flags.visible;
+    }
+    losses.add("shapes without extent", without);
+    losses.add("nodes whose transformation is flat, not finite or smaller than 1e-10", flat);
+    losses.add("hidden nodes", hidden);
 }
 
 void NodeFacts::reach() {
@@ -54,7 +67,7 @@ bool NodeFacts::draws_light(const Node& node) const {
 
 /// An intersection with nothing is nothing, and so is what is left of nothing.
 bool NodeFacts::has_nothing(const Node& node) const {
-    if (!node.flags.visible) return true;
+    if (!node.flags.visible || is_flat(node.to_parent)) return true;
     const auto nothing = [&](NodeId id) { return facts_[id.index].empty; };
     const std::vector<NodeId>& parts = node.children;
     if (node.csg == CsgKind::intersection && std::any_of(parts.begin(), parts.end(), nothing)) return true;

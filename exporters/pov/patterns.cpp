@@ -42,11 +42,17 @@ void PatternWriter::declare(const std::vector<SignalId>& roots) {
     std::vector<SignalId> all;
     for (const SignalId root : roots)
         if (!used[root.index]) collect_signals(scene_, root, all);
+    declare_unit(all);
     for (const SignalId id : all) used[id.index] = true;
     const auto operands = [&](uint32_t i, const auto& f) { for_each_operand(scene_.signals[i], [&](SignalId id) { f(id.index); }); };
     const std::vector<uint32_t> order = topological_order(scene_.signals.size(), operands).sequence;
     for (auto i = order.rbegin(); i != order.rend(); ++i)
         if (used[*i]) declare_one({*i});
+}
+
+void PatternWriter::declare_unit(const std::vector<SignalId>& all) {
+    const auto rounds = [&](SignalId id) { return is_colour(id) && !colour(id).value.is_single(); };
+    if (std::any_of(all.begin(), all.end(), rounds)) sdl_.line("#declare", kUnit, "= rgbft <1,1,1,1,1>;");
 }
 
 void PatternWriter::declare_one(SignalId id) {
@@ -63,17 +69,17 @@ std::string PatternWriter::item(SignalId id, const char* kind) const { return fm
 
 bool PatternWriter::is_colour(SignalId id) const { return std::holds_alternative<ConstantSignal>(scene_.signals[id.index].what); }
 
-Rgbft PatternWriter::colour(SignalId id) const {
+ExactColour PatternWriter::colour(SignalId id) const {
     const auto& c = std::get<ConstantSignal>(scene_.signals[id.index].what);
-    return {Color(c.value), c.filter, c.transmit};
+    return {{Color(c.value), c.filter, c.transmit}};
 }
 
 void PatternWriter::pigment(SignalId id) {
     const Signal& signal = scene_.signals[id.index];
-    if (is_colour(id)) return sdl_.line("color", colour(id));
+    if (is_colour(id)) return sdl_.line(colour(id));
     if (std::holds_alternative<PatternSignal>(signal.what)) return sdl_.line(item(id, "Pigment"));
     const Texel found = texel(scene_, id, losses_);
-    if (!found.picture || !images_.map(*found.picture)) sdl_.line("color", Rgbft{Color(found.factor)});
+    if (!found.picture || !images_.map(*found.picture)) sdl_.line(Rgbft{Color(found.factor)});
     else losses_.add("factors of pictures in POV-Ray's pigments", !found.is_constant(1) && Vec3(found.factor) != Vec3(1), "the pictures as they are");
 }
 
@@ -149,7 +155,7 @@ void PatternWriter::pigment_map(const PatternSignal& s) {
     if (list_length(s)) {
         for (size_t i = 0; i < s.map.size(); ++i) {
             if (!colours) pigment_block(s.map[i].signal);
-            else sdl_.line(i ? ", color" : "color", colour(s.map[i].signal));
+            else sdl_.line(i ? "," : "", colour(s.map[i].signal));
         }
         return;
     }
@@ -157,7 +163,7 @@ void PatternWriter::pigment_map(const PatternSignal& s) {
     const bool average = s.pattern == "average";
     sdl_.begin(colours && !average ? "color_map" : "pigment_map");
     for (const MapEntry& e : s.map) {
-        if (is_colour(e.signal)) sdl_.line("[", e.value, "color", colour(e.signal), "]");
+        if (is_colour(e.signal)) sdl_.line("[", e.value, colour(e.signal), "]");
         else sdl_.line("[", e.value, item(e.signal, "Pigment"), "]");
     }
     sdl_.end();

@@ -35,7 +35,8 @@ class PatternWriter {
     void relief(const ReliefSignal& r);
     void parameters(const PatternSignal& s);
     std::string item(SignalId id, const char* kind) const;
-    Rgbft colour(SignalId id) const;
+    ExactColour colour(SignalId id) const;
+    void declare_unit(const std::vector<SignalId>& all);
     bool is_colour(SignalId id) const;
 
     const Scene& scene_;

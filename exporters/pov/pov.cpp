@@ -3,6 +3,7 @@
 
 #include "exporters/pov/cameras.h"
 #include "exporters/pov/nodes.h"
+#include "exporters/pov/paths.h"
 #include "exporters/pov/surroundings.h"
 #include "scene/queries.h"
 
@@ -24,29 +25,51 @@ class Document {
         write_settings(scene_, sdl_);
         const Camera camera = chosen_camera(scene_, losses_);
         write_camera(camera, scene_.settings, sdl_);
+        const bool lacks_light = scene_.settings.default_light && !is_lit();
+        std::optional<Color> sky;
+        if (const Atmosphere& air = scene_.atmosphere; air.environment) sky = *air.environment * air.environment_strength;
+        if (lacks_light) sky = kDefaultSky;
+        if (sky) textures_.set_sky(*sky);
         textures_.declare(facts_.used_materials(), pigments_of_surroundings(scene_));
         if (facts_.needs_default()) textures_.declare_default();
-        write_surroundings(scene_, sdl_, textures_, images_, losses_);
+        write_surroundings(scene_, sky, sdl_, textures_, images_, losses_);
+        if (lacks_light) lights_.write_default_sun(camera);
         directional_lights();
-        if (scene_.settings.default_light && !lit_) lights_.write_default_sun(camera);
         const ShapeContext context{scene_, sdl_, textures_, losses_};
         NodeWriter(context, lights_, facts_).write();
-        if (facts_.roots().empty() && !lit_) sdl_.line("light_source { 0, color rgb 0 }");   // POV-Ray warns of scenes without objects
+        if (facts_.roots().empty()) sdl_.line("light_source { 0, color rgb 0 }");   // POV-Ray warns of scenes without objects
         losses_.add("numbers that are not finite", sdl_.not_finite(), "0");
         return sdl_.take();
     }
 
   private:
+    /// The radiance of the sky that a scene without any light gets.
+    static constexpr Color kDefaultSky{0.5};
+    static constexpr size_t kMostSuns = 1000;
+
+    bool glows(const Material& m) const {
+        const auto* pbr = m.layers.empty() ? nullptr : std::get_if<GltfPbr>(&m.layers.front());
+        if (!pbr || !pbr->emissive || !(pbr->emissive_strength > 0)) return false;
+        const auto* colour = std::get_if<ConstantSignal>(&scene_.signals[pbr->emissive->index].what);
+        return !colour || !is_black(Color(colour->value));
+    }
+
+    bool is_lit() const {
+        const Atmosphere& air = scene_.atmosphere;
+        if (air.environment || air.environment_image) return true;
+        const std::vector<bool> used = facts_.used_materials();
+        for (size_t i = 0; i < used.size(); ++i)
+            if (used[i] && glows(scene_.materials[i])) return true;
+        const std::vector<uint32_t>& nodes = facts_.order();
+        return std::any_of(nodes.begin(), nodes.end(), [&](uint32_t i) { return std::holds_alternative<LightId>(scene_.nodes[i].what); });
+    }
+
     /// They stand at the top, outside of all nodes.
     void directional_lights() {
-        visit_paths(scene_, [&](const Visit& v) {
-            const auto* id = std::get_if<LightId>(&scene_.nodes[v.node.index].what);
-            if (!id) return true;
-            const Light& light = scene_.lights[id->index];
-            lit_ = true;
-            if (std::holds_alternative<DirectionalLight>(light.kind)) lights_.write_directional(light, v.to_world);
-            return true;
-        });
+        const auto light_of = [&](const Node& node) -> const Light& { return scene_.lights[std::get<LightId>(node.what).index]; };
+        const auto is_sun = [&](const Node& node) { return std::holds_alternative<LightId>(node.what) && std::holds_alternative<DirectionalLight>(light_of(node).kind); };
+        const bool all = for_each_path(scene_, is_sun, kMostSuns, [&](const Node& node, const Transform& to_world) { lights_.write_directional(light_of(node), to_world); });
+        losses_.add("directional lights beyond a thousand", !all);
     }
 
     const Scene& scene_;
@@ -56,7 +79,6 @@ class Document {
     TextureWriter textures_;
     LightWriter lights_;
     NodeFacts facts_;
-    bool lit_ = false;
 };
 
 void tell_losses(const Scene& scene, Losses& losses) {

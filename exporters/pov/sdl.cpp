@@ -27,12 +27,25 @@ void Sdl::put(const Index3& v) {
 /// The word says what follows: a colour without filter and transmit stays short.
 void Sdl::put(const Rgbft& c) {
     if (c.filter == 0 && c.transmit == 0) {
-        text_ += "rgb ";
+        text_ += "color rgb ";
         vector({c.color.x, c.color.y, c.color.z});
     } else {
-        text_ += "rgbft ";
+        text_ += "color rgbft ";
         vector({c.color.x, c.color.y, c.color.z, c.filter, c.transmit});
     }
+}
+
+void Sdl::put(const ExactColour& c) {
+    if (c.value.is_single()) return put(c.value);
+    put(kUnit), put("*");
+    vector({c.value.color.x, c.value.color.y, c.value.color.z, c.value.filter, c.value.transmit});
+}
+
+void Sdl::put(const Expression& e) {
+    const Color& c = e.color;
+    if (Color(Vec3f(c)) == c) put(Rgbft{c});
+    else if (c.x == c.y && c.y == c.z) put(c.x);
+    else put(c);
 }
 
 /// Where x, y, z and the origin go.

@@ -13,6 +13,20 @@ namespace alidade::pov_export {
 struct Rgbft {
     Color color{0};
     double filter = 0, transmit = 0;
+
+    bool is_single() const { return Color(Vec3f(color)) == color && double(float(filter)) == filter && double(float(transmit)) == transmit; }
+};
+
+/// A colour to the last digit: words like `rgb` round to single precision for readers that calculate in doubles, and products of a declared colour do not.
+/// It may stand where `kUnit` has been declared.
+struct ExactColour {
+    Rgbft value;
+};
+inline constexpr const char* kUnit = "Unit";
+
+/// Where POV-Ray takes any expression for a colour: without a word before it, it is not rounded.
+struct Expression {
+    Color color{0};
 };
 
 /// Writes blocks, indented. Numbers have the fewest digits that read back as the same number; what is no number is written as 0, and counted.
@@ -53,7 +67,9 @@ class Sdl {
 
   private:
     void indent() { text_.append(2 * size_t(depth_), ' '); }
-    void put(std::string_view word) { text_ += word, text_ += ' '; }
+    void put(std::string_view word) {
+        if (!word.empty()) text_ += word, text_ += ' ';
+    }
     void put(const std::string& word) { put(std::string_view(word)); }
     void put(const char* word) { put(std::string_view(word)); }
     void put(double x) { number(x), text_ += ' '; }
@@ -64,6 +80,8 @@ class Sdl {
     void put(const Vec3& v) { vector({v.x, v.y, v.z}); }
     void put(const Index3& v);
     void put(const Rgbft& c);
+    void put(const ExactColour& c);
+    void put(const Expression& e);
     void put(const Transform& t);
     void number(double x);
     void vector(std::initializer_list<double> values);

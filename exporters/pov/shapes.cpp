@@ -7,15 +7,18 @@ namespace alidade::pov_export {
 
 namespace {
 
+/// POV-Ray takes less for nothing.
+constexpr double kSmallest = 1e-10;
+
 // One pair of functions for each kind of shape: a kind without them does not compile.
 
-bool seen(const Sphere& s) { return s.radius != 0; }
-bool seen(const Plane& s) { return length(s.normal) > 0; }
-bool seen(const Box& s) { return s.a.x != s.b.x && s.a.y != s.b.y && s.a.z != s.b.z; }
-bool seen(const Disc& s) { return length(s.normal) > 0 && s.radius != 0; }
-bool seen(const Cylinder& s) { return s.a != s.b && s.radius != 0; }
-bool seen(const Cone& s) { return s.a != s.b && (s.radius_a != 0 || s.radius_b != 0); }
-bool seen(const Torus& s) { return s.minor != 0; }
+bool seen(const Sphere&) { return true; }
+bool seen(const Plane& s) { return length(s.normal) > kSmallest; }
+bool seen(const Box&) { return true; }
+bool seen(const Disc& s) { return length(s.normal) > kSmallest; }
+bool seen(const Cylinder& s) { return length(s.b - s.a) > kSmallest; }
+bool seen(const Cone& s) { return length(s.b - s.a) > kSmallest; }
+bool seen(const Torus&) { return true; }
 bool seen(const Quadric&) { return true; }
 bool seen(const Polynomial& s) { return s.coefficients.size() == Polynomial::terms(s.order); }
 bool seen(const Polygon& s) { return normal_of(s) != Vec3(0); }

@@ -12,7 +12,7 @@ constexpr int kUsualDepth = 8;   ///< of a scene that says nothing
 void write_sky(const SkySphere& sky, Sdl& sdl, TextureWriter& textures) {
     sdl.begin("sky_sphere");
     for (const SignalId pigment : sky.pigments) textures.patterns().pigment_block(pigment);
-    if (sky.emission != Color(1)) sdl.line("emission", Rgbft{sky.emission});
+    if (sky.emission != Color(1)) sdl.line("emission", Expression{sky.emission});
     if (!sky.transform.is_identity()) sdl.line(sky.transform);
     sdl.end();
 }
@@ -20,7 +20,7 @@ void write_sky(const SkySphere& sky, Sdl& sdl, TextureWriter& textures) {
 void write_fog(const Fog& fog, Sdl& sdl) {
     sdl.begin("fog");
     sdl.line("fog_type", fog.ground ? 2 : 1, "distance", fog.distance);
-    sdl.line("color", Rgbft{fog.color, fog.filter, fog.transmit});
+    sdl.line(Rgbft{fog.color, fog.filter, fog.transmit});
     if (fog.ground) sdl.line("fog_offset", fog.offset, "fog_alt", fog.altitude, "up", fog.up);
     write_turbulence(sdl, fog.turbulence);
     if (fog.turbulence.amount != Vec3(0)) sdl.line("turb_depth", fog.turbulence_depth);
@@ -49,8 +49,8 @@ void write_settings(const Scene& scene, Sdl& sdl) {
     else sdl.line("assumed_gamma", s.assumed_gamma);
     sdl.line("max_trace_level", std::clamp(s.max_depth.value_or(kUsualDepth) + 1, 1, 256));
     sdl.line("adc_bailout", s.adc_bailout);
-    if (s.ambient_light != Color(1)) sdl.line("ambient_light", Rgbft{s.ambient_light});
-    if (s.irid_wavelength != RenderSettings().irid_wavelength) sdl.line("irid_wavelength", Rgbft{s.irid_wavelength});
+    if (s.ambient_light != Color(1)) sdl.line("ambient_light", Expression{s.ambient_light});
+    if (s.irid_wavelength != RenderSettings().irid_wavelength) sdl.line("irid_wavelength", Expression{s.irid_wavelength});
     if (usual_noise(scene) != NoiseGenerator::range_corrected) sdl.line("noise_generator", int(usual_noise(scene)));
     if (number_of_waves(scene) != 10) sdl.line("number_of_waves", number_of_waves(scene));
     sdl.end();
@@ -67,11 +67,11 @@ std::vector<SignalId> pigments_of_surroundings(const Scene& scene) {
     return out;
 }
 
-void write_surroundings(const Scene& scene, Sdl& sdl, TextureWriter& textures, ImageWriter& images, Losses& losses) {
+void write_surroundings(const Scene& scene, const std::optional<Color>& sky, Sdl& sdl, TextureWriter& textures, ImageWriter& images, Losses& losses) {
     const Atmosphere& a = scene.atmosphere;
-    if (a.environment) sdl.line("background { color", Rgbft{*a.environment * a.environment_strength}, "}");
-    else if (!is_black(a.background)) sdl.line("background { color", Rgbft{a.background}, "}");
-    losses.add("light of the sky", a.environment.has_value(), "the same on all surfaces, hidden by nothing");
+    if (sky) sdl.line("background {", Expression{*sky}, "}");
+    else if (!is_black(a.background)) sdl.line("background {", Expression{a.background}, "}");
+    losses.add("light of the sky", sky.has_value(), "the same on all surfaces, hidden by nothing");
     losses.add("light of the sky's picture", a.environment_image.has_value(), "a picture that lights nothing");
     if (a.environment_image) write_environment_picture(scene, sdl, images);
     else if (a.sky) write_sky(*a.sky, sdl, textures);

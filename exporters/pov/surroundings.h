@@ -8,8 +8,8 @@ namespace alidade::pov_export {
 
 /// #version and global_settings.
 void write_settings(const Scene& scene, Sdl& sdl);
-/// Background, sky_sphere, fogs, media.
-void write_surroundings(const Scene& scene, Sdl& sdl, TextureWriter& textures, ImageWriter& images, Losses& losses);
+/// Background, sky_sphere, fogs, media. `sky`: the radiance of a constant sky that lights, where there is one.
+void write_surroundings(const Scene& scene, const std::optional<Color>& sky, Sdl& sdl, TextureWriter& textures, ImageWriter& images, Losses& losses);
 /// The signals that the surroundings read.
 std::vector<SignalId> pigments_of_surroundings(const Scene& scene);
 

@@ -18,8 +18,8 @@ void write_reflection(Sdl& sdl, const PovFinish& f) {
     if (is_black(f.reflection_min) && is_black(f.reflection_max)) return;
     sdl.begin("reflection");
     const bool one = f.reflection_min == f.reflection_max && !f.reflection_fresnel;
-    if (one) sdl.line("color", Rgbft{f.reflection_max});
-    else sdl.line("color", Rgbft{f.reflection_min}, ", color", Rgbft{f.reflection_max});
+    if (one) sdl.line(Expression{f.reflection_max});
+    else sdl.line(Expression{f.reflection_min}, ",", Expression{f.reflection_max});
     if (f.reflection_fresnel) sdl.line("fresnel on");
     if (f.reflection_falloff != 1) sdl.line("falloff", f.reflection_falloff);
     if (f.reflection_metallic != 0) sdl.line("metallic", f.reflection_metallic);
@@ -38,8 +38,8 @@ void write_finish(Sdl& sdl, const PovFinish& f, Losses& losses) {
         if (value != unless) sdl.line(word, value);
     };
     sdl.begin("finish");
-    if (f.ambient != usual.ambient) sdl.line("ambient", Rgbft{f.ambient});
-    if (f.emission != usual.emission) sdl.line("emission", Rgbft{f.emission});
+    if (f.ambient != usual.ambient) sdl.line("ambient", Expression{f.ambient});
+    if (f.emission != usual.emission) sdl.line("emission", Expression{f.emission});
     if (f.diffuse_back != 0) sdl.line("diffuse", f.diffuse, ",", f.diffuse_back);
     else number("diffuse", f.diffuse, usual.diffuse);
     number("brilliance", f.brilliance, usual.brilliance);
@@ -86,8 +86,8 @@ void TextureWriter::declare_one(MaterialId id) {
     const Material& m = scene_.materials[id.index];
     sdl_.comment(m.name);
     sdl_.line("#declare", texture_name(id), "=");
-    if (metal_rough(m)) return write_metal_rough(scene_, m.name, plain_surface(scene_, m, losses_), sdl_, images_, losses_);
-    if (m.layers.empty()) return write_metal_rough(scene_, m.name, {}, sdl_, images_, losses_);
+    if (metal_rough(m)) return write_metal_rough(m.name, plain_surface(scene_, m, losses_), sky_, sdl_, images_, losses_);
+    if (m.layers.empty()) return write_metal_rough(m.name, {}, sky_, sdl_, images_, losses_);
     for (const auto& part : m.layers) std::visit([&](const auto& what) { layer(what, m.uv_mapped); }, part);
 }
 
@@ -106,9 +106,14 @@ void TextureWriter::declare(std::vector<bool> used, const std::vector<SignalId>&
 
 void TextureWriter::declare_default() {
     sdl_.line("#declare Texture_default =");
-    PlainSurface white;
-    white.base_color.factor = Vec4(1), white.metallic.factor = Vec4(1), white.roughness.factor = Vec4(1);
-    write_metal_rough(scene_, "default", white, sdl_, images_, losses_);
+    write_metal_rough("default", {}, sky_, sdl_, images_, losses_);
+}
+
+void TextureWriter::tinted(MaterialId material, const Vec4& tint) {
+    Losses told;   // when the material itself was declared
+    PlainSurface surface = plain_surface(scene_, scene_.materials[material.index], told);
+    surface.base_color.factor *= tint;
+    write_metal_rough("", surface, sky_, sdl_, images_, told);
 }
 
 void TextureWriter::use(std::optional<MaterialId> material) { sdl_.line("texture {", material ? texture_name(*material) : "Texture_default", "}"); }
@@ -145,7 +150,7 @@ void TextureWriter::interior(std::optional<MaterialId> material, std::optional<I
     if (in.dispersion != 1) sdl_.line("dispersion", in.dispersion, "dispersion_samples", in.dispersion_samples);
     if (in.fade_distance != 0) sdl_.line("fade_distance", in.fade_distance);
     if (in.fade_power != 0) sdl_.line("fade_power", in.fade_power);
-    if (!is_black(in.fade_color)) sdl_.line("fade_color", Rgbft{in.fade_color});
+    if (!is_black(in.fade_color)) sdl_.line("fade_color", Expression{in.fade_color});
     for (const Interior::Medium& each : in.media) medium(each);
     sdl_.end();
 }

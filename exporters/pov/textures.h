@@ -15,6 +15,10 @@ class TextureWriter {
     void declare(std::vector<bool> used, const std::vector<SignalId>& pigments);
     /// The texture of what no node gives a material.
     void declare_default();
+    /// What lights all surfaces from all sides.
+    void set_sky(const Color& radiance) { sky_ = radiance; }
+    /// `texture { }` of a metal-rough material with a constant base colour, multiplied by `tint`.
+    void tinted(MaterialId material, const Vec4& tint);
     /// `texture { }`; of nothing: the default.
     void use(std::optional<MaterialId> material);
     /// What a solid of this material is filled with: `inside`, and the refraction that the material itself asks for. Nothing where that is nothing.
@@ -34,6 +38,7 @@ class TextureWriter {
     ImageWriter& images_;
     Losses& losses_;
     PatternWriter patterns_;
+    Color sky_{0};
 };
 
 /// POV-Ray's finish, all that differs from its defaults.
