@@ -114,7 +114,7 @@ class Surface {
         f.metallic = f.specular > 0 ? metallic_ : 0;
         set_reflection(f);
         f.conserve_energy = through_ > 0;
-        write_finish(sdl_, f, losses_);
+        write_finish(sdl_, f);
     }
 
     /// Blinn's lobe with GGX's width and height: the exponent is 2 / alpha^2 - 2, and pi D / 4 at its top is (exponent + 2) / 8.
@@ -143,7 +143,7 @@ class Surface {
         pigment();
         PovFinish f;
         f.ambient = Color(0), f.diffuse = 0, f.emission = Color(1);
-        write_finish(sdl_, f, losses_);
+        write_finish(sdl_, f);
         sdl_.end();
     }
 
@@ -157,7 +157,7 @@ class Surface {
         sdl_.end();
         PovFinish f;
         f.ambient = Color(0), f.diffuse = 0, f.emission = Color(most / kVeil * alpha_);
-        write_finish(sdl_, f, losses_);
+        write_finish(sdl_, f);
         sdl_.end();
     }
 
@@ -172,7 +172,7 @@ class Surface {
         if (rough * rough >= kSmallestAlpha) set_highlight(f, coat * kCoat, rough * rough);
         const double k = coat * (1 - rough) * (1 - rough);
         f.reflection_min = Color(k * kCoat), f.reflection_max = Color(k), f.reflection_falloff = 5;
-        write_finish(sdl_, f, losses_);
+        write_finish(sdl_, f);
         sdl_.end();
     }
 

@@ -25,9 +25,8 @@ bool is_default(const Scene& scene, MaterialId id) {
     const auto* colour = f ? std::get_if<ConstantSignal>(&scene.signals[f->pigment.index].what) : nullptr;
     if (!colour || f->normal || !is_black(Color(colour->value)) || colour->filter != 0 || colour->transmit != 0) return false;
     Sdl own, usual;
-    Losses ignored;
-    write_finish(own, *f, ignored), write_finish(usual, {}, ignored);
-    return own.text() == usual.text() && !f->ior && !f->caustics;
+    write_finish(own, *f), write_finish(usual, {});
+    return own.text() == usual.text();
 }
 
 }  // namespace

@@ -111,9 +111,8 @@ void PatternWriter::parameters(const PatternSignal& s) {
         if (parameter(s, 5, 0) != 0) sdl_.line("solid");
     }
     if (s.pattern == "facets") {
-        const bool by_coordinates = parameter(s, 0, 0) != 0;
-        by_coordinates ? number("coords", 0) : number("size", 1);
-        number("metric", 2);
+        if (parameter(s, 0, 0) != 0) number("coords", 0);
+        number("size", 1), number("metric", 2);
     }
     if (s.pattern == "mandel") number("exponent", 1), sides(2);
     if (s.pattern == "julia") number("exponent", 3), sides(4);

@@ -43,7 +43,7 @@ void write_environment_picture(const Scene& scene, Sdl& sdl, ImageWriter& images
 
 void write_settings(const Scene& scene, Sdl& sdl) {
     const RenderSettings& s = scene.settings;
-    sdl.line(s.filter_dims_by_colour ? "#version 3.6;" : "#version 3.7;");
+    sdl.line(version_line(scene));
     sdl.begin("global_settings");
     if (s.srgb_coded) sdl.line("assumed_gamma srgb");   // numbers are calculated with as they are, and decoded at the end
     else sdl.line("assumed_gamma", s.assumed_gamma);

@@ -27,12 +27,22 @@ void write_reflection(Sdl& sdl, const PovFinish& f) {
     if (f.reflection_exponent != 1) sdl.line("reflection_exponent", f.reflection_exponent);
 }
 
-/// Below version 3.1 a finish could have them; now the interior has. They are written there, for the layer on top.
-void tell_old_words(const PovFinish& f, Losses& losses) { losses.add("refraction of old finishes (a factor on what passes)", f.refraction != 1, "1"); }
+bool has_old_words(const PovFinish& f) { return f.ior || f.caustics || f.refraction != 1; }
+bool has_old_words(const PovTextureMap&) { return false; }
+bool has_old_words(const GltfPbr&) { return false; }
+
+/// Words that a finish could have below version 3.1, where caustics were counted otherwise.
+void write_old_words(Sdl& sdl, const PovFinish& f) {
+    if (f.ior) sdl.line("ior", *f.ior);
+    if (f.caustics) sdl.line("caustics", *f.caustics * 45);
+    if (f.refraction != 1) sdl.line("refraction", f.refraction);
+}
 
 }  // namespace
 
-void write_finish(Sdl& sdl, const PovFinish& f, Losses& losses) {
+const char* version_line(const Scene& scene) { return scene.settings.filter_dims_by_colour ? "#version 3.6;" : "#version 3.7;"; }
+
+void write_finish(Sdl& sdl, const PovFinish& f) {
     const PovFinish usual{};
     const auto number = [&](const char* word, double value, double unless) {
         if (value != unless) sdl.line(word, value);
@@ -49,8 +59,8 @@ void write_finish(Sdl& sdl, const PovFinish& f, Losses& losses) {
     write_reflection(sdl, f);
     if (f.conserve_energy) sdl.line("conserve_energy");
     if (f.irid != 0) sdl.line("irid {", f.irid, "thickness", f.irid_thickness, "turbulence", f.irid_turbulence, "}");
+    write_old_words(sdl, f);
     sdl.end();
-    tell_old_words(f, losses);
 }
 
 void TextureWriter::layer(const PovFinish& f, bool uv_mapped) {
@@ -58,7 +68,7 @@ void TextureWriter::layer(const PovFinish& f, bool uv_mapped) {
     if (uv_mapped) sdl_.line("uv_mapping");
     patterns_.pigment_block(f.pigment);
     if (f.normal) patterns_.normal_block(*f.normal);
-    write_finish(sdl_, f, losses_);
+    write_finish(sdl_, f);
     sdl_.end();
 }
 
@@ -88,7 +98,10 @@ void TextureWriter::declare_one(MaterialId id) {
     sdl_.line("#declare", texture_name(id), "=");
     if (metal_rough(m)) return write_metal_rough(m.name, plain_surface(scene_, m, losses_), sky_, sdl_, images_, losses_);
     if (m.layers.empty()) return write_metal_rough(m.name, {}, sky_, sdl_, images_, losses_);
+    const bool old = std::any_of(m.layers.begin(), m.layers.end(), [](const auto& part) { return std::visit([](const auto& what) { return has_old_words(what); }, part); });
+    if (old) sdl_.line("#version 3.0;");   // POV-Ray warns of such words in newer ones
     for (const auto& part : m.layers) std::visit([&](const auto& what) { layer(what, m.uv_mapped); }, part);
+    if (old) sdl_.line(version_line(scene_));
 }
 
 void TextureWriter::declare(std::vector<bool> used, const std::vector<SignalId>& pigments) {
@@ -140,8 +153,6 @@ void TextureWriter::interior(std::optional<MaterialId> material, std::optional<I
     const Material* m = material ? &scene_.materials[material->index] : nullptr;
     Interior in = inside ? scene_.interiors[inside->index] : Interior();
     if (const GltfPbr* pbr = m ? metal_rough(*m) : nullptr; pbr && pbr->transmission) in.ior = pbr->ior;
-    if (const auto* top = m && !m->layers.empty() ? std::get_if<PovFinish>(&m->layers.back()) : nullptr)
-        in.ior = top->ior.value_or(in.ior), in.caustics = top->caustics.value_or(in.caustics);
     if (!inside && in.ior == 1 && in.caustics == 0) return;
     if (std::isfinite(in.attenuation_distance) && in.attenuation_color != Color(1)) set_beer(in);
     sdl_.begin("interior");

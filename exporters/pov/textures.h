@@ -42,6 +42,9 @@ class TextureWriter {
 };
 
 /// POV-Ray's finish, all that differs from its defaults.
-void write_finish(Sdl& sdl, const PovFinish& f, Losses& losses);
+void write_finish(Sdl& sdl, const PovFinish& f);
+
+/// `#version`: that whose rules of transparency the scene has.
+const char* version_line(const Scene& scene);
 
 }  // namespace alidade::pov_export
