@@ -4,6 +4,7 @@
 #include "exporters/gltf/gltf.h"
 #include "exporters/mesh/obj.h"
 #include "exporters/mesh/ply.h"
+#include "exporters/pov/pov.h"
 
 #include <algorithm>
 #include <filesystem>
@@ -18,6 +19,7 @@ constexpr ExporterEntry kTable[] = {
     {"gltf", ".gltf .glb", "glTF 2.0: JSON with a .bin and pictures beside it, or all in one", write_gltf},
     {"obj", ".obj", "Wavefront OBJ, with an MTL material library and pictures beside it", write_obj},
     {"ply", ".ply", "PLY, binary: one mesh of all that is shown", write_ply},
+    {"pov", ".pov", "POV-Ray 3.7's language, with pictures beside it", write_pov},
 };
 
 std::string lower_case(std::string text) {

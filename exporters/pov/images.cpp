@@ -1,0 +1,162 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "exporters/pov/images.h"
+
+#include "core/image/codec.h"
+
+#include <fmt/format.h>
+
+namespace alidade::pov_export {
+
+namespace {
+
+/// From (u, v) with v downwards to the same with v upwards, and back.
+constexpr Mat3 flipped_v() { return Mat3(1, 0, 0, 0, -1, 0, 0, 1, 1); }
+
+std::span<const std::byte> as_bytes(const std::string& text) { return std::as_bytes(std::span(text)); }
+
+bool is_png(const std::string& bytes) { return picture_format(bytes).ending == std::string_view(".png"); }
+bool is_jpeg(const std::string& bytes) { return picture_format(bytes).ending == std::string_view(".jpg"); }
+
+/// PNG: of a colour type with alpha, or with transparent colours in a palette.
+bool png_has_alpha(const std::string& bytes) {
+    constexpr size_t kColourType = 25;
+    return bytes.size() > kColourType && ((bytes[kColourType] & 4) != 0 || bytes.find("tRNS") != std::string::npos);
+}
+
+/// The picture times `tint`, as a PNG file. What is above 1 is cut off.
+tl::expected<std::string, std::string> tinted(const std::string& bytes, const Vec4& tint, PictureAlpha alpha, bool srgb) {
+    auto picture = decode_picture(as_bytes(bytes), srgb ? Encoding::automatic : Encoding::linear);
+    if (!picture) return tl::unexpected(picture.error());
+    const bool keeps = alpha == PictureAlpha::kept;
+    Picture out(picture->width, picture->height, keeps ? std::vector<std::string>{"R", "G", "B", "A"} : std::vector<std::string>{"R", "G", "B"});
+    const bool grey = picture->channels < 3;
+    for (int y = 0; y < picture->height; ++y)
+        for (int x = 0; x < picture->width; ++x) {
+            const float* from = picture->at(x, y);
+            float* to = out.at(x, y);
+            const bool has = picture->channels == 2 || picture->channels >= 4;
+            const double a = (has ? double(from[grey ? 1 : 3]) : 1) * tint.w;
+            for (int c = 0; c < 3; ++c) to[c] = float(double(from[grey ? 0 : c]) * tint[c] * (keeps && a > 0 ? a : 1));   // encode_png wants it premultiplied
+            if (keeps) to[3] = float(a);
+        }
+    const auto encoded = image::encode_png(out);
+    if (!encoded) return tl::unexpected(encoded.error());
+    return std::string(reinterpret_cast<const char*>(encoded->data()), encoded->size());
+}
+
+}  // namespace
+
+const std::string* ImageWriter::encoded(ImageId id) {
+    const Image& image = scene_.images[id.index];
+    const auto [at, added] = bytes_.try_emplace(id.index);
+    if (added) {
+        at->second = OutputFiles::read(image);
+        losses_.add("pictures that cannot be read", !at->second, "their factor alone");
+    }
+    return at->second ? &*at->second : nullptr;
+}
+
+bool ImageWriter::has_alpha(const ImageSignal& image) {
+    const std::string* bytes = encoded(image.image);
+    return bytes && !is_jpeg(*bytes) && (!is_png(*bytes) || png_has_alpha(*bytes));
+}
+
+double ImageWriter::mean(const ImageSignal& image, int channel) {
+    const auto [at, added] = means_.try_emplace({image.image.index, channel}, 1);
+    if (!added) return at->second;
+    const std::string* bytes = encoded(image.image);
+    const auto picture = bytes ? decode_picture(as_bytes(*bytes), Encoding::linear) : tl::unexpected(std::string());
+    if (!picture || picture->values.empty()) return 1;
+    const int c = picture->channels < 3 ? 0 : std::clamp(channel, 0, picture->channels - 1);
+    double sum = 0;
+    for (int y = 0; y < picture->height; ++y)
+        for (int x = 0; x < picture->width; ++x) sum += double(picture->at(x, y)[c]);
+    return at->second = sum / (double(picture->width) * double(picture->height));
+}
+
+ImageWriter::File ImageWriter::make_file(const ImageSignal& image, const Vec4& tint, PictureAlpha alpha) {
+    const std::string* bytes = encoded(image.image);
+    if (!bytes) return {};
+    const bool untouched = tint == Vec4(1) && (alpha == PictureAlpha::kept || !has_alpha(image));
+    const Image& source = scene_.images[image.image.index];
+    if (untouched && (is_png(*bytes) || is_jpeg(*bytes)))
+        return {fmt::format("{} {}", is_png(*bytes) ? "png" : "jpeg", quoted(files_.add_picture(source, *bytes)))};
+    auto made = tinted(*bytes, tint, alpha, image.srgb);
+    if (!made) {
+        losses_.add(fmt::format("picture '{}', which cannot be decoded", source.name), 1, "its factor alone");
+        return {};
+    }
+    return {fmt::format("png {}", quoted(files_.add_picture(source, std::move(*made))))};
+}
+
+const ImageWriter::File& ImageWriter::file(const ImageSignal& image, const Vec4& tint, PictureAlpha alpha) {
+    const Key key{image.image.index, {tint.x, tint.y, tint.z, tint.w}, alpha, image.srgb};
+    const auto known = made_.find(key);
+    return known != made_.end() ? known->second : made_.emplace(key, make_file(image, tint, alpha)).first->second;
+}
+
+void ImageWriter::tell_wraps(const ImageSignal& image) {
+    const auto differs = [](Wrap w) { return w == Wrap::clamp || w == Wrap::mirror; };
+    losses_.add("pictures that are clamped or mirrored at their edges", differs(image.wrap_u) || differs(image.wrap_v), "repeated ones");
+}
+
+void ImageWriter::picture(const char* word, const File& file, const ImageSignal& image, const char* more, double transmit) {
+    sdl_.begin(word);
+    sdl_.line(file.words, "gamma", image.srgb ? "srgb" : "1");
+    if (image.wrap_u == Wrap::once && image.wrap_v == Wrap::once) sdl_.line("once");
+    if (image.filter == Filter::linear) sdl_.line("interpolate 2");
+    if (*more) sdl_.line(more);
+    if (transmit > 0) sdl_.line("transmit all", transmit);
+    sdl_.end();
+}
+
+/// The transformation that moves a pattern to where the texture coordinates look it up.
+bool ImageWriter::place(const ImageSignal& image) {
+    const Mat3 m = flipped_v() * image.uv_transform * flipped_v();
+    if (m == Mat3(1.0)) return true;
+    const Transform lookup{Mat3(m[0].x, m[0].y, 0, m[1].x, m[1].y, 0, 0, 0, 1), Vec3(m[2].x, m[2].y, 0)};
+    const auto back = inverse(lookup);
+    if (!back) return false;
+    sdl_.line(*back);
+    return true;
+}
+
+bool ImageWriter::map(const ImageSignal& image, const Vec4& tint, PictureAlpha alpha, double transmit) {
+    const File& there = file(image, tint, alpha);
+    if (there.words.empty()) return false;
+    tell_wraps(image);
+    sdl_.line("uv_mapping");
+    picture("image_map", there, image, "", transmit);
+    losses_.add("texture transforms that squeeze a picture flat", !place(image), "none");
+    return true;
+}
+
+bool ImageWriter::cut_out(const ImageSignal& image, const Vec4& tint, double cutoff) {
+    const File &mask = file(image, Vec4(1), PictureAlpha::kept), &shown = file(image, Vec4(Vec3(tint), 1), PictureAlpha::removed);
+    if (mask.words.empty() || shown.words.empty()) return false;
+    tell_wraps(image);
+    const double through = 1 - (tint.w > 0 ? std::min(cutoff / tint.w, 2.0) : 2.0);   // the pattern is what passes: 1 - alpha
+    sdl_.line("uv_mapping");
+    picture("image_pattern", mask, image, "use_alpha", 0);
+    sdl_.begin("pigment_map");
+    sdl_.line("[", through);
+    picture("image_map", shown, image, "", 0);
+    sdl_.line("]");
+    sdl_.line("[", through, "color rgbt <0,0,0,1> ]");
+    sdl_.end();
+    losses_.add("texture transforms that squeeze a picture flat", !place(image), "none");
+    return true;
+}
+
+bool ImageWriter::sky(ImageId id) {
+    ImageSignal image;
+    image.image = id, image.srgb = true;
+    const File& there = file(image, Vec4(1), PictureAlpha::removed);
+    if (there.words.empty()) return false;
+    sdl_.begin("image_map");
+    sdl_.line(there.words, "map_type 1");
+    sdl_.end();
+    return true;
+}
+
+}  // namespace alidade::pov_export

@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: Apache-2.0
+/// Pictures beside the file, and the pigments that show them.
+#pragma once
+
+#include "exporters/output_files.h"
+#include "exporters/pov/sdl.h"
+#include "exporters/surfaces.h"
+
+#include <map>
+
+namespace alidade::pov_export {
+
+/// What becomes of a picture's alpha. POV-Ray takes it for transparency whether it is asked for or not.
+enum class PictureAlpha { kept, removed };
+
+/// Pictures are written as they are, but where POV-Ray would show them otherwise: it cannot multiply a picture by a colour, nor ignore its alpha, and reads
+/// fewer formats. Then a PNG file of 8 bits a colour is made.
+class ImageWriter {
+  public:
+    ImageWriter(const Scene& scene, Sdl& sdl, OutputFiles& files, Losses& losses) : scene_(scene), sdl_(sdl), files_(files), losses_(losses) {}
+
+    /// `uv_mapping image_map { }` of the picture times `tint`, in the space of its texture coordinates. `transmit`: of all of it. False, and nothing
+    /// written, if the picture cannot be read or placed.
+    bool map(const ImageSignal& image, const Vec4& tint = Vec4(1), PictureAlpha alpha = PictureAlpha::kept, double transmit = 0);
+    /// The same where the picture's alpha times `tint.w` is at least `cutoff`, and nothing elsewhere.
+    bool cut_out(const ImageSignal& image, const Vec4& tint, double cutoff);
+    bool has_alpha(const ImageSignal& image);
+    /// The mean of one channel, of the stored numbers; 1 if the picture cannot be read.
+    double mean(const ImageSignal& image, int channel);
+    /// `image_map { }` of a picture that is no texture, around a sphere. False if it cannot be read.
+    bool sky(ImageId image);
+
+  private:
+    struct Key {
+        uint32_t image;
+        std::array<double, 4> tint;
+        PictureAlpha alpha;
+        bool srgb;
+        friend auto operator<=>(const Key&, const Key&) = default;
+    };
+    struct File {
+        std::string words;   ///< `png "name.png"`; empty: it cannot be read
+    };
+    const std::string* encoded(ImageId id);
+    const File& file(const ImageSignal& image, const Vec4& tint, PictureAlpha alpha);
+    File make_file(const ImageSignal& image, const Vec4& tint, PictureAlpha alpha);
+    void picture(const char* word, const File& file, const ImageSignal& image, const char* more, double transmit);
+    void tell_wraps(const ImageSignal& image);
+    bool place(const ImageSignal& image);
+
+    const Scene& scene_;
+    Sdl& sdl_;
+    OutputFiles& files_;
+    Losses& losses_;
+    std::map<uint32_t, tl::expected<std::string, std::string>> bytes_;
+    std::map<Key, File> made_;
+    std::map<std::pair<uint32_t, int>, double> means_;
+};
+
+}  // namespace alidade::pov_export

@@ -1,0 +1,155 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "exporters/pov/shapes.h"
+#include "exporters/pov/vertex_colors.h"
+#include "exporters/vertices.h"
+#include "scene/queries.h"
+
+namespace alidade::pov_export {
+
+namespace {
+
+/// A vector that gives this float one when it is brought to length 1 in double precision and rounded: readers do that, and a normal that has been rounded
+/// to float is not of length 1 any more. Its largest component is made to fit the others.
+Vec3 unit_normal(const Vec3f& n) {
+    const Vec3 v(n);
+    if (std::abs(dot(v, v) - 1) > 1e-5) return v;
+    int largest = 0;
+    for (int i = 1; i < 3; ++i)
+        if (std::abs(v[i]) > std::abs(v[largest])) largest = i;
+    Vec3 fitted = v;
+    const double others = dot(v, v) - v[largest] * v[largest];
+    fitted[largest] = std::copysign(std::sqrt(std::max(0.0, 1 - others)), v[largest]);
+    return Vec3f(normalized(fitted)) == n ? fitted : v;
+}
+
+class MeshText {
+  public:
+    MeshText(const Mesh& mesh, const SlotMaterials& slots, const ShapeContext& c) : mesh_(mesh), slots_(slots), c_(c), finite_(finite_triangles(mesh)), colors_(mesh, slots, finite_, c.scene, c.losses) {}
+
+    void begin() {
+        tell_losses();
+        c_.sdl.begin("mesh2");
+        vertices();
+        if (mesh_.normals.present()) normals();
+        const size_t set = uv_set();
+        const bool mapped = set < mesh_.uvs.size();
+        if (mapped) uvs(mesh_.uvs[set]);
+        textures();
+        faces();
+        if (!mesh_.normals.corners.empty()) indices("normal_indices", mesh_.normals);
+        if (mapped && !mesh_.uvs[set].corners.empty()) indices("uv_indices", mesh_.uvs[set]);
+        if (mesh_.origin != Vec3(0)) c_.sdl.line("translate", mesh_.origin);
+    }
+
+  private:
+    void tell_losses() const {
+        c_.losses.add("triangles with a vertex that is not finite", mesh_.triangles.size() - finite_.size());
+        c_.losses.add("further texture coordinate sets", mesh_.uvs.size() > 1 ? mesh_.uvs.size() - 1 : 0);
+        c_.losses.add("faces of more than three corners", !mesh_.faces.empty(), "their triangles");
+    }
+
+    /// The texture coordinates that the first picture asks for.
+    size_t uv_set() const {
+        for (const auto& slot : slots_) {
+            if (!slot) continue;
+            std::vector<SignalId> signals;
+            for_each_signal_of(*slot, signals);
+            for (const SignalId id : signals)
+                if (const auto* image = std::get_if<ImageSignal>(&c_.scene.signals[id.index].what)) return image->uv_set;
+        }
+        return 0;
+    }
+    void for_each_signal_of(MaterialId id, std::vector<SignalId>& out) const {
+        for (const auto& layer : c_.scene.materials[id.index].layers)
+            if (const auto* pbr = std::get_if<GltfPbr>(&layer)) {
+                collect_signals(c_.scene, pbr->base_color, out);
+                if (pbr->emissive) collect_signals(c_.scene, *pbr->emissive, out);
+            }
+    }
+
+    void vertices() {
+        c_.sdl.begin("vertex_vectors");
+        c_.sdl.line(mesh_.positions.size(), ",");
+        for (size_t i = 0; i < mesh_.positions.size(); ++i) {
+            const Vec3 p = mesh_.exact_positions.empty() ? Vec3(mesh_.positions[i]) : mesh_.exact_positions[i];
+            c_.sdl.item(is_finite(p) ? p : Vec3(0));   // what is not finite belongs to no triangle that is written
+        }
+        end();
+    }
+
+    void normals() {
+        size_t without = 0;
+        c_.sdl.begin("normal_vectors");
+        c_.sdl.line(mesh_.normals.values.size(), ",");
+        for (const Vec3f& n : mesh_.normals.values) {
+            const bool good = is_finite(n) && n != Vec3f(0.0f);
+            without += !good;
+            c_.sdl.item(good ? unit_normal(n) : Vec3(0, 1, 0));
+        }
+        end();
+        c_.losses.add("normals without direction", without, "<0, 1, 0>");
+    }
+
+    void uvs(const Attribute<Vec2f>& uv) {
+        size_t without = 0;
+        c_.sdl.begin("uv_vectors");
+        c_.sdl.line(uv.values.size(), ",");
+        for (const Vec2f& at : uv.values) {
+            const bool good = std::isfinite(at.x) && std::isfinite(at.y);
+            without += !good;
+            c_.sdl.item(good ? Vec2(double(at.x), 1 - double(at.y)) : Vec2(0));   // POV-Ray's v grows upwards
+        }
+        end();
+        c_.losses.add("texture coordinates that are not finite", without, "0");
+    }
+
+    /// Slot 0 is the object's own texture; the others are numbered from 0. One that no node gives a material takes the default.
+    void textures() {
+        const bool several = slots_.size() > 1 && !mesh_.slots.empty();
+        if (!several && !colors_.present()) return;
+        c_.sdl.begin("texture_list");
+        c_.sdl.line(colors_.present() ? colors_.size() : slots_.size() - 1, ",");
+        if (colors_.present()) colors_.write(c_.textures);
+        for (size_t i = 1; i < slots_.size() && !colors_.present(); ++i) c_.textures.use(slots_[i]);
+        c_.sdl.end();
+    }
+
+    void faces() {
+        c_.sdl.begin("face_indices");
+        c_.sdl.line(finite_.size(), ",");
+        for (size_t n = 0; n < finite_.size(); ++n) {
+            const uint32_t t = finite_[n];
+            c_.sdl.item(mesh_.triangles[t]);
+            if (colors_.present()) c_.sdl.item(colors_.at(n).x), c_.sdl.item(colors_.at(n).y), c_.sdl.item(colors_.at(n).z);
+            else if (slots_.size() > 1 && !mesh_.slots.empty() && mesh_.slots[t] > 0) c_.sdl.item(mesh_.slots[t] - 1);
+        }
+        end();
+    }
+
+    template <class T> void indices(const char* word, const Attribute<T>& attribute) {
+        c_.sdl.begin(word);
+        c_.sdl.line(finite_.size(), ",");
+        for (const uint32_t t : finite_) {
+            const uint32_t* corner = &attribute.corners[3 * size_t(t)];
+            c_.sdl.item(Index3(corner[0], corner[1], corner[2]));
+        }
+        end();
+    }
+
+    void end() {
+        c_.sdl.end_items();
+        c_.sdl.end();
+    }
+
+    const Mesh& mesh_;
+    const SlotMaterials& slots_;
+    const ShapeContext& c_;
+    std::vector<uint32_t> finite_;
+    VertexColors colors_;
+};
+
+}  // namespace
+
+void begin_mesh(const Mesh& mesh, const SlotMaterials& slots, const ShapeContext& context) { MeshText(mesh, slots, context).begin(); }
+
+}  // namespace alidade::pov_export

@@ -1,0 +1,204 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "exporters/pov/metal_rough.h"
+
+#include "exporters/pov/textures.h"
+
+#include <fmt/format.h>
+
+namespace alidade::pov_export {
+
+namespace {
+
+/// Below it a surface is a perfect mirror, in which lights have no image.
+constexpr double kSmallestAlpha = 1e-4;
+/// What an emitting layer takes from those under it: so little that it changes no picture, and its emission is that much larger. A power of two.
+constexpr double kVeil = 1.0 / (1 << 20);
+
+class Surface {
+  public:
+    Surface(const std::string& name, const PlainSurface& s, const Color& sky, Sdl& sdl, ImageWriter& images, Losses& losses)
+        : s_(s), name_(name), sdl_(sdl), images_(images), losses_(losses), sky_(sky) {
+        metallic_ = scalar(s.metallic, "metalness"), roughness_ = scalar(s.roughness, "roughness");
+        through_ = s.transmission ? std::clamp(scalar(*s.transmission, "transmission"), 0.0, 1.0) * (1 - metallic_) : 0;
+        base_ = Color(s.base_color.factor), tint_ = base_;
+        if (s.alpha_mode == AlphaMode::blend) alpha_ = std::clamp(s.base_color.factor.w, 0.0, 1.0);
+        if (s.alpha_mode == AlphaMode::mask && !s.base_color.picture) alpha_ = s.base_color.factor.w < s.alpha_cutoff ? 0 : 1;
+        if (s.emissive) glow_ = Color(s.emissive->factor) * s.emissive_strength;
+    }
+
+    void write() {
+        tell_losses();
+        if (s_.unlit) return write_unlit();
+        const bool inside_base = put_emission_into_base();
+        sdl_.begin("texture");
+        pigment();
+        finish(inside_base);
+        sdl_.end();
+        if (!inside_base && !is_black(glow_)) write_glow();
+        if (s_.clearcoat) write_coat();
+    }
+
+  private:
+    std::string of(const char* what) const { return fmt::format("{} of material '{}'", what, plain_name(name_, "unnamed")); }
+
+    double scalar(const Texel& t, const char* what) {
+        if (!t.picture) return t.factor.x;
+        losses_.add(of(fmt::format("the picture of {}", what).c_str()), 1, "its mean");
+        return t.factor.x * images_.mean(*t.picture, std::max(t.channel, 0));
+    }
+
+    void tell_losses() {
+        const double alpha = roughness_ * roughness_;
+        losses_.add(of("the GGX highlight"), !s_.unlit && alpha >= kSmallestAlpha && highlight() > 0, "Blinn's, as wide");
+        losses_.add(of("the normal map"), s_.normal.has_value());
+        losses_.add(of("the clear coat"), s_.clearcoat.has_value(), "a layer that takes nothing from what is under it");
+        losses_.add(of("the normal map of the clear coat"), s_.clearcoat_normal.has_value());
+        losses_.add(of("the colour of highlights"), s_.specular_color && Vec3(s_.specular_color->factor) != Vec3(1), "that of its reflection alone");
+        losses_.add(of("the picture of the occlusion"), s_.occlusion.has_value(), "POV-Ray finds its own");
+    }
+
+    /// Strength of the mirror image: (1 - roughness)^2, and all of it for glass.
+    double mirror() const { return through_ > 0 ? 1 : (1 - roughness_) * (1 - roughness_); }
+    double dielectric() const {
+        const double r = (s_.ior - 1) / (s_.ior + 1);
+        return r * r * specular();
+    }
+    double specular() const { return s_.specular ? s_.specular->factor.x : 1; }
+    Color f0() const {
+        const Color tint = s_.specular_color ? Color(s_.specular_color->factor) : Color(1);
+        const Color metal = s_.base_color.picture ? Color(max_component(base_)) : base_;
+        return glm::min(tint * dielectric(), Color(1)) * (1 - metallic_) + metal * metallic_;
+    }
+    double highlight() const { return dielectric() * (1 - metallic_) + metallic_; }
+
+    /// POV-Ray multiplies emission by the pigment: one layer does where the pigment has all the colours that are emitted, or nothing else needs it.
+    bool put_emission_into_base() {
+        if (is_black(glow_) || s_.emissive->picture || s_.base_color.picture || through_ > 0) return false;
+        if (is_black(base_)) {
+            const double most = max_component(glow_);
+            base_ = glow_ / most, glow_ = Color(most), dark_ = true;
+            return true;
+        }
+        Color needed;
+        for (int i = 0; i < 3; ++i) {
+            if (glow_[i] > 0 && base_[i] < 1e-3) return false;
+            needed[i] = glow_[i] > 0 ? glow_[i] / base_[i] : 0;
+        }
+        glow_ = needed;
+        return true;
+    }
+
+    bool picture_pigment() {
+        if (!s_.base_color.picture) return false;
+        const Vec4 tint(tint_.x, tint_.y, tint_.z, s_.base_color.factor.w);
+        const ImageSignal& image = *s_.base_color.picture;
+        if (s_.alpha_mode == AlphaMode::mask && images_.has_alpha(image)) return images_.cut_out(image, tint, s_.alpha_cutoff);
+        const bool blends = s_.alpha_mode == AlphaMode::blend;
+        losses_.add(of("the transmission"), through_ > 0, "an opaque picture");
+        return images_.map(image, blends ? tint : Vec4(Vec3(tint), 1), blends ? PictureAlpha::kept : PictureAlpha::removed);
+    }
+
+    void pigment() {
+        sdl_.begin("pigment");
+        if (!picture_pigment()) sdl_.line(Rgbft{base_, through_ * alpha_, 1 - alpha_});
+        sdl_.end();
+    }
+
+    void finish(bool emits) {
+        PovFinish f;
+        f.diffuse = dark_ ? 0 : (1 - metallic_) * (1 - std::min(dielectric(), 1.0));
+        f.ambient = sky_ * f.diffuse;
+        if (emits) f.emission = glow_;
+        const double alpha = roughness_ * roughness_;
+        if (alpha >= kSmallestAlpha) set_highlight(f, highlight() * alpha_, alpha);
+        f.metallic = f.specular > 0 ? metallic_ : 0;
+        set_reflection(f);
+        f.conserve_energy = through_ > 0;
+        write_finish(sdl_, f);
+    }
+
+    /// Blinn's lobe with GGX's width and height: the exponent is 2 / alpha^2 - 2, and pi D / 4 at its top is (exponent + 2) / 8.
+    static void set_highlight(PovFinish& f, double strength, double alpha) {
+        const double exponent = std::max(2 / (alpha * alpha) - 2, 1.0);
+        f.specular = strength * (exponent + 2) / 8, f.roughness = 1 / exponent;
+        if (f.specular == 0) f.roughness = PovFinish().roughness;
+    }
+
+    void set_reflection(PovFinish& f) const {
+        const double k = mirror() * alpha_;
+        if (k <= 0) return;
+        if (through_ > 0) {
+            f.reflection_max = Color(k), f.reflection_fresnel = true;
+            return;
+        }
+        const Color least = f0();
+        f.reflection_min = least * k, f.reflection_max = Color((specular() * (1 - metallic_) + metallic_) * k);
+        f.reflection_falloff = 5;   // with it, POV-Ray's mix of the two is Schlick's
+        if (s_.base_color.picture) f.reflection_metallic = metallic_;
+        if (is_black(f.reflection_min) && is_black(f.reflection_max)) f.reflection_falloff = 1;
+    }
+
+    void write_unlit() {
+        sdl_.begin("texture");
+        pigment();
+        PovFinish f;
+        f.ambient = Color(0), f.diffuse = 0, f.emission = Color(1);
+        write_finish(sdl_, f);
+        sdl_.end();
+    }
+
+    void write_glow() {
+        const Texel& e = *s_.emissive;
+        const double most = max_component(glow_);
+        const Color colour = glow_ / most;
+        sdl_.begin("texture");
+        sdl_.begin("pigment");
+        if (!e.picture || !images_.map(*e.picture, Vec4(colour, 1), PictureAlpha::removed, 1 - kVeil)) sdl_.line(Rgbft{colour, 0, 1 - kVeil});
+        sdl_.end();
+        PovFinish f;
+        f.ambient = Color(0), f.diffuse = 0, f.emission = Color(most / kVeil * alpha_);
+        write_finish(sdl_, f);
+        sdl_.end();
+    }
+
+    void write_coat() {
+        constexpr double kCoat = 0.04;   // ((1.5 - 1) / (1.5 + 1))^2
+        const double coat = scalar(*s_.clearcoat, "clear coat"), rough = s_.clearcoat_roughness ? scalar(*s_.clearcoat_roughness, "roughness of the coat") : 0;
+        if (coat <= 0) return;
+        sdl_.begin("texture");
+        sdl_.line("pigment { color rgbt <0,0,0,1> }");
+        PovFinish f;
+        f.ambient = Color(0), f.diffuse = 0;
+        if (rough * rough >= kSmallestAlpha) set_highlight(f, coat * kCoat, rough * rough);
+        const double k = coat * (1 - rough) * (1 - rough);
+        f.reflection_min = Color(k * kCoat), f.reflection_max = Color(k), f.reflection_falloff = 5;
+        write_finish(sdl_, f);
+        sdl_.end();
+    }
+
+    const PlainSurface& s_;
+    const std::string& name_;
+    Sdl& sdl_;
+    ImageWriter& images_;
+    Losses& losses_;
+    Color sky_;
+    double metallic_ = 0, roughness_ = 1, through_ = 0, alpha_ = 1;
+    Color base_{1}, tint_{1}, glow_{0};
+    bool dark_ = false;   ///< the pigment is that of the emission
+};
+
+}  // namespace
+
+void write_metal_rough(const std::string& name, const PlainSurface& surface, const Color& sky, Sdl& sdl, ImageWriter& images, Losses& losses) {
+    Surface(name, surface, sky, sdl, images, losses).write();
+}
+
+void set_beer(Interior& in) {
+    Color rate;
+    for (int i = 0; i < 3; ++i) rate[i] = -std::log(std::clamp(in.attenuation_color[i], 1e-30, 1.0)) / in.attenuation_distance;
+    const double most = max_component(rate);
+    if (!(most > 0)) return;
+    in.fade_power = 1001, in.fade_distance = 1 / most, in.fade_color = Color(1) - rate / most;
+}
+
+}  // namespace alidade::pov_export

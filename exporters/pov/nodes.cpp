@@ -1,0 +1,197 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "exporters/pov/nodes.h"
+
+#include <fmt/format.h>
+
+namespace alidade::pov_export {
+
+namespace {
+
+const char* word_of(CsgKind csg) {
+    switch (csg) {
+        case CsgKind::merge: return "merge";
+        case CsgKind::intersection: return "intersection";
+        case CsgKind::difference: return "difference";
+        case CsgKind::none:
+        case CsgKind::union_: break;
+    }
+    return "union";
+}
+
+/// What POV-Ray gives an object that has no texture.
+bool is_default(const Scene& scene, MaterialId id) {
+    const Material& m = scene.materials[id.index];
+    const auto* f = m.layers.size() == 1 ? std::get_if<PovFinish>(&m.layers[0]) : nullptr;
+    const auto* colour = f ? std::get_if<ConstantSignal>(&scene.signals[f->pigment.index].what) : nullptr;
+    if (!colour || f->normal || !is_black(Color(colour->value)) || colour->filter != 0 || colour->transmit != 0) return false;
+    Sdl own, usual;
+    write_finish(own, *f), write_finish(usual, {});
+    return own.text() == usual.text();
+}
+
+}  // namespace
+
+std::string NodeWriter::declared_name(NodeId id) const { return fmt::format("Node_{}", id.index); }
+
+void NodeWriter::declare_shape(const Node& node, ShapeId shape) {
+    const NodeFacts::ShapeKey key = facts_.key_of(node, shape);
+    const ShapeEntry& entry = c_.scene.shapes[shape.index];
+    const size_t uses = facts_.uses(key), variants = facts_.variants(shape);
+    if (variants > 1 && key.slots.size() == 1 && !geometries_.contains(shape.index)) {
+        const std::string name = fmt::format("Geometry_{}", shape.index);
+        c_.sdl.comment(entry.name);
+        c_.sdl.line("#declare", name, "=");
+        begin_shape(entry.geometry, key.slots, c_);
+        c_.sdl.end();
+        geometries_.emplace(shape.index, name);
+    }
+    if (uses < 2 || shapes_.contains(key)) return;
+    const std::string name = fmt::format("Shape_{}_{}", shape.index, shapes_.size());
+    const auto geometry = geometries_.find(shape.index);
+    c_.sdl.comment(entry.name);
+    c_.sdl.line("#declare", name, "=");
+    if (key.slots.size() == 1 && geometry != geometries_.end()) c_.sdl.begin("object"), c_.sdl.line(geometry->second);
+    else begin_shape(entry.geometry, key.slots, c_);
+    if (key.slots[0]) c_.textures.use(key.slots[0]);
+    c_.sdl.end();
+    shapes_.emplace(key, name);
+}
+
+void NodeWriter::declare(NodeId id) {
+    const Node& node = c_.scene.nodes[id.index];
+    if (facts_.is_empty(id)) return;
+    if (facts_.draws_shape(node)) declare_shape(node, std::get<ShapeId>(node.what));
+    if (!facts_.is_declared(id)) return;
+    c_.sdl.line("#declare", declared_name(id), "=");
+    block(id, false);
+}
+
+void NodeWriter::object(NodeId id) {
+    if (facts_.is_declared(id)) c_.sdl.line("object {", declared_name(id), "}");
+    else block(id, false);
+}
+
+void NodeWriter::named_or_object(NodeId id) {
+    if (facts_.is_declared(id)) c_.sdl.line(declared_name(id));
+    else block(id, false);
+}
+
+void NodeWriter::block(NodeId id, bool is_root) {
+    const Node& node = c_.scene.nodes[id.index];
+    c_.sdl.comment(node.name);
+    const bool shape = facts_.draws_shape(node), light = facts_.draws_light(node);
+    const size_t pieces = facts_.children(node).size() + shape + light;
+    const bool lights_alone = !node.light_group.empty() || !node.global_lights;
+    if (pieces == 1 && !lights_alone && shape) return lone_shape(node, std::get<ShapeId>(node.what), is_root);
+    if (pieces == 1 && !lights_alone && light) return lone_light(c_.scene.lights[std::get<LightId>(node.what).index], node.to_parent);
+    group(node, is_root, pieces);
+}
+
+void NodeWriter::group(const Node& node, bool is_root, size_t count) {
+    if (!node.light_group.empty() || !node.global_lights) {
+        c_.sdl.begin("light_group");
+        pieces(node);
+        if (node.global_lights) c_.sdl.line("global_lights on");
+    } else if (count == 1) {   // POV-Ray warns of sets of one
+        c_.sdl.begin("object");
+        named_or_object(facts_.children(node).front());
+    } else {
+        c_.sdl.begin(word_of(node.csg));
+        pieces(node);
+    }
+    modifiers(node, is_root, true);
+    c_.sdl.end();
+}
+
+void NodeWriter::lone_shape(const Node& node, ShapeId shape, bool is_root) {
+    const NodeFacts::ShapeKey key = facts_.key_of(node, shape);
+    const auto named = shapes_.find(key);
+    const auto geometry = geometries_.find(shape.index);
+    if (named != shapes_.end()) {
+        c_.sdl.begin("object");
+        c_.sdl.line(named->second);
+    } else if (key.slots.size() == 1 && geometry != geometries_.end()) {
+        c_.sdl.begin("object");
+        c_.sdl.line(geometry->second);
+    } else {
+        begin_shape(c_.scene.shapes[shape.index].geometry, key.slots, c_);
+    }
+    modifiers(node, is_root, named == shapes_.end() || !key.slots[0]);
+    c_.sdl.end();
+}
+
+void NodeWriter::lone_light(const Light& light, const Transform& to_parent) {
+    lights_.begin(light, to_parent);
+    const auto follow = [&](const char* word, const std::optional<NodeId>& id) {
+        if (!id || facts_.is_empty(*id)) return;
+        c_.sdl.begin(word);
+        object(*id);
+        c_.sdl.end();
+    };
+    follow("looks_like", light.looks_like);
+    follow("projected_through", light.projected_through);
+    c_.sdl.end();
+}
+
+void NodeWriter::pieces(const Node& node) {
+    if (facts_.draws_shape(node)) {
+        const ShapeId shape = std::get<ShapeId>(node.what);
+        begin_shape(c_.scene.shapes[shape.index].geometry, facts_.key_of(node, shape).slots, c_);
+        c_.sdl.end();
+    }
+    if (facts_.draws_light(node)) lone_light(c_.scene.lights[std::get<LightId>(node.what).index], Transform());
+    for (const NodeId child : facts_.children(node)) object(child);
+}
+
+void NodeWriter::texture(const Node& node, bool is_root) {
+    if (facts_.material_counts(node)) {
+        if (!is_root || !is_default(c_.scene, *node.materials[0])) c_.textures.use(node.materials[0]);
+    } else if (is_root && facts_.is_bare({uint32_t(&node - c_.scene.nodes.data())})) {
+        c_.textures.use(std::nullopt);
+    }
+}
+
+void NodeWriter::flags(const Node& node) {
+    const NodeFlags& f = node.flags;
+    if (!f.shadow) c_.sdl.line("no_shadow");
+    if (!f.image) c_.sdl.line("no_image");
+    if (!f.reflection) c_.sdl.line("no_reflection");
+    if (f.hollow) c_.sdl.line("hollow");
+    if (f.double_illuminate) c_.sdl.line("double_illuminate");
+    if (node.inverse) c_.sdl.line("inverse");
+}
+
+void NodeWriter::cut(const char* word, const std::vector<NodeId>& by) {
+    const bool any = std::any_of(by.begin(), by.end(), [&](NodeId id) { return !facts_.is_empty(id); });
+    if (!any) return;
+    c_.sdl.begin(word);
+    for (const NodeId id : by)
+        if (!facts_.is_empty(id)) object(id);
+    c_.sdl.end();
+}
+
+/// The transformation comes last: all before it lies in the node's own space.
+void NodeWriter::modifiers(const Node& node, bool is_root, bool textured) {
+    if (textured) texture(node, is_root);
+    if (!node.inside_materials.empty() && node.inside_materials[0]) {
+        c_.sdl.begin("interior_texture");
+        c_.sdl.line(fmt::format("Texture_{}", node.inside_materials[0]->index));
+        c_.sdl.end();
+    }
+    c_.textures.interior(facts_.material_counts(node) ? node.materials[0] : std::nullopt, node.interior);
+    flags(node);
+    cut("clipped_by", node.clips);
+    cut("bounded_by", node.bounds);
+    if (!node.to_parent.is_identity()) c_.sdl.line(node.to_parent);
+}
+
+void NodeWriter::write() {
+    const std::vector<uint32_t>& order = facts_.order();
+    for (auto i = order.rbegin(); i != order.rend(); ++i) declare({*i});
+    for (const NodeId root : facts_.roots()) {
+        if (facts_.is_declared(root)) c_.sdl.line("object {", declared_name(root), "}");
+        else block(root, true);
+    }
+}
+
+}  // namespace alidade::pov_export

@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: Apache-2.0
+/// The graph of nodes -> objects: one block a node, its children in it, its transformation behind them. What has several parents, and what lies deep, is
+/// declared once and named where it stands.
+#pragma once
+
+#include "exporters/pov/lights.h"
+#include "exporters/pov/node_facts.h"
+#include "exporters/pov/shapes.h"
+
+namespace alidade::pov_export {
+
+class NodeWriter {
+  public:
+    NodeWriter(const ShapeContext& context, LightWriter& lights, const NodeFacts& facts) : c_(context), lights_(lights), facts_(facts) {}
+
+    /// All that the roots show. Lights that are infinitely far away are not among it.
+    void write();
+
+  private:
+    void declare(NodeId id);
+    void declare_shape(const Node& node, ShapeId shape);
+    /// The node where it stands among others, or alone in `object { }`.
+    void object(NodeId id);
+    void named_or_object(NodeId id);
+    void block(NodeId id, bool is_root);
+    void group(const Node& node, bool is_root, size_t pieces);
+    void lone_shape(const Node& node, ShapeId shape, bool is_root);
+    void lone_light(const Light& light, const Transform& to_parent);
+    void pieces(const Node& node);
+    void modifiers(const Node& node, bool is_root, bool textured);
+    void texture(const Node& node, bool is_root);
+    void flags(const Node& node);
+    void cut(const char* word, const std::vector<NodeId>& by);
+    std::string declared_name(NodeId id) const;
+
+    const ShapeContext& c_;
+    LightWriter& lights_;
+    const NodeFacts& facts_;
+    std::map<uint32_t, std::string> geometries_;                ///< shapes that were declared without materials
+    std::map<NodeFacts::ShapeKey, std::string> shapes_;          ///< and with them
+};
+
+}  // namespace alidade::pov_export

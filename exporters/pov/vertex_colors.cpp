@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "exporters/pov/vertex_colors.h"
+
+namespace alidade::pov_export {
+
+namespace {
+
+/// More textures than that make POV-Ray slow.
+constexpr size_t kMostTextures = 65'536;
+
+bool is_white(const Vec4f& c) { return c == Vec4f(1.0f); }
+
+/// May the base colour of this material be multiplied, and stay in one layer?
+bool can_be_tinted(const Scene& scene, std::optional<MaterialId> id) {
+    if (!id || scene.materials[id->index].layers.empty()) return false;
+    const auto* pbr = std::get_if<GltfPbr>(&scene.materials[id->index].layers.front());
+    const bool plain = pbr && std::holds_alternative<ConstantSignal>(scene.signals[pbr->base_color.index].what);
+    return plain && !pbr->emissive && !pbr->clearcoat;
+}
+
+}  // namespace
+
+VertexColors::VertexColors(const Mesh& mesh, const SlotMaterials& slots, std::span<const uint32_t> which, const Scene& scene, Losses& losses) {
+    if (mesh.colors.empty() || !mesh.colors[0].present()) return;
+    losses.add("further vertex colours", mesh.colors.size() - 1);
+    const Attribute<Vec4f>& colors = mesh.colors[0];
+    if (std::all_of(colors.values.begin(), colors.values.end(), is_white)) return;
+    std::map<std::pair<MaterialId, Tint>, uint32_t> known;
+    const auto number_of = [&](MaterialId material, Vec4f value) {
+        for (int i = 0; i < 4; ++i) value[i] = std::isfinite(value[i]) ? value[i] : 1.0f;
+        const std::pair key{material, Tint{value.x, value.y, value.z, value.w}};
+        const auto [at, added] = known.try_emplace(key, uint32_t(known.size()));
+        if (added) textures_.push_back(key);
+        return at->second;
+    };
+    for (const uint32_t t : which) {
+        const auto material = slots[slots.size() < 2 || mesh.slots.empty() ? 0 : mesh.slots[t]];
+        if (!can_be_tinted(scene, material) || known.size() > kMostTextures) {
+            textures_.clear();
+            losses.add("vertex colours");
+            return;
+        }
+        Index3& corners = corners_.emplace_back(0u, 0u, 0u);
+        for (int c = 0; c < 3; ++c) corners[c] = number_of(*material, colors.values[colors.index(t, c, mesh.triangles[t])]);
+    }
+}
+
+void VertexColors::write(TextureWriter& textures) const {
+    for (const auto& [material, tint] : textures_) textures.tinted(material, Vec4(Vec4f(tint[0], tint[1], tint[2], tint[3])));
+}
+
+}  // namespace alidade::pov_export

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: Apache-2.0
+/// Small scenes in POV-Ray's language, of all parts that are modelled.
+#pragma once
+
+#include "tracer/render.h"
+
+#include <string>
+#include <vector>
+
+namespace alidade::test {
+
+struct PovPicture {
+    const char* name;
+    std::string scene;
+    const char* words = "-A";                          ///< POV-Ray's antialiasing
+    std::optional<Supersampling> supersampling = {};   ///< and ours
+};
+
+std::vector<PovPicture> patterned_pictures();
+std::vector<PovPicture> light_pictures();
+std::vector<PovPicture> sampled_pictures();
+std::vector<PovPicture> fog_pictures();
+std::vector<PovPicture> old_cameras();
+std::vector<PovPicture> other_pictures();
+/// All of them.
+std::vector<PovPicture> pov_pictures();
+
+}  // namespace alidade::test
