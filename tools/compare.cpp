@@ -18,7 +18,7 @@ namespace {
 
 struct CompareWords {
     CorpusRequest corpus;   ///< its `defaults` are the scene's job, its `diff` the rules
-    std::string scene;
+    Request scene;          ///< how a scene is read that is not POV-Ray's own
 };
 
 /// Words after "--" are POV-Ray's, for both programs.
@@ -31,7 +31,8 @@ Words take_povray_words(Words& given) {
 
 void add_words(CLI::App& app, CompareWords& words) {
     PovJob& job = words.corpus.defaults;
-    app.add_option("SCENE", words.scene, "a POV-Ray scene; words after -- are POV-Ray's own (+A0.3, +Lfolder, an .ini), for both programs")->type_name("FILE");
+    add_scene_options(app, words.scene);   // of a POV-Ray scene SCENE alone counts: words after -- are for both programs
+    app.get_option("SCENE")->required(false);
     app.add_option_function<std::string>("--size", [&job](const std::string& text) {
            const auto size = parse_size(text);
            if (!size) throw CLI::ValidationError("--size", size.error());
@@ -70,10 +71,11 @@ int compare_one(const CompareWords& words) {
     DiffRequest diff = words.corpus.diff;
     const std::string report = std::exchange(diff.report, "");
     PovJob job = words.corpus.defaults;
-    job.scene = words.scene;
-    const SceneComparison compared = compare_with_povray(job, diff);
+    job.scene = words.scene.scene;
+    const bool pov = std::filesystem::path(job.scene).extension() == ".pov";
+    const SceneComparison compared = pov ? compare_with_povray(job, diff) : compare_exported(words.scene, job, diff);
     if (diff.json) fmt::print("{}", as_json_text(to_json(compared)));
-    else fmt::print("{}", as_lines(compared));
+    else if (compared.comparison.judgement.verdict != Verdict::error) fmt::print("{}", as_lines(compared));
     auto written = write_files(compared.comparison, diff);
     if (written && !report.empty()) written = write_report(report, job.scene, {report_pair(compared)});
     if (!written) return fail(written.error()), int(Verdict::error);
@@ -114,12 +116,13 @@ int run_compare(const Verb& verb, const Words& given) {
     add_words(app, words);
     if (const auto code = parse_words(app, verb, with_two_dashes(app, ours))) return *code == kDone ? int(kDone) : int(Verdict::error);
     const auto usage = [&](const char* sentence) { return usage_error(verb, sentence), int(Verdict::error); };
-    if (words.scene.empty() == words.corpus.list.empty()) return usage("give a SCENE, or --corpus LIST");
+    if (words.scene.scene.empty() == words.corpus.list.empty()) return usage("give a SCENE, or --corpus LIST");
     if (!words.corpus.list.empty() && words.corpus.out.empty()) return usage("--corpus needs --out DIR");
     if (const std::string why = why_not_writable(words.corpus.diff); !why.empty()) return fail(why), int(Verdict::error);
+    words.corpus.defaults.results = words.corpus.out;
     set_default_rules(words.corpus.diff.rules, "pov");
     exit_on_signal();
-    return words.scene.empty() ? compare_many(words) : compare_one(words);
+    return words.scene.scene.empty() ? compare_many(words) : compare_one(words);
 }
 
 }  // namespace alidade

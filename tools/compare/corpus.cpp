@@ -35,9 +35,17 @@ std::map<std::string, Json> earlier_results(const std::string& path) {
     std::ifstream file(path);
     for (std::string line; std::getline(file, line);) {
         Json row = Json::parse(line, nullptr, false);   // a line that was cut short by a kill is none
-        if (row.is_object() && row.contains("name") && row.contains("key")) results[row["name"].get<std::string>()] = std::move(row);
+        if (!row.is_object() || !row.contains("name") || !row.contains("key")) continue;
+        const std::string name = row["name"].get<std::string>();
+        results[name] = std::move(row);
     }
     return results;
+}
+
+/// Does the last line lack its end, as a kill leaves it?
+bool is_cut_short(const std::string& path) {
+    std::ifstream file(path, std::ios::binary);
+    return file.seekg(-1, std::ios::end) && file.get() != '\n';
 }
 
 /// Stands for the scene, both programs and the words.
@@ -51,6 +59,7 @@ class Run {
     Run(const CorpusRequest& request, const std::vector<CorpusEntry>& entries)
         : request_(request), entries_(entries), results_(entries.size()), earlier_(earlier_results(results_path())), progress_(ProgressMode::bar, stderr),
           log_(results_path(), std::ios::app) {
+        if (is_cut_short(results_path())) log_ << "\n";
         const auto program = read_file(own_program());
         program_ = program ? fingerprint(std::span(*program)) : 0;
     }

@@ -27,13 +27,20 @@ fs::path folder_of(const std::string& scene) {
     return folder.empty() ? fs::path(".") : folder;
 }
 
-/// The files below `folder`, sorted; nothing if they are too large to be copied.
-std::vector<fs::path> files_below(const fs::path& folder, bool& too_large) {
+bool same_folder(const fs::path& a, const std::string& b) {
+    std::error_code ignored;
+    return !b.empty() && fs::equivalent(a, b, ignored);
+}
+
+/// The files of a job below `folder`, sorted.
+std::vector<fs::path> files_below(const PovJob& job, const fs::path& folder, bool& too_large) {
     std::vector<fs::path> files;
     uint64_t bytes = 0;
     std::error_code ignored;
-    for (fs::recursive_directory_iterator at(folder, fs::directory_options::skip_permission_denied, ignored), end; at != end && bytes <= kMostBytes; at.increment(ignored))
+    for (fs::recursive_directory_iterator at(folder, fs::directory_options::skip_permission_denied, ignored), end; at != end && bytes <= kMostBytes; at.increment(ignored)) {
+        if (at->is_directory(ignored) && (same_folder(at->path(), job.cache) || same_folder(at->path(), job.results))) at.disable_recursion_pending();
         if (at->is_regular_file(ignored)) files.push_back(at->path()), bytes += at->file_size(ignored);
+    }
     too_large = bytes > kMostBytes;
     std::sort(files.begin(), files.end());
     return files;
@@ -42,7 +49,7 @@ std::vector<fs::path> files_below(const fs::path& folder, bool& too_large) {
 tl::expected<std::string, std::string> copied_folder(const PovJob& job, const std::string& scratch) {
     bool too_large = false;
     const fs::path from = folder_of(job.scene), to = fs::path(scratch) / "scene";
-    const std::vector<fs::path> files = files_below(from, too_large);
+    const std::vector<fs::path> files = files_below(job, from, too_large);
     if (too_large) return tl::unexpected(fmt::format("the folder {} holds more than 1 GiB: a scene is rendered in a copy of its folder, so give it one of its own", from.string()));
     std::error_code error;
     for (const fs::path& file : files) {
@@ -130,7 +137,7 @@ tl::expected<std::string, std::string> reference_key(const PovJob& job) {
         if (word.size() > 2 && (word[0] == '+' || word[0] == '-') && (word[1] == 'L' || word[1] == 'l')) folders.push_back(folders[0] / word.substr(2));   // an absolute one stays as it is
     for (const fs::path& folder : folders) {
         bool too_large = false;
-        for (const fs::path& file : files_below(folder, too_large)) {
+        for (const fs::path& file : files_below(job, folder, too_large)) {
             const auto bytes = read_file(file.string());
             if (!bytes) return tl::unexpected(bytes.error());
             key = fingerprint(std::span(*bytes), fingerprint(file.lexically_relative(folder).string() + '\0', key));

@@ -16,6 +16,7 @@ struct PovJob {
     Words words;                     ///< handed to both programs before ours: +A0.3, +Lfolder, an .ini, Declare=...
     double timeout = 600;            ///< seconds a program
     std::string cache;               ///< the folder of kept references
+    std::string results;             ///< a folder of results, or "": like the cache no part of the scene, though it may lie beside it
 };
 
 /// A program's picture.

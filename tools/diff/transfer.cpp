@@ -52,6 +52,7 @@ Power fit_power(const Samples& samples) {
     if (n == 0) return {};
     if (spread < 1e-9 * n * n) return {std::exp((y - x) / n), 1};
     const double gamma = (n * xy - x * y) / spread;
+    if (gamma < 0.2 || gamma > 5) return {};   // no slip: a picture of two or three values fits any power
     return {std::exp((y - gamma * x) / n), gamma};
 }
 

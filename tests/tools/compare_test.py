@@ -1,0 +1,112 @@
+# SPDX-License-Identifier: Apache-2.0
+"""`alidade compare`: POV-Ray's picture beside ours."""
+import json
+import os
+import shutil
+import sys
+import unittest
+
+from program import InFolder, run
+
+BALL = """#version 3.7; global_settings { assumed_gamma 1 }
+camera { location <0, 1, -4> look_at 0 } light_source { <3, 5, -4>, 1 } #include "ground.inc"
+sphere { <0, 0, 0>, 1 pigment { checker rgb <1, 0.2, 0.1>, rgb 0.8 scale 0.4 } }
+"""
+GROUND = "plane { y, -1 pigment { rgb <0.2, 0.5, 0.3> } }\n"
+
+
+class Compare(InFolder):
+    def setUp(self):
+        super().setUp()
+        (self.folder / "ball.pov").write_text(BALL)
+        (self.folder / "ground.inc").write_text(GROUND)
+
+    def compare(self, *words, **keywords):
+        return run("compare", "--cache", self.folder / "cache", *words, cwd=self.folder, **keywords)
+
+    def document(self, *words):
+        said = self.compare(*words, "--json")
+        return json.loads(said.stdout), said.returncode
+
+    def test_a_scene_and_its_kept_reference(self):
+        first, code = self.document("ball.pov", "--size", "80x60")
+        self.assertEqual((first["verdict"], code, first["grade"]["name"]), ("pass", 0, "exact"), first)
+        self.assertEqual((first["width"], first["height"]), (80, 60))
+        self.assertFalse(first["reference_render"]["from_cache"])
+        again, _ = self.document("ball.pov", "--size", "80x60")
+        self.assertTrue(again["reference_render"]["from_cache"])
+        self.assertEqual(again["metrics"], first["metrics"])
+        for words in (["--size", "81x60"], ["--size", "80x60", "--json", "--", "+A0.1"]):
+            self.assertIn("from_cache\": false", self.compare("ball.pov", "--json", *words[:2], *words[3:]).stdout)
+        (self.folder / "ground.inc").write_text(GROUND.replace("0.5", "0.9"))   # what the scene includes counts too
+        changed, _ = self.document("ball.pov", "--size", "80x60")
+        self.assertFalse(changed["reference_render"]["from_cache"])
+        self.assertEqual(changed["grade"]["name"], "exact")
+
+    def test_rules_and_the_report(self):
+        said = self.compare("ball.pov", "--size", "80x60", "--require", "max_abs<0", "--report", "report.html", "--heatmap", "heat.png")
+        self.assertEqual(said.returncode, 2, said.stdout)
+        page = (self.folder / "report.html").read_text()
+        self.assertIn("POV-Ray 3.7", page)
+        self.assertTrue((self.folder / "heat.png").exists())
+
+    def test_what_cannot_be_compared(self):
+        (self.folder / "broken.pov").write_text("sphere { 0, 1 } }\n")
+        said = self.compare("broken.pov")
+        self.assertEqual(said.returncode, 2)
+        self.assertIn("POV-Ray made no picture", said.stderr)
+        said = self.compare("absent.pov")
+        self.assertNotEqual(said.returncode, 0)
+        self.assertIn("there is no file absent.pov", said.stderr)
+        (self.folder / "endless.pov").write_text("#while (1) #end\n")
+        said = self.compare("endless.pov", "--timeout", "1")
+        self.assertEqual(said.returncode, 2)
+        self.assertIn("no picture in 1 s", said.stderr)
+        for words in ([], ["ball.pov", "--corpus", "list"], ["--corpus", "list"], ["ball.pov", "--size", "big"]):
+            self.assertEqual(self.compare(*words).returncode, 4, words)
+
+    def test_a_missing_povray_is_named(self):
+        (self.folder / "bin").mkdir()
+        said = self.compare("ball.pov", env={**os.environ, "PATH": str(self.folder / "bin")})
+        self.assertEqual(said.returncode, 4)
+        self.assertIn("package is povray", said.stderr)
+
+    def test_the_scenes_folder_stays_as_it_is(self):
+        before = sorted(path.name for path in self.folder.iterdir())
+        self.assertEqual(self.compare("ball.pov", "--size", "16x12").returncode, 0)
+        self.assertEqual(sorted(path.name for path in self.folder.iterdir() if path.name != "cache"), before)
+
+    def test_a_list_goes_on_where_it_was(self):
+        (self.folder / "broken.pov").write_text("sphere { 0, 1 } }\n")
+        (self.folder / "list.csv").write_text("path,width,height,category,tier\nball.pov,40,30,good,1\nbroken.pov,40,30,bad,1\nabsent.pov,40,30,bad,7\n")
+        words = ["--corpus", "list.csv", "--out", "out", "--where", "tier<=3", "--jobs", "2"]
+        said = self.compare(*words)
+        self.assertEqual(said.returncode, 2, said.stderr)
+        self.assertRegex(said.stdout, r"exact +pass +ball.pov")
+        self.assertRegex(said.stdout, r"error +error +broken.pov: .*POV-Ray made no picture")
+        self.assertNotIn("absent", said.stdout)
+        self.assertRegex(said.stdout, r"all +1 +0 +0 +0 +1\n")
+        lines = (self.folder / "out/results.jsonl").read_text().splitlines()
+        self.assertEqual(sorted(json.loads(line)["name"] for line in lines), ["ball.pov", "broken.pov"])
+        with open(self.folder / "out/results.jsonl", "w") as file:   # as a kill leaves it: one line, and half of one
+            file.write(next(line for line in lines if "ball.pov" in json.loads(line)["name"]) + "\n" + lines[0][:40])
+        again = self.compare(*words)
+        self.assertEqual(again.stdout, said.stdout)
+        self.assertGreater((self.folder / "out/report.html").stat().st_size, 10000)
+        self.assertEqual(self.compare("--corpus", "list.csv", "--out", "out", "--where", "colour=red").returncode, 4)
+
+    def test_another_format_goes_through_the_exporter(self):
+        (self.folder / "plate.obj").write_text("mtllib plate.mtl\nv -1 0 -1\nv 1 0 -1\nv 1 0 1\nv -1 0 1\nusemtl red\nf 4 3 2 1\n")
+        (self.folder / "plate.mtl").write_text("newmtl red\nKd 0.8 0.1 0.05\n")
+        told, code = self.document("plate.obj", "--size", "64x48")
+        self.assertEqual(code, 0, told["reason"])
+        self.assertIn(told["grade"]["name"], ("exact", "match"))
+        self.assertIsInstance(told["lost"], list)
+        self.assertIn("scene.pov", told["reference_render"]["command"])
+
+
+if __name__ == "__main__":
+    if not shutil.which("povray"):
+        print("skipped: povray is not installed")
+        sys.exit(77)
+    unittest.main()
