@@ -3,6 +3,7 @@
 import json
 import os
 import pathlib
+import struct
 import subprocess
 import sys
 import tempfile
@@ -240,6 +241,42 @@ class OfDiff(InBrowser):
         for _ in range(4):
             self.browser.press("Tab")
             self.assertEqual(self.browser.run("getComputedStyle(document.activeElement).outlineStyle"), "solid")
+
+
+def write_pfm(path, value):
+    path.write_bytes(b"PF\n%d %d\n-1.0\n" % (WIDTH, HEIGHT) + b"".join(struct.pack("<f", value(x, y, c)) for y in reversed(range(HEIGHT)) for x in range(WIDTH) for c in range(3)))
+
+
+class OfLinearPictures(InBrowser):
+    """Light beyond white is not hidden."""
+
+    @classmethod
+    def make(cls, folder):
+        write_pfm(folder / "a.pfm", lambda x, y, c: [0.125, 3.0, -0.5][c] * (1 if x < 20 else 1e-6))
+        write_pfm(folder / "b.pfm", lambda x, y, c: [0.125, 1000.0, -0.5][c] * (1 if x < 20 else 1e-6))
+        assert run("diff", folder / "a.pfm", folder / "b.pfm", "--report", folder / "out.html").returncode == 2
+        return folder / "out.html"
+
+    def test_values_are_those_of_the_file(self):
+        self.show("#pixel=3,3")
+        self.assertEqual(self.text("#inspector").splitlines()[1], "reference 0.125 3 -0.5   test 0.125 1000 -0.5   difference 0 997 0")
+        self.browser.press("ArrowRight", shift=True)
+        self.browser.press("ArrowRight", shift=True)
+        values = [float(word) for word in self.text("#inspector").splitlines()[1].split() if word[0] in "-0123456789"]
+        for value, wanted in zip(values, (1.25e-7, 3e-6, -5e-7, 1.25e-7, 1e-3, -5e-7, 0, 9.97e-4, 0)):
+            self.assertAlmostEqual(value, wanted, delta=max(3.1e-8, abs(wanted) * 2e-3), msg="halves end at 2^-25")
+
+    def test_exposure(self):
+        self.show("#zoom=8&mode=onion&split=0")
+        self.assertEqual(self.color(3, 3), [99, 255, 0])
+        for _ in range(3):
+            self.browser.press(",")
+        self.assertEqual(self.browser.run("document.getElementById('exposure').value"), "-3")
+        self.assertEqual(self.color(3, 3), [round(255 * (1.055 * (v / 8) ** (1 / 2.4) - 0.055)) for v in (0.125, 3)] + [0])
+        for _ in range(6):
+            self.browser.press(".")
+        self.assertEqual(self.color(3, 3), [255, 255, 0])
+        self.assertIn("reference 0.125 3 -0.5", self.browser.run("viewer.describe(3, 3)"), "values stay")
 
 
 class OfMany(InBrowser):

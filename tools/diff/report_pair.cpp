@@ -24,6 +24,7 @@ ReportPair report_pair(const Comparison& comparison, const std::string& name, st
     const auto hdr = comparison.measured.find("hdr_flip");
     out.reference = linear_picture(pair, pair.reference);
     out.test = linear_picture(pair, pair.test);
+    out.linear = pair.hdr;
     out.map = (hdr == comparison.measured.end() ? comparison.measured.at("flip") : hdr->second).map;
     out.counts = pair.counts;
     return out;

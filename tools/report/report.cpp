@@ -8,8 +8,10 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <functional>
 #include <span>
+#include <tuple>
 
 namespace alidade {
 namespace {
@@ -54,6 +56,20 @@ Picture of_objects(const ReportPair& pair) {
     });
 }
 
+/// The nearest IEEE half: sign, five bits of exponent, ten of mantissa.
+uint32_t half_of(float value) {
+    const auto bits = std::bit_cast<uint32_t>(value);
+    const uint32_t sign = bits >> 16 & 0x8000u, size = bits & 0x7fffffffu;
+    if (std::bit_cast<float>(size) < 0x1p-14f) return sign | uint32_t(std::lround(std::bit_cast<float>(size) * 0x1p24f));
+    const uint32_t rounded = size + 0xfff + (size >> 13 & 1);   // ties to even
+    return sign | std::min((rounded - (112u << 23)) >> 13, 0x7c00u);
+}
+
+/// A byte of each value's half.
+Picture of_halves(const Picture& linear, uint32_t shift) {
+    return stored_as(linear.width, linear.height, linear.names, [&](size_t i) { return double(half_of(linear.values[i]) >> shift & 255) / 255; });
+}
+
 /// How many pixels have an error in each fiftieth of 0 .. 1.
 Json histogram(const ReportPair& pair) {
     std::array<size_t, 50> bins{};
@@ -86,6 +102,12 @@ tl::expected<std::string, std::string> picture_blocks(const ReportPair& pair, si
     std::vector<std::pair<const char*, Picture>> pictures = {{"reference", pair.reference}, {"test", pair.test}};
     pictures.emplace_back("error", stored_as(pair.reference.width, pair.reference.height, {"Y"}, [&](size_t i) { return std::clamp(double(pair.map[i]), 0.0, 1.0); }));
     if (pair.objects) pictures.emplace_back("objects", of_objects(pair));
+    if (pair.linear) {
+        for (const auto& [high, low, picture] : {std::tuple{"reference-high", "reference-low", &pair.reference}, {"test-high", "test-low", &pair.test}}) {
+            pictures.emplace_back(high, of_halves(*picture, 8));
+            pictures.emplace_back(low, of_halves(*picture, 0));
+        }
+    }
     for (const auto& [what, picture] : pictures) {
         const auto bytes = encode_picture(picture, ".png");
         if (!bytes) return tl::unexpected(fmt::format("{}: {}", pair.name, bytes.error()));

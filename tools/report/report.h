@@ -23,6 +23,7 @@ struct ReportPair {
     std::string group;                           ///< a family of pairs, counted by verdict; "" for none
     nlohmann::ordered_json document;             ///< as `diff --json` has it: the page shows its numbers
     Picture reference, test;                     ///< as write_picture takes them: linear, colours alone; both empty if there is nothing to show
+    bool linear = false;                         ///< values beyond the display's matter: they can be inspected (as halves, 11 bits) and exposed
     std::vector<float> map;                      ///< FLIP error of each pixel, 0 .. 1; empty with the pictures
     std::vector<uint8_t> counts;                 ///< one a pixel, 0 where it is left out of the histogram; empty: all count
     std::optional<ReportObjects> objects;

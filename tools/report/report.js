@@ -62,6 +62,27 @@ async function decode(what, index) {
   return {canvas, context, values: context.getImageData(0, 0, canvas.width, canvas.height).data};
 }
 
+/// The linear values of a picture from the two bytes of their IEEE halves; null if the pair has none.
+async function decodeLinear(what, index) {
+  const high = await decode(what + '-high', index), low = await decode(what + '-low', index);
+  if (!high) return null;
+  return Float32Array.from(high.values, (byte, i) => {
+    const bits = byte * 256 + low.values[i], exponent = (bits >> 10) & 31, mantissa = bits & 1023;
+    const size = exponent === 0 ? mantissa * 2 ** -24 : exponent === 31 ? Infinity : (1 + mantissa / 1024) * 2 ** (exponent - 15);
+    return bits >> 15 ? -size : size;
+  });
+}
+
+/// Draws linear values as a display shows them at an exposure, in stops.
+function expose(picture, linear, stops) {
+  const factor = 2 ** stops, pixels = picture.context.createImageData(picture.canvas.width, picture.canvas.height);
+  for (let i = 0; i < linear.length; ++i) {
+    const light = Math.min(Math.max(linear[i] * factor, 0), 1);
+    pixels.data[i] = i % 4 === 3 ? 255 : Math.round(255 * (light <= 0.0031308 ? light * 12.92 : 1.055 * light ** (1 / 2.4) - 0.055));
+  }
+  picture.context.putImageData(pixels, 0, 0);
+}
+
 function colored(error) {
   const canvas = of('canvas', {width: error.canvas.width, height: error.canvas.height});
   const pixels = new ImageData(canvas.width, canvas.height);
@@ -100,6 +121,7 @@ class Viewer {
     this.mode = MODES.some(([name]) => name === wanted.mode) ? wanted.mode : 'slider';
     this.split = wanted.split === undefined ? 0.5 : Math.min(Math.max(Number(wanted.split) || 0, 0), 1);
     this.showTest = false;
+    this.stops = 0;
     this.timer = null;
     this.center = [this.width / 2, this.height / 2];
     this.pixel = null;
@@ -124,11 +146,13 @@ class Viewer {
       of('button', {type: 'button', 'data-mode': name, title: doc + ' (' + (i + 1) + ')', onclick: () => this.setMode(name)}, label));
     this.range = of('input', {type: 'range', id: 'split', min: 0, max: 100, value: this.split * 100,
       oninput: () => { this.split = Number(this.range.value) / 100; this.update(); }});
+    this.exposure = of('input', {type: 'number', id: 'exposure', min: -20, max: 20, step: 1, value: 0, onchange: () => this.expose(Number(this.exposure.value))});
+    const exposureLabel = this.pictures.referenceLinear ? of('label', {}, 'Exposure (stops)', this.exposure) : null;
     this.rangeLabel = of('label', {}, of('span', {}, 'Line'), this.range);
     this.zoomSelect = of('select', {id: 'zoom', onchange: () => { this.setZoom(this.zoomSelect.value === 'fit' ? this.fit() : Number(this.zoomSelect.value)); }},
       of('option', {value: 'fit'}, 'fit'), ...ZOOMS.map((zoom) => of('option', {value: zoom}, '\u00d7' + zoom)));
     this.element = of('section', {'aria-label': 'Pictures'},
-      of('div', {class: 'toolbar', role: 'toolbar', 'aria-label': 'View'}, ...this.buttons, this.rangeLabel, of('label', {}, 'Zoom', this.zoomSelect)),
+      of('div', {class: 'toolbar', role: 'toolbar', 'aria-label': 'View'}, ...this.buttons, this.rangeLabel, of('label', {}, 'Zoom', this.zoomSelect), ...[exposureLabel].filter(Boolean)),
       of('div', {class: 'stage'}, this.canvas), legend(), this.output, keysHelp());
     byId('stage-place').replaceChildren(this.element);
     this.resizer = new ResizeObserver(() => { this.resize(); this.draw(); });
@@ -275,6 +299,16 @@ class Viewer {
     this.update();
   }
 
+  /// The pictures alone: their error and their values stay.
+  expose(stops) {
+    if (!this.pictures.referenceLinear) return;
+    this.stops = Math.min(Math.max(stops || 0, -20), 20);
+    this.exposure.value = this.stops;
+    expose(this.pictures.reference, this.pictures.referenceLinear, this.stops);
+    expose(this.pictures.test, this.pictures.testLinear, this.stops);
+    this.update();
+  }
+
   moveSplit(step) {
     this.split = Math.min(Math.max(Math.round((this.split + step) * 100) / 100, 0), 1);
     this.update();
@@ -336,10 +370,14 @@ class Viewer {
 
   describe(x, y) {
     const at = 4 * (y * this.width + x), values = (picture) => Array.from(picture.values.slice(at, at + 3));
-    const reference = values(this.pictures.reference), test = values(this.pictures.test);
+    const both = ['reference', 'test'].map((what) => {
+      const linear = this.pictures[what + 'Linear'];
+      return linear ? Array.from(linear.slice(at, at + 3)) : values(this.pictures[what]);
+    });
+    const text = (list) => list.map((value) => String(Number(value.toPrecision(4)))).join(' ');   // as many digits as halves hold
     const lines = [
       `pixel ${x},${y}`,
-      `reference ${reference.join(' ')}   test ${test.join(' ')}   difference ${test.map((value, i) => value - reference[i]).join(' ')}`,
+      `reference ${text(both[0])}   test ${text(both[1])}   difference ${text(both[1].map((value, i) => value - both[0][i]))}`,
       `FLIP ${short(Math.round(this.pictures.error.values[at] / 255 * 1000) / 1000)}`,
     ];
     if (this.pictures.objects) {
@@ -369,12 +407,13 @@ const KEYS = [
   ['[', ']', 'move the slider\u2019s line, or how much of the test is laid over'],
   ['+', '-', '0', 'zoom in, out, fit'],
   ['\u2190', '\u2191', '\u2192', '\u2193', 'inspect the next pixel; with Shift ten pixels on'],
+  [',', '.', 'of linear pictures: a stop darker, a stop brighter'],
   ['n', 'p', 'i', 'next pair, previous pair, index'],
 ];
 function keysHelp() {
   const rows = KEYS.map((row) => of('tr', {}, of('td', {}, ...row.slice(0, -1).flatMap((key) => [of('kbd', {}, key), ' '])), of('td', {}, row[row.length - 1])));
   return of('details', {id: 'keys'}, of('summary', {}, 'Keys'), of('table', {}, of('tbody', {}, ...rows)),
-    of('p', {class: 'quiet'}, 'Drag to move the pictures or the line; Ctrl and the wheel zoom. Values are those on a display, 0 to 255; light beyond white is clipped.'));
+    of('p', {class: 'quiet'}, 'Drag to move the pictures or the line; Ctrl and the wheel zoom. Values are those on a display, 0 to 255, or of linear pictures the light itself; light beyond white is shown clipped.'));
 }
 
 function onKey(event) {
@@ -388,7 +427,7 @@ function onKey(event) {
     MODES.forEach(([name], i) => { actions[i + 1] = () => viewer.setMode(name); });
     Object.assign(actions, {
       ' ': () => viewer.blink(), '[': () => viewer.moveSplit(-0.05), ']': () => viewer.moveSplit(0.05),
-      '+': () => viewer.zoomBy(1), '=': () => viewer.zoomBy(1), '-': () => viewer.zoomBy(-1), 0: () => viewer.setZoom(viewer.fit()),
+      ',': () => viewer.expose(viewer.stops - 1), '.': () => viewer.expose(viewer.stops + 1), '+': () => viewer.zoomBy(1), '=': () => viewer.zoomBy(1), '-': () => viewer.zoomBy(-1), 0: () => viewer.setZoom(viewer.fit()),
       ArrowLeft: () => viewer.step(-far, 0), ArrowRight: () => viewer.step(far, 0), ArrowUp: () => viewer.step(0, -far), ArrowDown: () => viewer.step(0, far),
     });
   }
@@ -521,6 +560,7 @@ async function showPair(index, wanted) {
     objectTable('Statistics', pair.statistics, 'statistics'), commands(pair)].filter(Boolean));
   const pictures = {};
   for (const what of ['reference', 'test', 'error', 'objects']) pictures[what] = await decode(what, index);
+  for (const what of ['reference', 'test']) pictures[what + 'Linear'] = await decodeLinear(what, index);
   if (ticket !== request) return;   // another pair was asked for meanwhile
   if (pictures.reference) viewer = new Viewer(index, pictures, wanted);
   document.documentElement.dataset.ready = 'pair ' + index;
