@@ -99,9 +99,10 @@ void TextureWriter::declare_one(MaterialId id) {
     if (metal_rough(m)) return write_metal_rough(m.name, plain_surface(scene_, m, losses_), sky_, sdl_, images_, losses_);
     if (m.layers.empty()) return write_metal_rough(m.name, {}, sky_, sdl_, images_, losses_);
     const bool old = std::any_of(m.layers.begin(), m.layers.end(), [](const auto& part) { return std::visit([](const auto& what) { return has_old_words(what); }, part); });
-    if (old) sdl_.line("#version 3.0;");   // POV-Ray warns of such words in newer ones
+    const bool of_old = old && scene_.settings.filter_dims_by_colour;   // POV-Ray warns of such words in newer scenes, where they act otherwise
+    if (of_old) sdl_.line("#version 3.0;");
     for (const auto& part : m.layers) std::visit([&](const auto& what) { layer(what, m.uv_mapped); }, part);
-    if (old) sdl_.line(version_line(scene_));
+    if (of_old) sdl_.line(version_line(scene_));
 }
 
 void TextureWriter::declare(std::vector<bool> used, const std::vector<SignalId>& pigments) {

@@ -1,0 +1,122 @@
+# SPDX-License-Identifier: Apache-2.0
+"""`alidade convert SCENE out.pov`: POV-Ray renders what is written without a warning, and its pictures are those of `alidade render`.
+
+The assets, and where the shared data is beside the repository, Blender's exports. Coverage is compared before a magenta background that no surface has, where
+POV-Ray draws surfaces in their plain colours (+Q1), opaque ones; or as they are."""
+import os
+import pathlib
+import re
+import shutil
+import subprocess
+import unittest
+
+from program import SANITIZED, InFolder, run
+
+ROOT = pathlib.Path(__file__).resolve().parents[2]
+ASSETS = ROOT / "assets/scenes"
+BLENDER = pathlib.Path(os.environ.get("ALIDADE_SHARED_DATA", ROOT.parent / "shared/data")) / "blender"
+WIDTH, HEIGHT = 160, 120
+LIT_BY_SKY = {"house.obj", "shell.ply", "gear.stl", "star.off"}
+CUT_OUT = {"foliage.glb", "textured.glb"}
+MAGENTA = bytes((255, 0, 255))
+
+# By how much the mean code of a picture may differ: what POV-Ray's highlights, normal maps and skies cannot be is in it. Tight where nothing is lost.
+MEAN = {"motion.glb": 0.005, "house.obj": 0.02, "foliage.glb": 0.02, "prims.glb": 0.02, "materials.glb": 0.03, "textured.glb": 0.05, "instances.glb": 0.06}
+
+
+def read_ppm(path):
+    """(width, height, bytes) of a binary PPM with 8 bits a colour."""
+    data = path.read_bytes()
+    header = re.match(rb"P6\s+(?:#[^\n]*\n\s*)*(\d+)\s+(\d+)\s+255\s", data)
+    return int(header[1]), int(header[2]), data[header.end():]
+
+
+def pixels(picture):
+    width, height, data = picture
+    return [[data[3 * (y * width + x):][:3] for x in range(width)] for y in range(height)]
+
+
+def far_from_edges(mask, x, y):
+    """Is the mask the same at all neighbours?"""
+    around = [mask[j][i] for j in range(max(y - 1, 0), min(y + 2, HEIGHT)) for i in range(max(x - 1, 0), min(x + 2, WIDTH))]
+    return all(m == around[0] for m in around)
+
+
+@unittest.skipUnless(shutil.which("povray"), "povray is not installed")
+class PovExport(InFolder):
+    def povray(self, scene, out, *words):
+        done = subprocess.run(["povray", f"+I{scene}", f"+O{out}", f"+W{WIDTH}", f"+H{HEIGHT}", "+FP", "-A", "-D", "+WT1", *words],
+                              cwd=self.folder, capture_output=True, text=True, timeout=120)
+        self.assertEqual(done.returncode, 0, done.stderr[-2000:])
+        self.assertNotRegex(done.stderr, r"Warning: |Error: ")
+        return read_ppm(self.folder / out)
+
+    def ours(self, scene, out, *words):
+        done = run("render", scene, "-o", out, "--size", f"{WIDTH}x{HEIGHT}", *words, cwd=self.folder)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        return read_ppm(self.folder / out)
+
+    def convert(self, scene):
+        done = run("convert", scene, "out.pov", cwd=self.folder)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        return done.stderr
+
+    def check(self, scene):
+        self.convert(scene)
+        theirs, own = self.povray("out.pov", "theirs.ppm"), self.ours(scene, "own.ppm", "--spp", 16 if scene.name in LIT_BY_SKY else 1)
+        means = [sum(p[2]) / len(p[2]) for p in (own, theirs)]
+        self.assertGreater(means[0], 5, "the picture shows something")
+        if os.environ.get("ALIDADE_FIGURES"):
+            print(f"{scene.name:15} mean codes {means[0]:.2f} {means[1]:.2f}", flush=True)
+        self.assertLess(abs(means[1] / means[0] - 1), MEAN.get(scene.name, 0.03), f"mean codes {means}")
+        with open(self.folder / "out.pov", "a") as text:
+            text.write("background { color rgb <1,0,1> }\n")
+        flat = pixels(self.povray("out.pov", "flat.ppm", "+Q9" if scene.name in CUT_OUT else "+Q1"))
+        mask = pixels(self.ours(scene, "mask.ppm", "--integrator", "cast", "--environment", "#ff00ff", "--spp", 1))
+        masks = [[[pixel != MAGENTA for pixel in row] for row in picture] for picture in (mask, flat)]
+        differ = [(x, y) for y in range(HEIGHT) for x in range(WIDTH) if masks[0][y][x] != masks[1][y][x] and far_from_edges(masks[0], x, y)]
+        if os.environ.get("ALIDADE_FIGURES"):
+            print(f"{scene.name:15} coverage differs in {len(differ)} of {WIDTH * HEIGHT}", flush=True)
+        self.assertLessEqual(len(differ), 0.0005 * WIDTH * HEIGHT, differ[:10])
+
+    def test_assets(self):
+        scenes = sorted(p for p in ASSETS.iterdir() if p.suffix in (".glb", ".obj", ".ply", ".stl", ".off"))
+        self.assertGreater(len(scenes), 7)
+        for scene in scenes:
+            with self.subTest(scene.name):
+                self.check(scene)
+
+    def test_exports_of_blender(self):
+        if not BLENDER.is_dir():
+            self.skipTest("the shared data is not there")
+        for name in ("prims.glb", "textured.glb", "instances.glb"):
+            with self.subTest(name):
+                self.check(BLENDER / name)
+
+    def test_instances_stay_small(self):
+        if not BLENDER.is_dir():
+            self.skipTest("the shared data is not there")
+        self.convert(BLENDER / "instances.glb")
+        self.assertLess((self.folder / "out.pov").stat().st_size, 10e6, "3.8 million triangles of 7 meshes")
+
+    def test_what_is_approximated_is_told_by_material(self):
+        said = self.convert(ASSETS / "materials.glb")
+        self.assertRegex(said, r"lost: the GGX highlight of material 'plastic' \(1\); instead: Blinn's, as wide")
+        self.assertNotIn("'unlit'", said)
+
+    def test_nothing_but_a_camera(self):
+        self.scene.write_text('{"asset": {"version": "2.0"}, "scene": 0, "scenes": [{"nodes": [0]}], "nodes": [{"camera": 0}], '
+                              '"cameras": [{"type": "perspective", "perspective": {"yfov": 1, "znear": 0.1}}]}')
+        self.convert(self.scene)
+        self.povray("out.pov", "theirs.ppm")
+
+    def test_an_empty_scene(self):
+        self.scene.write_text('{"asset": {"version": "2.0"}}')
+        self.convert(self.scene)
+        self.povray("out.pov", "theirs.ppm")
+
+
+if __name__ == "__main__":
+    if SANITIZED:
+        raise SystemExit(77)
+    unittest.main()
