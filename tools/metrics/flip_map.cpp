@@ -120,17 +120,20 @@ void to_lab(size_t width, const float* y, const float* x_y, const float* y_z0, c
     }
 }
 
-/// A strip of one picture with the rows that its filters reach, filtered along the rows.
+/// A strip of one picture, its rows filtered along as they are needed. Only those in reach of the filters are kept: they stay in the cache.
 class Strip {
 public:
-    Strip(const FlipFilters& filters, std::span<const float> picture, size_t width, size_t height, size_t first, size_t last)
-        : filters_(filters), width_(width), height_(height), first_(first - std::min(first, filters.radius)) {
-        const size_t end = std::min(height, last + filters.radius);
-        for (auto& plane : planes_) plane.resize(width * (end - first_));
-        PaddedRow row(width, filters.radius);
-        for (size_t y = first_; y < end; ++y) {
-            row.fill(picture.data() + y * width * 3);
-            filter_along(row, (y - first_) * width);
+    Strip(const FlipFilters& filters, std::span<const float> picture, size_t width, size_t height, size_t first)
+        : filters_(filters), picture_(picture), width_(width), height_(height), ring_(2 * filters.radius + 1), next_(first - std::min(first, filters.radius)),
+          row_(width, filters.radius) {
+        for (auto& plane : planes_) plane.resize(width * std::min(height, ring_));
+    }
+
+    /// To be called for every row in order, before it is asked for.
+    void reach(size_t y) {
+        for (const size_t end = std::min(height_, y + filters_.radius + 1); next_ < end; ++next_) {
+            row_.fill(picture_.data() + next_ * width_ * 3);
+            filter_along(row_, next_ % ring_ * width_);
         }
     }
 
@@ -138,7 +141,7 @@ public:
     auto around(Plane plane, size_t y) const {
         return [this, plane, y](int offset) {
             const auto row = std::clamp(std::ptrdiff_t(y) + offset, std::ptrdiff_t(0), std::ptrdiff_t(height_) - 1);
-            return planes_[plane].data() + (size_t(row) - first_) * width_;
+            return planes_[plane].data() + size_t(row) % ring_ * width_;
         };
     }
 
@@ -175,7 +178,9 @@ private:
         zero_sum_filter(filters_.point, width_, row.from(0), &planes_[point][at]);
     }
     const FlipFilters& filters_;
-    size_t width_, height_, first_;
+    std::span<const float> picture_;
+    size_t width_, height_, ring_, next_;
+    PaddedRow row_;
     std::array<std::vector<float>, planes> planes_;
 };
 
@@ -198,7 +203,8 @@ struct RowOf {
     explicit RowOf(size_t width) : edges(width), points(width) {
         for (auto& row : lab) row.resize(width);
     }
-    void read(const Strip& strip, size_t y, Rows& buffer) {
+    void read(Strip& strip, size_t y, Rows& buffer) {
+        strip.reach(y);
         strip.colors(y, buffer, lab);
         strip.features(y, buffer, edges, points);
     }
@@ -223,7 +229,7 @@ std::vector<float> flip_map(int width, int height, std::span<const float> refere
     std::vector<float> map(w * h);
     parallel_for((h + kStripRows - 1) / kStripRows, threads, [&](size_t strip) {
         const size_t first = strip * kStripRows, last = std::min(h, first + kStripRows);
-        const Strip a(filters, reference, w, h, first, last), b(filters, test, w, h, first, last);
+        Strip a(filters, reference, w, h, first), b(filters, test, w, h, first);
         Rows buffer;
         for (auto& row : buffer) row.resize(w);
         RowOf row_a(w), row_b(w);

@@ -61,42 +61,44 @@ struct Values {
         : pair(p), a(display_colors(p, p.reference)), b(display_colors(p, p.test)), width(size_t(p.width())), height(size_t(p.height())) {}
 };
 
-/// out[x] = the sum over i of kernel[i] * in[i * step + x] for the next `block` of x: sums stay in registers. The kernel is the same on both sides.
+/// Rows (or one row, shifted) under a window.
+using Rows = std::array<const double*, kWindow>;
+
+/// out[x] = the sum over i of kernel[i] * in[i][x] for the `block` of x that begin at `x`: sums stay in registers. The kernel is the same on both sides.
 template <size_t block>
-void blur_block(const Kernel& kernel, const double* in, size_t step, double* out) {
+void blur_block(const Kernel& kernel, const Rows& in, size_t x, double* out) {
     double sum[block];
-    for (size_t j = 0; j < block; ++j) sum[j] = kernel[kReach] * in[kReach * step + j];
+    for (size_t j = 0; j < block; ++j) sum[j] = kernel[kReach] * in[kReach][x + j];
     for (size_t i = 0; i < kReach; ++i) {
-        const double *one = in + i * step, *other = in + (kWindow - 1 - i) * step, weight = kernel[i];
+        const double *one = in[i] + x, *other = in[kWindow - 1 - i] + x, weight = kernel[i];
         for (size_t j = 0; j < block; ++j) sum[j] += weight * (one[j] + other[j]);
     }
-    std::copy_n(sum, block, out);
+    for (size_t j = 0; j < block; ++j) out[x + j] = sum[j];
 }
 
-/// Along a row with step 1, across rows with their length.
-void blur(const Kernel& kernel, const double* in, size_t step, size_t width, double* out) {
+void blur(const Kernel& kernel, const Rows& in, size_t width, double* out) {
     constexpr size_t block = 8;
     size_t x = 0;
-    for (; x + block <= width; x += block) blur_block<block>(kernel, in + x, step, out + x);
-    for (; x < width; ++x) blur_block<1>(kernel, in + x, step, out + x);
+    for (; x + block <= width; x += block) blur_block<block>(kernel, in, x, out);
+    for (; x < width; ++x) blur_block<1>(kernel, in, x, out);
 }
 
-/// The windows whose first rows are `first` .. `last`, in one channel.
+/// The windows whose first rows are `first` .. `last`, in one channel. Of rows blurred along only the last eleven are kept: they stay in the cache.
 class Strip {
 public:
-    Strip(const Values& values, size_t channel, size_t first, size_t last) : values_(values), first_(first), last_(last), columns_(values.width - 2 * kReach) {
+    Strip(const Values& values, size_t channel) : values_(values), channel_(channel), columns_(values.width - 2 * kReach) {
         for (auto& row : raw_) row.resize(values.width);
         for (auto& row : blurred_) row.resize(columns_);
-        const size_t rows = last - first + 2 * kReach;
-        for (auto& plane : along_) plane.resize(rows * columns_);
-        for (size_t y = 0; y < rows; ++y) blur_along(channel, y);
+        for (auto& plane : along_) plane.resize(kWindow * columns_);
     }
 
-    Pool pooled() {
+    Pool pooled(size_t first, size_t last) {
+        for (size_t y = first; y < first + kWindow - 1; ++y) blur_along(y);
         Pool pool;
-        for (size_t y = 0; y < last_ - first_; ++y) {
-            for (size_t p = 0; p < 4; ++p) blur(values_.kernel, &along_[p][y * columns_], columns_, columns_, blurred_[p].data());
-            const uint8_t* counts = &values_.pair.counts[(first_ + y + kReach) * values_.width + kReach];
+        for (size_t y = first; y < last; ++y) {
+            blur_along(y + kWindow - 1);
+            blur_across(y);
+            const uint8_t* counts = &values_.pair.counts[(y + kReach) * values_.width + kReach];
             for (size_t x = 0; x < columns_; ++x) {
                 if (counts[x]) pool.add(similarity({blurred_[0][x], blurred_[1][x], blurred_[2][x], blurred_[3][x]}));
             }
@@ -105,8 +107,8 @@ public:
     }
 
 private:
-    void blur_along(size_t channel, size_t y) {
-        const float *a = &values_.a[(first_ + y) * values_.width * 3 + channel], *b = &values_.b[(first_ + y) * values_.width * 3 + channel];
+    void blur_along(size_t y) {
+        const float *a = &values_.a[y * values_.width * 3 + channel_], *b = &values_.b[y * values_.width * 3 + channel_];
         for (size_t x = 0; x < values_.width; ++x) {
             const double va = double(a[3 * x]), vb = double(b[3 * x]);
             raw_[0][x] = va;
@@ -114,11 +116,23 @@ private:
             raw_[2][x] = va * va + vb * vb;
             raw_[3][x] = va * vb;
         }
-        for (size_t p = 0; p < 4; ++p) blur(values_.kernel, raw_[p].data(), 1, columns_, &along_[p][y * columns_]);
+        for (size_t p = 0; p < 4; ++p) {
+            Rows shifted;
+            for (size_t i = 0; i < kWindow; ++i) shifted[i] = raw_[p].data() + i;
+            blur(values_.kernel, shifted, columns_, &along_[p][y % kWindow * columns_]);
+        }
+    }
+
+    void blur_across(size_t y) {
+        for (size_t p = 0; p < 4; ++p) {
+            Rows rows;
+            for (size_t i = 0; i < kWindow; ++i) rows[i] = &along_[p][(y + i) % kWindow * columns_];
+            blur(values_.kernel, rows, columns_, blurred_[p].data());
+        }
     }
 
     const Values& values_;
-    size_t first_, last_, columns_;
+    size_t channel_, columns_;
     std::array<std::vector<double>, 4> raw_, blurred_, along_;
 };
 
@@ -129,7 +143,7 @@ Pool whole_windows(const Values& values) {
     std::vector<Pool> pools(strips * channels);
     parallel_for(pools.size(), values.pair.threads, [&](size_t i) {
         const size_t first = i / channels * kStripRows;
-        pools[i] = Strip(values, i % channels, first, std::min(rows, first + kStripRows)).pooled();
+        pools[i] = Strip(values, i % channels).pooled(first, std::min(rows, first + kStripRows));
     });
     Pool pool;
     for (const Pool& part : pools) pool.add(part);
