@@ -16,7 +16,7 @@ KEYS = {" ": ("Space", 32, " "), "ArrowLeft": ("ArrowLeft", 37, ""), "ArrowUp": 
 
 class Browser:
     def __init__(self):
-        self.folder = tempfile.TemporaryDirectory()
+        self.folder = tempfile.TemporaryDirectory(ignore_cleanup_errors=True)   # its helpers may outlive it by a moment
         to_browser, self.out = os.pipe()
         self.into, from_browser = os.pipe()
         # The browser reads descriptor 3 and writes 4, which the pipes themselves may have here.
@@ -33,7 +33,11 @@ class Browser:
 
     def close(self):
         self.process.terminate()
-        self.process.wait(20)
+        try:
+            self.process.wait(10)
+        except subprocess.TimeoutExpired:
+            self.process.kill()
+            self.process.wait()
         os.close(self.out)
         os.close(self.into)
         self.folder.cleanup()
