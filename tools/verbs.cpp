@@ -3,7 +3,9 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <exception>
 #include <fmt/format.h>
+#include <new>
 
 namespace alidade {
 
@@ -17,9 +19,9 @@ constexpr Verb kVerbs[] = {
     {"info", "info SCENE [options] | info --features", "tells what a scene holds and requires, or what the program can do", kExits, run_info},
     {"convert", "convert SCENE OUT [options]", "writes a scene in another format, and lists what that cannot hold", kExits, run_convert},
     {"diff", "diff REFERENCE TEST [options]", "tells how far a picture is from another, where, and whether that is good enough",
-     "0 pass, 1 warn, 2 fail, 3 incomparable, 4 file or usage", run_diff},
+     "0 pass, 1 warn, 2 fail, 3 incomparable, 4 file or usage", run_diff, 4},
     {"compare", "compare SCENE | --corpus LIST --out DIR [options] [-- POV-Ray's words]", "renders with POV-Ray too, and tells how far the pictures are apart",
-     "as diff, the worst of a list; 2 also if a program made no picture; 4 also if POV-Ray is missing", run_compare},
+     "as diff, the worst of a list; 2 also if a program made no picture; 4 also if POV-Ray is missing", run_compare, 4},
 };
 
 std::string help() {
@@ -74,7 +76,10 @@ int fail(const std::string& sentence) {
     return kError;
 }
 
-int run_words(const Words& words) {
+namespace {
+
+/// What run_words does, without its care for what is thrown. `broken` becomes the verb's exit code for that.
+int run_verb(const Words& words, int& broken) {
     if (words.empty()) {
         fmt::print(stderr, "{}", help());
         return kUsage;
@@ -88,8 +93,26 @@ int run_words(const Words& words) {
         return kDone;
     }
     for (const Verb& verb : kVerbs)
-        if (words[0] == verb.name) return verb.run(verb, Words(words.begin() + 1, words.end()));
+        if (words[0] == verb.name) return broken = verb.broken, verb.run(verb, Words(words.begin() + 1, words.end()));
     return unknown_verb(words[0]);
+}
+
+}  // namespace
+
+int run_words(const Words& words) {
+    int broken = kError;
+    std::string why;
+    try {
+        const int code = run_verb(words, broken);
+        if (std::fflush(stdout) == 0 && !std::ferror(stdout)) return code;
+    } catch (const std::bad_alloc&) {
+        why = "out of memory";
+    } catch (const std::exception& e) {
+        why = e.what();
+    }
+    if (why.empty() || std::ferror(stdout)) why = "stdout cannot be written to";   // which fmt throws where the buffer was full
+    std::fputs(("alidade: error: " + why + "\n").c_str(), stderr);
+    return broken;
 }
 
 }  // namespace alidade

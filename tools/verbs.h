@@ -20,6 +20,7 @@ struct Verb {
     const char* doc;
     const char* exits;   ///< what its exit codes mean
     int (*run)(const Verb& verb, const Words& words);   ///< `words` are those after the verb
+    int broken = kError;   ///< exit code where memory ends, or what was printed could not be written
 };
 
 std::span<const Verb> verbs();
@@ -28,7 +29,7 @@ std::span<const Verb> verbs();
 /// neighbours) for every three letters, and at least one.
 std::string nearest(std::string_view word, std::span<const std::string> candidates);
 
-/// Runs the verb that `words` (without the program's name) begin with; also --help and --version.
+/// Runs the verb that `words` (without the program's name) begin with; also --help and --version. Throws nothing.
 int run_words(const Words& words);
 
 /// Says the sentence as an error, and returns kError.

@@ -1,9 +1,12 @@
 # SPDX-License-Identifier: Apache-2.0
 """Words in, words and exit codes out."""
 import json
+import pathlib
 import subprocess
+import tempfile
 import unittest
 
+from pictures import png_bytes, scene, write
 from program import PROGRAM, InFolder, run, triangle_gltf
 
 # Every option of the design's table that a verb has today.
@@ -119,6 +122,14 @@ class BadInput(InFolder):
         with open("/dev/full", "w") as full:
             said = subprocess.run([PROGRAM, "info", "--features"], stdout=full, stderr=subprocess.PIPE, text=True)
         self.assertEqual((said.returncode, said.stderr), (1, "alidade: error: stdout cannot be written to\n"))
+
+    def test_a_full_disk_is_no_verdict(self):
+        with tempfile.TemporaryDirectory() as folder:
+            picture = str(write(pathlib.Path(folder) / "a.png", png_bytes(scene())))
+            for words in (["diff", picture, picture], ["diff", picture, picture, "--json"]):
+                with open("/dev/full", "w") as full:
+                    said = subprocess.run([PROGRAM, *words], stdout=full, stderr=subprocess.PIPE, text=True)
+                self.assertEqual((said.returncode, said.stderr), (4, "alidade: error: stdout cannot be written to\n"))
 
 
 class Info(InFolder):
