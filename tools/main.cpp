@@ -14,7 +14,7 @@ int main(int argc, char** argv) {
     } catch (const std::bad_alloc&) {
         fmt::print(stderr, "alidade: error: out of memory\n");
     } catch (const std::exception& e) {
-        fmt::print(stderr, "alidade: error: {}\n", e.what());
+        fmt::print(stderr, "alidade: error: {}\n", std::ferror(stdout) ? "stdout cannot be written to" : e.what());   // what is longer than a buffer fails before its end
     }
     return alidade::kError;
 }
