@@ -110,15 +110,13 @@ void ImageWriter::picture(const char* word, const File& file, const ImageSignal&
     sdl_.end();
 }
 
-/// The transformation that moves a pattern to where the texture coordinates look it up.
-bool ImageWriter::place(const ImageSignal& image) {
+void ImageWriter::place(const ImageSignal& image) {
     const Mat3 m = flipped_v() * image.uv_transform * flipped_v();
-    if (m == Mat3(1.0)) return true;
+    if (m == Mat3(1.0)) return;
     const Transform lookup{Mat3(m[0].x, m[0].y, 0, m[1].x, m[1].y, 0, 0, 0, 1), Vec3(m[2].x, m[2].y, 0)};
     const auto back = inverse(lookup);
-    if (!back) return false;
-    sdl_.line(*back);
-    return true;
+    losses_.add("texture transforms that squeeze a picture flat", !back, "none");
+    if (back) sdl_.line(*back);
 }
 
 bool ImageWriter::map(const ImageSignal& image, const Vec4& tint, PictureAlpha alpha, double transmit) {
@@ -127,24 +125,23 @@ bool ImageWriter::map(const ImageSignal& image, const Vec4& tint, PictureAlpha a
     tell_wraps(image);
     sdl_.line("uv_mapping");
     picture("image_map", there, image, "", transmit);
-    losses_.add("texture transforms that squeeze a picture flat", !place(image), "none");
+    place(image);
     return true;
 }
 
-bool ImageWriter::cut_out(const ImageSignal& image, const Vec4& tint, double cutoff) {
-    const File &mask = file(image, Vec4(1), PictureAlpha::kept), &shown = file(image, Vec4(Vec3(tint), 1), PictureAlpha::removed);
-    if (mask.words.empty() || shown.words.empty()) return false;
+bool ImageWriter::map_in_place(const ImageSignal& image, const Vec4& tint) {
+    const File& there = file(image, tint, PictureAlpha::removed);
+    if (there.words.empty()) return false;
     tell_wraps(image);
-    const double through = 1 - (tint.w > 0 ? std::min(cutoff / tint.w, 2.0) : 2.0);   // the pattern is what passes: 1 - alpha
+    picture("image_map", there, image, "", 0);
+    return true;
+}
+
+bool ImageWriter::alpha_pattern(const ImageSignal& image) {
+    const File& mask = file(image, Vec4(1), PictureAlpha::kept);
+    if (mask.words.empty()) return false;
     sdl_.line("uv_mapping");
     picture("image_pattern", mask, image, "use_alpha", 0);
-    sdl_.begin("pigment_map");
-    sdl_.line("[", through);
-    picture("image_map", shown, image, "", 0);
-    sdl_.line("]");
-    sdl_.line("[", through, "color rgbt <0,0,0,1> ]");
-    sdl_.end();
-    losses_.add("texture transforms that squeeze a picture flat", !place(image), "none");
     return true;
 }
 

@@ -22,8 +22,12 @@ class ImageWriter {
     /// `uv_mapping image_map { }` of the picture times `tint`, in the space of its texture coordinates. `transmit`: of all of it. False, and nothing
     /// written, if the picture cannot be read or placed.
     bool map(const ImageSignal& image, const Vec4& tint = Vec4(1), PictureAlpha alpha = PictureAlpha::kept, double transmit = 0);
-    /// The same where the picture's alpha times `tint.w` is at least `cutoff`, and nothing elsewhere.
-    bool cut_out(const ImageSignal& image, const Vec4& tint, double cutoff);
+    /// The same within what is in that space already.
+    bool map_in_place(const ImageSignal& image, const Vec4& tint);
+    /// `uv_mapping image_pattern { }`: a pattern whose value is what passes, 1 - alpha. False, and nothing written, if the picture cannot be read.
+    bool alpha_pattern(const ImageSignal& image);
+    /// What moves a pattern, behind all that it has, to where the texture coordinates look the picture up.
+    void place(const ImageSignal& image);
     bool has_alpha(const ImageSignal& image);
     /// The mean of one channel, of the stored numbers; 1 if the picture cannot be read.
     double mean(const ImageSignal& image, int channel);
@@ -46,7 +50,6 @@ class ImageWriter {
     File make_file(const ImageSignal& image, const Vec4& tint, PictureAlpha alpha);
     void picture(const char* word, const File& file, const ImageSignal& image, const char* more, double transmit);
     void tell_wraps(const ImageSignal& image);
-    bool place(const ImageSignal& image);
 
     const Scene& scene_;
     Sdl& sdl_;

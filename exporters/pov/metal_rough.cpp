@@ -16,18 +16,20 @@ constexpr double kVeil = 1.0 / (1 << 20);
 
 class Surface {
   public:
-    Surface(const std::string& name, const PlainSurface& s, const Color& sky, Sdl& sdl, ImageWriter& images, Losses& losses)
-        : s_(s), name_(name), sdl_(sdl), images_(images), losses_(losses), sky_(sky) {
+    Surface(const std::string& name, const PlainSurface& s, const Color& sky, MirrorImages mirrors, Sdl& sdl, ImageWriter& images, Losses& losses)
+        : s_(s), name_(name), sdl_(sdl), images_(images), losses_(losses), sky_(sky), mirrors_(mirrors) {
         metallic_ = scalar(s.metallic, "metalness"), roughness_ = scalar(s.roughness, "roughness");
         through_ = s.transmission ? std::clamp(scalar(*s.transmission, "transmission"), 0.0, 1.0) * (1 - metallic_) : 0;
         base_ = Color(s.base_color.factor), tint_ = base_;
         if (s.alpha_mode == AlphaMode::blend) alpha_ = std::clamp(s.base_color.factor.w, 0.0, 1.0);
-        if (s.alpha_mode == AlphaMode::mask && !s.base_color.picture) alpha_ = s.base_color.factor.w < s.alpha_cutoff ? 0 : 1;
+        cut_out_ = s.base_color.picture && s.alpha_mode != AlphaMode::opaque && images.has_alpha(*s.base_color.picture);
+        if (s.alpha_mode == AlphaMode::mask && !cut_out_) alpha_ = s.base_color.factor.w < s.alpha_cutoff ? 0 : 1;
         if (s.emissive) glow_ = Color(s.emissive->factor) * s.emissive_strength;
     }
 
     void write() {
         tell_losses();
+        if (cut_out_) return write_cut_out();
         if (s_.unlit) return write_unlit();
         const bool inside_base = put_emission_into_base();
         sdl_.begin("texture");
@@ -90,17 +92,35 @@ class Surface {
 
     bool picture_pigment() {
         if (!s_.base_color.picture) return false;
-        const Vec4 tint(tint_.x, tint_.y, tint_.z, s_.base_color.factor.w);
+        const Vec4 tint(tint_.x, tint_.y, tint_.z, cut_out_ ? 1 : alpha_);
         const ImageSignal& image = *s_.base_color.picture;
-        if (s_.alpha_mode == AlphaMode::mask && images_.has_alpha(image)) return images_.cut_out(image, tint, s_.alpha_cutoff);
-        const bool blends = s_.alpha_mode == AlphaMode::blend;
         losses_.add(of("the transmission"), through_ > 0, "an opaque picture");
-        return images_.map(image, blends ? tint : Vec4(Vec3(tint), 1), blends ? PictureAlpha::kept : PictureAlpha::removed);
+        if (cut_out_) return images_.map_in_place(image, tint);
+        return images_.map(image, tint, alpha_ < 1 ? PictureAlpha::kept : PictureAlpha::removed);
     }
 
     void pigment() {
         sdl_.begin("pigment");
         if (!picture_pigment()) sdl_.line(Rgbft{base_, through_ * alpha_, 1 - alpha_});
+        sdl_.end();
+    }
+
+    /// Where nothing is there is no light on it either: textures are mixed by the picture's alpha, not colours.
+    void write_cut_out() {
+        const double cutoff = 1 - std::clamp(s_.base_color.factor.w > 0 ? s_.alpha_cutoff / s_.base_color.factor.w : 2, -1.0, 2.0);
+        const bool mask = s_.alpha_mode == AlphaMode::mask;
+        const ImageSignal& image = *s_.base_color.picture;
+        losses_.add(of("emission and clear coat"), !is_black(glow_) || s_.clearcoat, "none where alpha cuts the material out");
+        sdl_.begin("texture");
+        images_.alpha_pattern(image);
+        sdl_.begin("texture_map");
+        sdl_.line("[", mask ? cutoff : 0);
+        pigment();
+        s_.unlit ? unlit_finish() : finish(false);
+        sdl_.line("]");
+        sdl_.line("[", mask ? cutoff : 1, "pigment { color rgbt <0,0,0,1> } finish { ambient 0 diffuse 0 } ]");
+        sdl_.end();
+        images_.place(image);
         sdl_.end();
     }
 
@@ -125,8 +145,9 @@ class Surface {
     }
 
     void set_reflection(PovFinish& f) const {
+        constexpr double kWeak = 0.25;
         const double k = mirror() * alpha_;
-        if (k <= 0) return;
+        if (k <= 0 || (mirrors_ == MirrorImages::strong && k < kWeak)) return;
         if (through_ > 0) {
             f.reflection_max = Color(k), f.reflection_fresnel = true;
             return;
@@ -141,10 +162,14 @@ class Surface {
     void write_unlit() {
         sdl_.begin("texture");
         pigment();
+        unlit_finish();
+        sdl_.end();
+    }
+
+    void unlit_finish() {
         PovFinish f;
         f.ambient = Color(0), f.diffuse = 0, f.emission = Color(1);
         write_finish(sdl_, f);
-        sdl_.end();
     }
 
     void write_glow() {
@@ -182,15 +207,17 @@ class Surface {
     ImageWriter& images_;
     Losses& losses_;
     Color sky_;
+    MirrorImages mirrors_;
     double metallic_ = 0, roughness_ = 1, through_ = 0, alpha_ = 1;
     Color base_{1}, tint_{1}, glow_{0};
-    bool dark_ = false;   ///< the pigment is that of the emission
+    bool cut_out_ = false;   ///< by the alpha of its picture
+    bool dark_ = false;      ///< the pigment is that of the emission
 };
 
 }  // namespace
 
-void write_metal_rough(const std::string& name, const PlainSurface& surface, const Color& sky, Sdl& sdl, ImageWriter& images, Losses& losses) {
-    Surface(name, surface, sky, sdl, images, losses).write();
+void write_metal_rough(const std::string& name, const PlainSurface& surface, const Color& sky, Sdl& sdl, ImageWriter& images, Losses& losses, MirrorImages mirrors) {
+    Surface(name, surface, sky, mirrors, sdl, images, losses).write();
 }
 
 void set_beer(Interior& in) {

@@ -30,8 +30,10 @@ NodeFacts::NodeFacts(const Scene& scene, Losses& losses) : scene_(scene), facts_
     for (const uint32_t i : order_) {
         const Node& node = scene.nodes[i];
         if (const auto* shape = std::get_if<ShapeId>(&node.what)) without += !seen_shapes_[shape->index];
+        if (!draws_shape(node) && material_counts(node)) defaults_at_shapes_ = false;
         flat += is_flat(node.to_parent), hidden += !node.flags.visible;
     }
+    if (std::none_of(scene.roots.begin(), scene.roots.end(), [&](NodeId root) { return is_bare(root); })) defaults_at_shapes_ = false;
     losses.add("shapes without extent", without);
     losses.add("nodes whose transformation is flat, not finite or smaller than 1e-10", flat);
     losses.add("hidden nodes", hidden);

@@ -44,6 +44,8 @@ class NodeFacts {
 
     std::vector<bool> used_materials() const;
     bool needs_default() const;
+    /// Do shapes get the default texture where they stand? If no node passes its material on to others, they can; else it is given to the roots.
+    bool defaults_at_shapes() const { return defaults_at_shapes_; }
 
   private:
     struct Fact {
@@ -59,6 +61,7 @@ class NodeFacts {
     std::vector<Fact> facts_;
     std::vector<bool> seen_shapes_;   ///< by shape: it has a surface
     std::vector<uint32_t> order_;
+    bool defaults_at_shapes_ = true;
     std::map<ShapeKey, size_t> uses_;
     std::map<uint32_t, size_t> variants_;
 };

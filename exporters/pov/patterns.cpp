@@ -163,7 +163,11 @@ void PatternWriter::pigment_map(const PatternSignal& s) {
     sdl_.begin(colours && !average ? "color_map" : "pigment_map");
     for (const MapEntry& e : s.map) {
         if (is_colour(e.signal)) sdl_.line("[", e.value, colour(e.signal), "]");
-        else sdl_.line("[", e.value, item(e.signal, "Pigment"), "]");
+        else {
+            sdl_.line("[", e.value);
+            pigment(e.signal);
+            sdl_.line("]");
+        }
     }
     sdl_.end();
 }
@@ -181,7 +185,8 @@ void PatternWriter::relief(const ReliefSignal& r) {
         for (const MapEntry& e : s.map) normal_block(e.signal);
     } else if (!s.map.empty()) {
         sdl_.begin("normal_map");
-        for (const MapEntry& e : s.map) sdl_.line("[", e.value, item(e.signal, "Normal"), "]");
+        for (const MapEntry& e : s.map)
+            if (std::holds_alternative<ReliefSignal>(scene_.signals[e.signal.index].what)) sdl_.line("[", e.value, item(e.signal, "Normal"), "]");
         sdl_.end();
     }
     if (!r.slopes.empty()) {

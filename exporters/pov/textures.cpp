@@ -127,7 +127,7 @@ void TextureWriter::tinted(MaterialId material, const Vec4& tint) {
     Losses told;   // when the material itself was declared
     PlainSurface surface = plain_surface(scene_, scene_.materials[material.index], told);
     surface.base_color.factor *= tint;
-    write_metal_rough("", surface, sky_, sdl_, images_, told);
+    write_metal_rough("", surface, sky_, sdl_, images_, told, MirrorImages::strong);
 }
 
 void TextureWriter::use(std::optional<MaterialId> material) { sdl_.line("texture {", material ? texture_name(*material) : "Texture_default", "}"); }

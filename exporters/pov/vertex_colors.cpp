@@ -25,6 +25,7 @@ VertexColors::VertexColors(const Mesh& mesh, const SlotMaterials& slots, std::sp
     losses.add("further vertex colours", mesh.colors.size() - 1);
     const Attribute<Vec4f>& colors = mesh.colors[0];
     if (std::all_of(colors.values.begin(), colors.values.end(), is_white)) return;
+    losses.add("faint mirror images in surfaces with vertex colours");
     std::map<std::pair<MaterialId, Tint>, uint32_t> known;
     const auto number_of = [&](MaterialId material, Vec4f value) {
         for (int i = 0; i < 4; ++i) value[i] = std::isfinite(value[i]) ? value[i] : 1.0f;

@@ -49,8 +49,14 @@ std::vector<std::string> endings(const ExporterEntry& entry) {
     return out;
 }
 
-bool holds_materials(const std::string& ending) { return ending != ".ply"; }
-bool holds_missing_uvs(const std::string& ending) { return ending != ".ply"; }   // one mesh: if one has them all do
+bool holds_materials(const std::string& ending) { return ending != ".ply" && ending != ".pov"; }   // POV-Ray's finishes are others
+bool holds_missing_uvs(const std::string& ending) { return ending != ".ply" && ending != ".pov"; }   // one mesh: if one has them all do
+
+/// POV-Ray scenes have texture coordinates and colours of vertices, which are not read yet.
+void forget_what_pov_lacks(std::vector<WorldTriangle>& list) {
+    for (WorldTriangle& t : list)
+        for (Corner& c : t.corners) std::fill(c.begin() + 6, c.end(), std::numeric_limits<double>::quiet_NaN());
+}
 
 /// NaN stands for an attribute that is not there.
 void expect_near(const Corner& want, const Corner& got, size_t first, size_t last, double tolerance, const std::string& where) {
@@ -95,8 +101,9 @@ TEST_F(RoundTrip, SameTriangles) {
         for (const ExporterEntry& entry : exporters())
             for (const std::string& ending : endings(entry)) {
                 const bool exact = entry.name != std::string("gltf");   // glTF has no doubles for vertices
-                std::vector<WorldTriangle> want = world_triangles(sample.scene, exact);
+                std::vector<WorldTriangle> want = world_triangles(ending == ".pov" ? deform(sample.scene) : sample.scene, exact);   // POV-Ray has no skins
                 if (want.empty()) continue;
+                if (ending == ".pov") forget_what_pov_lacks(want);
                 std::vector<WorldTriangle> got = world_triangles(again(sample, ending), exact);
                 triangles += got.size();
                 if (has_coincident(want)) {
@@ -116,7 +123,7 @@ TEST_F(RoundTrip, SameTriangles) {
 TEST_F(RoundTrip, SurveyedCoordinatesKeepTheirDigits) {
     for (const Sample& sample : samples()) {
         if (sample.name != "surveyed") continue;
-        for (const char* ending : {".obj", ".ply", ".glb"}) {
+        for (const char* ending : {".obj", ".ply", ".glb", ".pov"}) {
             const bool exact = std::string(ending) != ".glb";
             const auto want = world_triangles(sample.scene, exact), got = world_triangles(again(sample, ending), exact);
             ASSERT_EQ(want.size(), got.size());
