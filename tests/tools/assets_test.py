@@ -5,6 +5,7 @@ import json
 import pathlib
 import re
 import shlex
+import shutil
 import subprocess
 import sys
 import tempfile
@@ -42,6 +43,8 @@ class Assets(unittest.TestCase):
         self.assertGreater(len(COMMANDS), 5)
         self.assertGreater(len(TOUR_COMMANDS), 5)
         for words in COMMANDS + TOUR_COMMANDS:
+            if words[0] == "compare" and not shutil.which("povray"):
+                continue
             with self.subTest(" ".join(words)):
                 done = run(*made_small(words), "--json", cwd=self.folder)
                 self.assertEqual(done.returncode, 0, done.stderr)
