@@ -75,10 +75,10 @@ class SolidQuery::Parts final : public CsgParts {
         placed.to_world = mesh ? at.to_world * Transform::translate(mesh->origin) : at.to_world;
         const auto to_local = inverse(placed.to_world);
         if (!to_local) return kNoId;
-        placed.to_local = *to_local;
+        placed.to_local = *to_local, placed.path = at.path;
         placed.triangles = mesh ? &meshes_.of(*shape) : nullptr;
         placed.ops = mesh ? nullptr : find_shape(out_.scene_.shapes[shape->index].geometry);
-        out_.shapes_.push_back(placed);
+        out_.shapes_.push_back(std::move(placed));
         return uint32_t(out_.shapes_.size() - 1);
     }
 
@@ -138,14 +138,15 @@ class SolidQuery::Leaves final : public CsgLeaves {
     uint64_t& work_;
 };
 
-SolidQuery::SolidQuery(const Scene& scene, NodeId root, MeshAccelerators& meshes) : scene_(scene) {
+SolidQuery::SolidQuery(const Scene& scene, NodeId root, MeshAccelerators& meshes, const Transform& placed, bool clipped) : scene_(scene) {
     const Below size = below(scene, root);
     complete_ = size.paths <= kMostPaths && size.levels <= kMostLevels;
     if (!complete_) return;
-    Visit at{root, scene.nodes[root.index].to_parent, {root}};
+    Visit at{root, placed, {root}};
     Parts parts(*this, meshes);
     auto expression = csg_expression(scene, at, kMaskAll, parts);
     if (!expression) return;
+    if (!clipped && expression->op == CsgOp::clip) expression = CsgExpression(std::move(expression->parts[0]));
     parts.describe(*expression);
     tree_.emplace(*expression);
     for (const CsgNode& node : tree_->nodes())
@@ -156,13 +157,14 @@ FoundSurface SolidQuery::surface(const Ray& ray, const Hit& hit) const {
     const PlacedShape& placed = shapes_[hit.instance];
     FoundSurface found;
     found.point = ray.at(hit.t);
-    found.shape = placed.shape, found.part = hit.part;
+    found.shape = placed.shape, found.part = hit.part, found.t = hit.t, found.leaf = hit.instance;
     Vec3 normal;
     if (placed.ops) {
         normal = placed.ops->surface(scene_.shapes[placed.shape.index].geometry, placed.to_local.point(found.point), hit.part).normal;
     } else {
         const Mesh& mesh = *as_mesh(scene_, placed.shape);
         found.facet = !mesh.normals.present();
+        found.slot = mesh.slots.empty() ? 0 : mesh.slots[hit.primitive];
         normal = found.facet ? triangle_normal(mesh, hit.primitive) : Vec3(interpolate(mesh.normals, mesh, hit.primitive, hit.u, hit.v));
     }
     found.normal = normalized(placed.to_local.transposed(normal));
@@ -178,6 +180,16 @@ std::optional<FoundSurface> SolidQuery::first(const Ray& asked, uint64_t& work) 
     if (!tree_->first(ray, Leaves(*this, work), hit)) return std::nullopt;
     return surface(ray, hit);
 }
+
+void SolidQuery::all(const Ray& ray, std::vector<FoundSurface>& out) const {
+    if (!tree_) return;
+    uint64_t unused = 0;
+    std::vector<Hit> hits;
+    tree_->all(ray, Leaves(*this, unused), hits);
+    for (const Hit& hit : hits) out.push_back(surface(ray, hit));
+}
+
+std::optional<MaterialId> SolidQuery::material(const FoundSurface& at) const { return inherited_material(scene_, shapes_[at.leaf].path, at.slot); }
 
 bool SolidQuery::inside(const Vec3& point, uint64_t& work) const { return tree_ && tree_->inside(point, Leaves(*this, work)); }
 

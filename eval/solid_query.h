@@ -29,6 +29,9 @@ struct FoundSurface {
     Vec3 normal{0};         ///< unit, outwards, whichever side the ray comes from: of a smooth triangle, interpolated; of a part that is taken away, turned round
     ShapeId shape;
     uint32_t part = 0;      ///< of the shape (Hit::part)
+    double t = 0;           ///< along the ray
+    uint32_t leaf = 0;      ///< of the query: which of its shapes
+    uint32_t slot = 0;      ///< the material slot of the shape
     bool facet = false;     ///< a triangle without normals of its own: outwards is where its corners are seen counter-clockwise
 };
 
@@ -38,8 +41,10 @@ struct FoundSurface {
 /// Error    that of the shapes' own crossings (eval/shapes), and the roundings of the transform.
 class SolidQuery {
   public:
-    /// Both must outlive the query. The nodes below `root` must be acyclic; they may not change any more. Space is that of the root's parent.
-    SolidQuery(const Scene& scene, NodeId root, MeshAccelerators& meshes);
+    /// Both must outlive the query. The nodes below `root` must be acyclic; they may not change any more. Space is that of the root's parent,
+    SolidQuery(const Scene& scene, NodeId root, MeshAccelerators& meshes) : SolidQuery(scene, root, meshes, scene.nodes[root.index].to_parent) {}
+    /// or that to which `placed` leads from the root's own. `clipped` false: without what clips the root itself.
+    SolidQuery(const Scene& scene, NodeId root, MeshAccelerators& meshes, const Transform& placed, bool clipped = true);
 
     /// Does it stand for all that the node leads to? Not where more than a million paths lead to its parts, or one of more than a thousand levels.
     bool complete() const { return complete_; }
@@ -48,6 +53,8 @@ class SolidQuery {
         uint64_t unused = 0;
         return first(ray, unused);
     }
+    /// All surfaces that any ray sees on the line, appended in order of t.
+    void all(const Ray& ray, std::vector<FoundSurface>& out) const;
     bool inside(const Vec3& point) const {
         uint64_t unused = 0;
         return inside(point, unused);
@@ -55,6 +62,10 @@ class SolidQuery {
     /// The same; `work` grows by the number of shapes that were looked at.
     std::optional<FoundSurface> first(const Ray& ray, uint64_t& work) const;
     bool inside(const Vec3& point, uint64_t& work) const;
+    /// The box of all surfaces, infinite where they are; empty if there are none.
+    Bounds bounds() const { return tree_ ? tree_->bounds() : Bounds(); }
+    /// Of the root or a node below it; nothing if none of them carries one.
+    std::optional<MaterialId> material(const FoundSurface& at) const;
     /// How many shapes it looks at.
     size_t size() const { return shapes_.size(); }
 
@@ -67,6 +78,7 @@ class SolidQuery {
         const Accelerator* triangles = nullptr;   ///< null for closed forms
         const ShapeOps* ops = nullptr;            ///< null for meshes
         bool inverted = false;
+        std::vector<NodeId> path;                 ///< from the root
     };
 
     FoundSurface surface(const Ray& ray, const Hit& hit) const;

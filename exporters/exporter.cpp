@@ -4,6 +4,7 @@
 #include "exporters/gltf/gltf.h"
 #include "exporters/mesh/obj.h"
 #include "exporters/mesh/ply.h"
+#include "exporters/meshing/mesh_scene.h"
 #include "exporters/pov/pov.h"
 
 #include <algorithm>
@@ -19,7 +20,7 @@ constexpr ExporterEntry kTable[] = {
     {"gltf", ".gltf .glb", "glTF 2.0: JSON with a .bin and pictures beside it, or all in one", write_gltf},
     {"obj", ".obj", "Wavefront OBJ, with an MTL material library and pictures beside it", write_obj},
     {"ply", ".ply", "PLY, binary: one mesh of all that is shown", write_ply},
-    {"pov", ".pov", "POV-Ray 3.7's language, with pictures beside it", write_pov},
+    {"pov", ".pov", "POV-Ray 3.7's language, with pictures beside it", write_pov, false},
 };
 
 std::string lower_case(std::string text) {
@@ -44,13 +45,16 @@ std::string known_endings() {
     return out;
 }
 
-tl::expected<Exported, std::string> export_scene(const Scene& scene, const std::string& path) {
+tl::expected<Exported, std::string> export_scene(const Scene& scene, const std::string& path, const ExportOptions& options) {
     const ExporterEntry* entry = find_exporter(path);
     if (!entry) return tl::unexpected(fmt::format("'{}' has no ending that names a format to write: {}", path, known_endings()));
     try {
         OutputFiles files(scene, path);
         Losses losses;
-        if (const auto done = entry->write(scene, files, losses); !done) return tl::unexpected(done.error());
+        tl::expected<Scene, std::string> meshes;
+        const bool needed = entry->meshes_alone && meshing::needs_meshes(scene);
+        if (needed && !(meshes = meshing::mesh_scene(scene, options.segments, losses))) return tl::unexpected(meshes.error());
+        if (const auto done = entry->write(needed ? *meshes : scene, files, losses); !done) return tl::unexpected(done.error());
         auto written = files.write();
         if (!written) return tl::unexpected(written.error());
         return Exported{std::move(*written), losses.list()};

@@ -16,7 +16,8 @@ void Losses::add(const std::string& what, size_t count, const std::string& inste
 namespace {
 
 void add_node_losses(const Node& node, Losses& losses) {
-    losses.add("constructive solid geometry (union, intersection, difference, merge)", node.csg != CsgKind::none, "its parts are written, uncut");
+    const bool cuts = node.csg != CsgKind::none && node.csg != CsgKind::union_;   // a union is its parts
+    losses.add("constructive solid geometry (intersection, difference, merge)", cuts, "its parts are written, uncut");
     losses.add("inverted solids", node.inverse, "written as they are");
     losses.add("clips", node.clips.size(), "what is clipped is written, uncut");
     losses.add("bounds", node.bounds.size());

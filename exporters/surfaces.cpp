@@ -60,15 +60,17 @@ PlainSurface surface_of(const Scene& scene, const GltfPbr& from, Losses& losses)
 }
 
 PlainSurface surface_of(const Scene& scene, const PovFinish& from, Losses& losses) {
-    losses.add("POV-Ray finishes", 1, "their pigment and emission on a rough surface");
+    losses.add("POV-Ray finishes", 1, "their pigment, ambient and emission on a rough surface");
     PlainSurface out;
     out.base_color = texel(scene, from.pigment, losses);
     const auto* plain = std::get_if<ConstantSignal>(&scene.signals[from.pigment.index].what);
     const double through = plain ? std::clamp(plain->filter + plain->transmit, 0.0, 1.0) : 0;
-    out.base_color.factor = Vec4(from.diffuse * Vec3(out.base_color.factor), 1 - through);
+    const Color pigment(out.base_color.factor);
+    out.base_color.factor = Vec4(from.diffuse * pigment, 1 - through);
     if (through > 0) out.alpha_mode = AlphaMode::blend;
     out.metallic.factor = Vec4(0);
-    if (!is_black(from.emission)) out.emissive = Texel{Vec4(from.emission * Vec3(out.base_color.factor), 1), nullptr, -1};
+    const Color own = from.emission + from.ambient * scene.settings.ambient_light;
+    if (!is_black(own)) out.emissive = Texel{Vec4(own * pigment, 1), out.base_color.picture, out.base_color.channel};
     out.double_sided = true;
     return out;
 }

@@ -34,6 +34,9 @@ int run_convert(const Verb& verb, const Words& given) {
     CLI::App app;
     add_scene_options(app, request);
     app.add_option("OUT", output, fmt::format("the file to write; its ending names the format: {}", known_endings()))->type_name("FILE")->required();
+    ExportOptions options;
+    app.add_option("--segments", options.segments, "of a full circle where spheres and other closed forms become meshes; solids get as many cells along their longest side (64)")
+        ->type_name("N")->check(CLI::Range(3, 1024));
     app.add_flag("--json", json, "prints what was written and what was lost as JSON");
     if (const auto code = parse_words(app, verb, given)) return *code;
     const ExporterEntry* exporter = find_exporter(output);
@@ -45,7 +48,7 @@ int run_convert(const Verb& verb, const Words& given) {
     Loaded loaded = load(request);
     fmt::print(stderr, "{}", loaded.said.text());
     if (!loaded.scene) return kError;
-    const auto exported = export_scene(*loaded.scene, output);
+    const auto exported = export_scene(*loaded.scene, output, options);
     if (!exported) return fail(exported.error());
     tell(output, *exported);
     if (json)

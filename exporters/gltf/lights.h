@@ -16,12 +16,15 @@ class LightWriter {
     std::optional<size_t> add(LightId id);
 
   private:
-    std::optional<Json> write(const Light& light);
+    std::optional<Json> write(LightId id);
+    /// What POV-Ray's brightness is multiplied by to be as bright at the middle of the scene.
+    double strength_at_middle(LightId id);
 
     const Scene& scene_;
     Document& document_;
     Losses& losses_;
     std::map<LightId, std::optional<size_t>> known_;
+    std::map<LightId, double> distances_;   ///< of those that are shown, from the middle of the scene; found when one is asked for
 };
 
 }  // namespace alidade::gltf_export

@@ -27,6 +27,19 @@ class Convert(InFolder):
         self.assertEqual(told["files"], ["out.ply"])
         self.assertIn({"what": "lights", "count": 1, "instead": ""}, told["lost"])
 
+    def test_what_is_no_mesh_becomes_one(self):
+        (self.folder / "solid.pov").write_text("#version 3.7;\ncamera { location -5*z } light_source { -9*z, 1 }\n"
+                                               "difference { box { -1, 1 } sphere { <1, 1, 1>, 1 } pigment { rgb 0.5 } } sphere { 3*x, 1 }\n")
+        for ending in (".glb", ".obj", ".ply"):
+            coarse, fine = (json.loads(self.convert("solid.pov", f"{name}{ending}", "--segments", str(n), "--json").stdout) for name, n in (("coarse", 16), ("fine", 64)))
+            self.assertIn({"what": "solids (intersections, differences, merges, clips)", "count": 1, "instead": "meshes of 16 cells along their longest side"}, coarse["lost"])
+            self.assertIn({"what": "spheres, planes, boxes and other closed forms", "count": 1, "instead": "meshes of 64 segments a circle"}, fine["lost"])
+            triangles = [json.loads(run("info", f"{name}{ending}", "--json", cwd=self.folder).stdout)["compiled"]["triangles"] for name in ("coarse", "fine")]
+            self.assertGreater(triangles[0], 16 * 16)
+            self.assertGreater(triangles[1], 10 * triangles[0])
+        self.assertEqual(self.convert("solid.pov", "out.glb", "--segments", "2").returncode, 64)
+        self.assertEqual(json.loads(self.convert("solid.pov", "out.pov", "--json").stdout)["lost"], [], "POV-Ray has them all")
+
     def test_the_files_are_listed(self):
         told = json.loads(self.convert(self.scene, "out.gltf", "--json").stdout)
         self.assertEqual(told["files"], ["out.gltf", "out.bin"])

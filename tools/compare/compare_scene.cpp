@@ -69,13 +69,14 @@ tl::expected<Rendered, RenderFailure> render_here(const Scene& scene, const Requ
     Diagnostics said;
     const auto compiled = compile(scene, request.compile, said);
     if (!compiled) return failure(said.text());
+    constexpr int kLightSamples = 64;   // POV-Ray's light of the sky has no noise: ours has little
     RenderOptions options;
-    options.width = job.width, options.height = job.height, options.spp = 1, options.threads = 1;
+    options.width = job.width, options.height = job.height, options.spp = 1, options.light_samples = kLightSamples, options.threads = 1;
     const auto film = render(*compiled, options);
     if (!film) return failure(film.error());
     const std::string picture = folder + "/picture.png";
     if (const auto written = write_film(picture, film->picture); !written) return failure(written.error());
-    const Words command{"alidade", "render", request.scene, "-o", "picture.png", "--size", fmt::format("{}x{}", job.width, job.height), "--spp", "1"};
+    const Words command{"alidade", "render", request.scene, "-o", "picture.png", "--size", fmt::format("{}x{}", job.width, job.height), "--spp", "1", "--light-samples", std::to_string(kLightSamples)};
     return Rendered{picture, command, double(std::clock() - start) / CLOCKS_PER_SEC, false};
 }
 
