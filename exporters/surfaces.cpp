@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "exporters/surfaces.h"
 
+#include <algorithm>
+
 namespace alidade {
 
 namespace {
@@ -43,6 +45,47 @@ class Flattening {
     int looks_ = 0;
 };
 
+/// Of a map, from 0 to 1; a list of colours has whole numbers for values, and `average` weights.
+std::vector<double> weights_of(const PatternSignal& pattern, const std::vector<MapEntry>& map) {
+    std::vector<double> out(map.size(), 1.0);
+    if (pattern.pattern == "average")
+        for (size_t i = 0; i < map.size(); ++i) out[i] = std::max(map[i].value, 0.0);
+    if (pattern.pattern == "average" || map.back().value > 1) return out;
+    const auto value = [&](size_t i) { return std::clamp(map[i].value, 0.0, 1.0); };
+    for (size_t i = 0; i < map.size(); ++i) {
+        const double before = i > 0 ? value(i - 1) : -value(i), after = i + 1 < map.size() ? value(i + 1) : 2 - value(i);
+        out[i] = (after - before) / 2;
+    }
+    return out;
+}
+
+/// The mean colour of a pigment, roughly: as if its pattern had all values equally often, and pictures and functions were white. A map may have maps as entries, and these the
+/// same ones again.
+ConstantSignal mean_of(const Scene& scene, SignalId id, int& looks) {
+    const Signal& signal = scene.signals[id.index];
+    if (const auto* constant = std::get_if<ConstantSignal>(&signal.what)) return *constant;
+    ConstantSignal out;
+    out.value = Vec4(1);
+    const auto* pattern = std::get_if<PatternSignal>(&signal.what);
+    if (!pattern || pattern->map.empty() || ++looks > kMostLooks) return out;
+    std::vector<MapEntry> map = pattern->map;
+    std::stable_sort(map.begin(), map.end(), [](const MapEntry& a, const MapEntry& b) { return a.value < b.value; });
+    const std::vector<double> weights = weights_of(*pattern, map);
+    double sum = 0;
+    ConstantSignal mean{Vec4(0), 0, 0};
+    for (size_t i = 0; i < map.size(); ++i) {
+        const ConstantSignal part = mean_of(scene, map[i].signal, looks);
+        mean.value += weights[i] * part.value, mean.filter += weights[i] * part.filter, mean.transmit += weights[i] * part.transmit;
+        sum += weights[i];
+    }
+    return sum > 0 ? ConstantSignal{mean.value / sum, mean.filter / sum, mean.transmit / sum} : out;
+}
+
+ConstantSignal mean_of(const Scene& scene, SignalId id) {
+    int looks = 0;
+    return mean_of(scene, id, looks);
+}
+
 bool finite(const Vec4& v) { return is_finite(Vec3(v)) && std::isfinite(v.w); }
 
 PlainSurface surface_of(const Scene& scene, const GltfPbr& from, Losses& losses) {
@@ -63,8 +106,8 @@ PlainSurface surface_of(const Scene& scene, const PovFinish& from, Losses& losse
     losses.add("POV-Ray finishes", 1, "their pigment, ambient and emission on a rough surface");
     PlainSurface out;
     out.base_color = texel(scene, from.pigment, losses);
-    const auto* plain = std::get_if<ConstantSignal>(&scene.signals[from.pigment.index].what);
-    const double through = plain ? std::clamp(plain->filter + plain->transmit, 0.0, 1.0) : 0;
+    const ConstantSignal mean = mean_of(scene, from.pigment);
+    const double through = out.base_color.picture ? 0 : std::clamp(mean.filter + mean.transmit, 0.0, 1.0);
     const Color pigment(out.base_color.factor);
     out.base_color.factor = Vec4(from.diffuse * pigment, 1 - through);
     if (through > 0) out.alpha_mode = AlphaMode::blend;
@@ -84,9 +127,9 @@ PlainSurface surface_of(const Scene& scene, const PovTextureMap& from, Losses& l
 
 Texel texel(const Scene& scene, SignalId signal, Losses& losses) {
     const auto found = Flattening(scene).of(signal);
-    if (!found) losses.add("patterns, functions and products of pictures", 1, "a constant 1");
-    if (!found || !finite(found->factor)) return Texel();
-    return *found;
+    if (!found) losses.add("patterns, functions and products of pictures", 1, "their mean colour, roughly");
+    const Texel out = found.value_or(Texel{mean_of(scene, signal).value, nullptr, -1});
+    return finite(out.factor) ? out : Texel();
 }
 
 PlainSurface plain_surface(const Scene& scene, const Material& material, Losses& losses) {

@@ -15,7 +15,7 @@ struct Texel {
     bool is_constant(double value) const { return !picture && Vec3(factor) == Vec3(value); }
 };
 
-/// The signal as a Texel; patterns, functions and products of pictures are lost, and their factor is 1.
+/// The signal as a Texel; of patterns, functions and products of pictures the mean colour is left, as near as it can be told without looking.
 Texel texel(const Scene& scene, SignalId signal, Losses& losses);
 
 /// A metal-rough surface; absent values have no effect.

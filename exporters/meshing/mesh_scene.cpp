@@ -20,11 +20,15 @@ constexpr double kPlaneSize = 10;
 
 bool is_mesh(const Scene& scene, ShapeId shape) { return std::holds_alternative<Mesh>(scene.shapes[shape.index].geometry); }
 
-/// Everything bounded, and the cameras.
+/// Everything bounded, and the cameras. Where all is endless, the middle is at 0.
 Bounds region_of(const Scene& scene) {
     Bounds box = world_bounds(scene);
+    const bool endless = box.empty();
     visit_shown_nodes(scene, [&](NodeId id, const Transform& to_world) {
-        if (std::holds_alternative<CameraId>(scene.nodes[id.index].what) && is_finite(to_world.translation)) box.extend(to_world.translation);
+        const Vec3 at = to_world.translation;
+        if (!std::holds_alternative<CameraId>(scene.nodes[id.index].what) || !is_finite(at)) return true;
+        box.extend(at);
+        if (endless) box.extend(-at);
         return true;
     });
     if (box.empty() || !(max_component(box.extent()) > 0)) {

@@ -148,5 +148,27 @@ TEST_F(Losing, AGraphWithTooManyPathsIsRefused) {
     EXPECT_TRUE(fs::is_empty(folder_));
 }
 
+/// A pattern is written as the mean of its map: here 1/4 of black, 1/4 of the way to red and half of red, which lets a fifth of the light through.
+TEST_F(Losing, PatternsLeaveTheirMeanColour) {
+    Scene scene = triangle_scene();
+    scene.signals = {{ConstantSignal{Vec4(0, 0, 0, 1)}, {}}, {ConstantSignal{Vec4(1, 0, 0, 1), 0.2, 0}, {}}};
+    PatternSignal pattern;
+    pattern.pattern = "bozo";
+    pattern.map = {{0.5, SignalId{1}}, {0.25, SignalId{0}}};
+    scene.signals.push_back({pattern, {}});
+    PovFinish finish;
+    finish.pigment = SignalId{2}, finish.diffuse = 0.5;
+    scene.materials.resize(1);
+    scene.materials[0].layers = {finish};
+    scene.nodes[0].materials = {MaterialId{0}};
+    EXPECT_THAT(losses(scene, "mean.gltf"), HasSubstr("patterns, functions and products of pictures: 1"));
+    const auto read = import_scene((folder_ / "mean.gltf").string());
+    ASSERT_TRUE(read);
+    const auto& pbr = std::get<GltfPbr>(read->scene.materials[0].layers[0]);
+    const Vec4 color = std::get<ConstantSignal>(read->scene.signals[pbr.base_color.index].what).value;
+    EXPECT_NEAR(color.x, 0.5 * 0.625, 1e-6);
+    EXPECT_NEAR(color.w, 1 - 0.2 * 0.625, 1e-6);
+}
+
 }  // namespace
 }  // namespace alidade::test
