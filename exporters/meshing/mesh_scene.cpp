@@ -25,8 +25,9 @@ Bounds region_of(const Scene& scene) {
     Bounds box = world_bounds(scene);
     const bool endless = box.empty();
     visit_shown_nodes(scene, [&](NodeId id, const Transform& to_world) {
-        const Vec3 at = to_world.translation;
-        if (!std::holds_alternative<CameraId>(scene.nodes[id.index].what) || !is_finite(at)) return true;
+        const auto* camera = std::get_if<CameraId>(&scene.nodes[id.index].what);
+        const Vec3 at = camera ? to_world.point(scene.cameras[camera->index].location) : Vec3(kInf);
+        if (!is_finite(at)) return true;
         box.extend(at);
         if (endless) box.extend(-at);
         return true;

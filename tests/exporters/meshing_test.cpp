@@ -225,6 +225,20 @@ TEST(Meshing, ClipsCutWhereTheyAre) {
     EXPECT_NEAR(lowest, 0.25, 1e-6);
 }
 
+/// Where nothing is bounded, the camera tells how large the scene is.
+TEST(Meshing, AnEndlessSceneIsCutBehindItsMiddle) {
+    Scene s = scene_of_shape(Plane{Vec3(0, 1, 0), -1});
+    s.cameras.resize(1);
+    s.cameras[0].location = Vec3(0, 0, 5);
+    s.nodes.emplace_back().what = CameraId{0};
+    s.roots.push_back(NodeId{1});
+    const Scene out = meshed(s);
+    const Bounds box = bounds(out.shapes[0].geometry);
+    EXPECT_LT(box.min.z, -50);
+    EXPECT_GT(box.max.z, 50);
+    EXPECT_EQ(box.min.y, -1);
+}
+
 /// What leads elsewhere in the scene keeps leading there.
 TEST(Meshing, TheRestStaysAsItWas) {
     const Scene before = sample_scene(), after = meshed(before);
