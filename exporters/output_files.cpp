@@ -91,7 +91,9 @@ std::string OutputFiles::add_picture(const Image& image, std::string bytes) {
     const PictureFormat format = picture_format(bytes);
     const std::string known = format.ending, ending = known.empty() ? plain_name(source.extension().string(), ".img") : known;
     const bool names_itself = source.extension() == ending || (ending == ".jpg" && source.extension() == ".jpeg");
-    const std::string stem = plain_name(source.stem().string(), "picture"), own = names_itself ? source.extension().string() : ending;
+    std::string wanted = source.stem().string();
+    if (ascii_) std::replace_if(wanted.begin(), wanted.end(), [](char c) { return static_cast<unsigned char>(c) >= 0x80; }, '_');
+    const std::string stem = plain_name(wanted, "picture"), own = names_itself ? source.extension().string() : ending;
     for (size_t n = 1;; ++n) {
         const std::string name = n == 1 ? stem + own : fmt::format("{}_{}{}", stem, n, own);
         const auto known_file = side_files_.find(name);

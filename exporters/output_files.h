@@ -41,6 +41,8 @@ class OutputFiles {
     bool has_ending(std::string_view ending) const;
     /// A file that belongs to the one asked for: its name with another ending. Returns the file's name.
     std::string add_companion(const std::string& ending, std::string bytes);
+    /// From here on, names of pictures have ASCII letters alone: other ones become '_'.
+    void use_ascii_names() { ascii_ = true; }
     /// A picture beside it, its bytes as they are: under its own name if that is free or holds the same bytes already, else numbered.
     std::string add_picture(const Image& image, std::string bytes);
     /// The encoded bytes of a picture; an error is one sentence.
@@ -62,6 +64,7 @@ class OutputFiles {
 
     const Scene& scene_;
     std::string path_, folder_, stem_, main_;
+    bool ascii_ = false;
     std::map<std::string, SideFile> side_files_;   ///< by name
 };
 

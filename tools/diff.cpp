@@ -21,6 +21,7 @@ int run_diff(const Verb& verb, const Words& given) {
     add_output_words(app, request);
     if (const auto code = parse_words(app, verb, with_two_dashes(app, given))) return *code == kDone ? int(kDone) : int(Verdict::error);
     if (const std::string why = why_not_writable(request); !why.empty()) return fail(why), int(Verdict::error);
+    if (const std::string why = why_overwritten(request, {reference, test, request.pair.mask}); !why.empty()) return fail(why), int(Verdict::error);
     set_default_rules(request.rules, "exact");
     Words line = {"alidade", "diff"};
     line.insert(line.end(), given.begin(), given.end());

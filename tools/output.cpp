@@ -34,13 +34,18 @@ Picture channels(const Picture& picture, int first, int end) {
 
 }  // namespace
 
-std::string why_not_writable(const std::string& path) {
+std::string why_no_file(const std::string& path) {
     const fs::path file(path), folder = file.has_parent_path() ? file.parent_path() : fs::path(".");
     std::error_code ignored;
     if (!file.has_filename() || fs::is_directory(file, ignored)) return fmt::format("'{}' is a folder", path);
     if (!fs::is_directory(folder, ignored)) return fmt::format("'{}': there is no folder '{}'", path, folder.string());
     if (access(folder.c_str(), W_OK) != 0) return fmt::format("'{}': the folder '{}' may not be written to", path, folder.string());
-    if (file.extension().empty()) return fmt::format("'{}' has no ending that names a format, such as .png or .exr", path);
+    return {};
+}
+
+std::string why_not_writable(const std::string& path) {
+    if (std::string why = why_no_file(path); !why.empty()) return why;
+    if (fs::path(path).extension().empty()) return fmt::format("'{}' has no ending that names a format, such as .png or .exr", path);
     return {};
 }
 

@@ -7,6 +7,8 @@
 namespace alidade {
 
 /// Why a file called `path` surely cannot be written, in one clause, or "": asked before hours of rendering.
+std::string why_no_file(const std::string& path);
+/// The same of a file whose ending names its format.
 std::string why_not_writable(const std::string& path);
 
 /// Writes a film's picture (colour, then the layers' channels, "layer.X") to `path`. An EXR holds everything; other formats hold the

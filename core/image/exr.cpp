@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-/// OpenEXR, by its C++ library and from memory: scan lines and tiles, half, float and integer channels, the first part of a multi-part file.
+/// OpenEXR, by its C++ library and from memory: scan lines and tiles, half, float and integer channels. The channels of further parts
+/// of a multi-part file come last, as "part.channel"; deep ones are left out.
 #include "core/image/codec.h"
 
 #include <ImfChannelList.h>
@@ -106,21 +107,50 @@ void read_pixels(Imf::InputPart& part, const Window& window, Picture& picture) {
     part.readPixels(int(window.y), int(window.y + window.height - 1));
 }
 
-Result<Stored> decode(std::span<const std::byte> bytes) {
-    MemoryInput input(bytes);
-    Imf::MultiPartInputFile file(input, 0);
-    const Imf::Header& header = file.header(0);
-    if (header.hasType() && Imf::isDeepData(header.type())) return tl::unexpected(std::string("deep EXR pictures are not supported"));
+bool is_deep(const Imf::Header& header) { return header.hasType() && Imf::isDeepData(header.type()); }
+
+/// What the display window shows of a part, which all parts have in common. `before`: channels of the parts before it.
+Result<Picture> decode_part(Imf::MultiPartInputFile& file, int number, size_t before, size_t file_bytes) {
+    const Imf::Header& header = file.header(number);
     auto names = ordered_names(header.channels());
     if (!names) return tl::unexpected(names.error());
     const Window data(header.dataWindow()), display(header.displayWindow());
-    if (auto fits = check_window("data", data, names->size(), bytes.size()); !fits) return tl::unexpected(fits.error());
-    if (auto fits = check_window("display", display, names->size(), bytes.size()); !fits) return tl::unexpected(fits.error());
-
+    if (auto fits = check_window("data", data, before + names->size(), file_bytes); !fits) return tl::unexpected(fits.error());
+    if (auto fits = check_window("display", display, before + names->size(), file_bytes); !fits) return tl::unexpected(fits.error());
     Picture picture(int(data.width), int(data.height), std::move(*names));
-    Imf::InputPart part(file, 0);
+    Imf::InputPart part(file, number);
     read_pixels(part, data, picture);
-    return Stored{data == display ? std::move(picture) : crop(picture, data, display), 0};
+    return data == display ? std::move(picture) : crop(picture, data, display);
+}
+
+/// The channels of two pictures of one size.
+Picture joined(const Picture& a, const Picture& b) {
+    std::vector<std::string> names = a.names;
+    names.insert(names.end(), b.names.begin(), b.names.end());
+    Picture out(a.width, a.height, std::move(names));
+    float* to = out.values.data();
+    for (size_t p = 0; p < size_t(a.width) * size_t(a.height); ++p) {
+        to = std::copy_n(&a.values[p * size_t(a.channels)], a.channels, to);
+        to = std::copy_n(&b.values[p * size_t(b.channels)], b.channels, to);
+    }
+    return out;
+}
+
+Result<Stored> decode(std::span<const std::byte> bytes) {
+    MemoryInput input(bytes);
+    Imf::MultiPartInputFile file(input, 0);
+    if (is_deep(file.header(0))) return tl::unexpected(std::string("deep EXR pictures are not supported"));
+    auto picture = decode_part(file, 0, 0, bytes.size());
+    for (int i = 1; picture && i < file.parts(); ++i) {
+        if (is_deep(file.header(i))) continue;
+        auto part = decode_part(file, i, picture->names.size(), bytes.size());
+        if (!part) return tl::unexpected(part.error());
+        if (part->width != picture->width || part->height != picture->height) continue;
+        for (std::string& name : part->names) name = (file.header(i).hasName() ? file.header(i).name() : fmt::format("part{}", i)) + "." + name;
+        picture = joined(*picture, *part);
+    }
+    if (!picture) return tl::unexpected(picture.error());
+    return Stored{std::move(*picture), 0};
 }
 
 Bytes encode(const Picture& picture) {

@@ -31,6 +31,12 @@ void divide_by_alpha(float* pixels, size_t count) {
         for (int c = 0; c < 3 && p[3] > 0; ++c) p[c] = std::min(1.0f, std::round(p[c] / p[3] * 255) / 255);
 }
 
+/// OpenImageIO makes k * (1 / levels) of an integer k, other codecs k / levels: the same file in two formats would differ in the last digit.
+void round_to(float* pixels, size_t count, uint32_t bits) {
+    const double levels = double((1u << bits) - 1);
+    for (size_t i = 0; i < count; ++i) pixels[i] = float(std::round(double(pixels[i]) * levels) / levels);
+}
+
 int decode_with(OIIO::ImageInput& input, const char* format, const void* bytes, size_t size, AlidadeImageCall* call) {
     OIIO::Filesystem::IOMemReader proxy(const_cast<void*>(bytes), size);
     OIIO::ImageSpec config, spec;
@@ -47,7 +53,9 @@ int decode_with(OIIO::ImageInput& input, const char* format, const void* bytes, 
     if (!pixels) return 0;
     const bool complete = input.read_image(0, 0, 0, spec.nchannels, OIIO::TypeDesc::FLOAT, pixels);
     if (!complete || input.has_error()) return refuse(call, input.geterror());
-    if (format == std::string_view("webp") && spec.nchannels == 4) divide_by_alpha(pixels, size_t(spec.width) * size_t(spec.height));
+    const size_t pixel_count = size_t(spec.width) * size_t(spec.height);
+    if (info.bits > 0) round_to(pixels, pixel_count * size_t(spec.nchannels), info.bits);
+    if (format == std::string_view("webp") && spec.nchannels == 4) divide_by_alpha(pixels, pixel_count);
     return 1;
 }
 

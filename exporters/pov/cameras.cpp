@@ -22,6 +22,18 @@ Camera placed(const Camera& camera, const Transform& to_world) {
     return out;
 }
 
+/// POV-Ray warns of axes that are not perpendicular: those that are but for the rounding of a matrix in a file are made so.
+void straighten(Camera& c, Losses& losses) {
+    constexpr double kRounding = 1e-5;
+    const auto slant = [](const Vec3& a, const Vec3& b) { return std::abs(dot(a, b)) / (length(a) * length(b)); };
+    const double worst = std::max({slant(c.right, c.direction), slant(c.up, c.direction), slant(c.up, c.right)});
+    if (!(worst > 1e-10) || !is_flat(c)) return;
+    if (worst > kRounding) return losses.add("sheared cameras", 1, "as they are, which POV-Ray warns of");
+    const Vec3 towards = normalized(c.direction), right = c.right - dot(c.right, towards) * towards;
+    const Vec3 across = normalized(cross(right, towards));
+    c.right = right, c.up = across * dot(c.up, across);
+}
+
 /// From the upper front, with y upwards; the bounding sphere touches the window's edges.
 Camera framing_camera(const Bounds& bounds) {
     constexpr double kHalfAngle = 20 * kPi / 180;
@@ -70,7 +82,10 @@ Camera chosen_camera(const Scene& scene, Losses& losses) {
     const auto is_camera = [](const Node& node) { return std::holds_alternative<CameraId>(node.what); };
     for_each_path(scene, is_camera, kMost, [&](const Node& node, const Transform& to_world) {
         if (first) ++others;
-        else first = placed(scene.cameras[std::get<CameraId>(node.what).index], to_world);
+        else {
+            first = placed(scene.cameras[std::get<CameraId>(node.what).index], to_world);
+            if (!to_world.is_identity()) straighten(*first, losses);   // POV-Ray's own stay as they are
+        }
     });
     losses.add("further cameras", others);
     return first ? *first : framing_camera(world_bounds(scene));

@@ -23,6 +23,7 @@ class Surface {
         base_ = Color(s.base_color.factor), tint_ = base_;
         if (s.alpha_mode == AlphaMode::blend) alpha_ = std::clamp(s.base_color.factor.w, 0.0, 1.0);
         cut_out_ = s.base_color.picture && s.alpha_mode != AlphaMode::opaque && images.has_alpha(*s.base_color.picture);
+        if (cut_out_) alpha_ = 1;   // write_cut_out mixes whole textures
         if (s.alpha_mode == AlphaMode::mask && !cut_out_) alpha_ = s.base_color.factor.w < s.alpha_cutoff ? 0 : 1;
         if (s.emissive) glow_ = Color(s.emissive->factor) * s.emissive_strength;
     }
@@ -92,7 +93,7 @@ class Surface {
 
     bool picture_pigment() {
         if (!s_.base_color.picture) return false;
-        const Vec4 tint(tint_.x, tint_.y, tint_.z, cut_out_ ? 1 : alpha_);
+        const Vec4 tint(tint_.x, tint_.y, tint_.z, alpha_);
         const ImageSignal& image = *s_.base_color.picture;
         losses_.add(of("the transmission"), through_ > 0, "an opaque picture");
         if (cut_out_) return images_.map_in_place(image, tint);
@@ -107,14 +108,15 @@ class Surface {
 
     /// Where nothing is there is no light on it either: textures are mixed by the picture's alpha, not colours.
     void write_cut_out() {
-        const double cutoff = 1 - std::clamp(s_.base_color.factor.w > 0 ? s_.alpha_cutoff / s_.base_color.factor.w : 2, -1.0, 2.0);
+        const double factor = s_.base_color.factor.w, cutoff = 1 - std::clamp(factor > 0 ? s_.alpha_cutoff / factor : 2, -1.0, 2.0);
         const bool mask = s_.alpha_mode == AlphaMode::mask;
+        const double whole = 1 - 1 / std::clamp(factor, 1e-6, 1.0);   // where the texture would stand alone: it is there by factor x alpha
         const ImageSignal& image = *s_.base_color.picture;
         losses_.add(of("emission and clear coat"), !is_black(glow_) || s_.clearcoat, "none where alpha cuts the material out");
         sdl_.begin("texture");
         images_.alpha_pattern(image);
         sdl_.begin("texture_map");
-        sdl_.line("[", mask ? cutoff : 0);
+        sdl_.line("[", mask ? cutoff : whole);
         pigment();
         s_.unlit ? unlit_finish() : finish(false);
         sdl_.line("]");

@@ -47,9 +47,11 @@ class Document {
     static constexpr Color kDefaultSky{0.5};
     static constexpr size_t kMostSuns = 1000;
 
+    /// As the renderer has it (tracer/materials.cpp), so that both add a sky and a sun to the same scenes.
     bool glows(const Material& m) const {
         const auto* pbr = m.layers.empty() ? nullptr : std::get_if<GltfPbr>(&m.layers.front());
-        if (!pbr || !pbr->emissive || !(pbr->emissive_strength > 0)) return false;
+        if (pbr && pbr->unlit) return true;
+        if (!pbr || !pbr->emissive) return false;
         const auto* colour = std::get_if<ConstantSignal>(&scene_.signals[pbr->emissive->index].what);
         return !colour || !is_black(Color(colour->value));
     }
@@ -91,12 +93,17 @@ void tell_losses(const Scene& scene, Losses& losses) {
     size_t functions = 0;
     for (const Signal& signal : scene.signals) functions += std::holds_alternative<FunctionSignal>(signal.what);
     losses.add("functions", functions, "white");
+    const Bounds box = world_bounds(scene);
+    const bool bounded = !box.empty() && box.finite();
+    losses.add("places farther than 1e7 from the middle, which POV-Ray does not see", bounded && std::max(max_abs(box.min), max_abs(box.max)) > 1e7, "as they are");
+    losses.add("scenes smaller than a thousandth, in which POV-Ray misses things", bounded && max_component(box.extent()) < 1e-3, "as it is");
 }
 
 }  // namespace
 
 tl::expected<void, std::string> write_pov(const Scene& scene, OutputFiles& files, Losses& losses) {
     tell_losses(scene, losses);
+    files.use_ascii_names();   // POV-Ray's parser refuses others in strings
     const bool still = scene.skins.empty() && std::none_of(scene.shapes.begin(), scene.shapes.end(), [](const ShapeEntry& shape) {
         const auto* mesh = std::get_if<Mesh>(&shape.geometry);
         return mesh && !mesh->morphs.empty();

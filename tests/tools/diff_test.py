@@ -81,6 +81,39 @@ class Diff(InFolder):
             self.assertEqual(said.returncode, 4 if hint else 2, (rule, said.stdout))   # what is not measured for these files keeps no rule
             self.assertIn(hint or "not measured", said.stderr + said.stdout)
 
+    def test_limits_are_meant_exactly(self):
+        a = [[(100 / 255,) * 3] * 10 for _ in range(10)]
+        b = changed(a, lambda x, y, pixel: (101 / 255,) * 3 if 10 * y + x < 7 else pixel)
+        paths = [self.picture("a.png", a), self.picture("b.png", b)]
+        for words, code in ((("--failpercent", "7"), 0), (("--failpercent", "6.99"), 2), (("--fail", "0.00392156862745"), 0), (("--hardfail", "0.00392156862745", "--fail", "1"), 0),
+                            (("--require", "max_abs<=1/255"), 0), (("--require", "max_abs<1/255"), 2), (("--require", "max_abs>=1/255"), 0)):
+            self.assertEqual(self.diff(*paths, *words).returncode, code, words)
+
+    def test_no_word_switches_a_rule_off(self):
+        a = scene()
+        paths = [self.picture("a.png", a), self.picture("b.png", changed(a, lambda x, y, pixel: (1, 0, 0) if x == 3 else pixel))]
+        for word in ("--fail", "--hardfail", "--failrelative", "--failpercent", "--warn"):
+            said = self.diff(*paths, word, "nan")
+            self.assertEqual(said.returncode, 4, word)
+            self.assertIn("'nan' is not a number from 0 on", said.stderr)
+        self.assertEqual(self.diff(*paths, "--preset", "exact", "--failpercent", "5").returncode, 2)
+        self.assertEqual(self.diff(*paths, "--failpercent", "5").returncode, 0)
+
+    def test_noise_that_cannot_be_tested_is_none(self):
+        paths = [self.picture("k.png", [[(0,) * 3] * 2] * 3), self.picture("w.png", [[(1,) * 3] * 2] * 3)]
+        self.assertEqual(self.diff(*paths, "--preset", "noise").returncode, 2)
+        self.assertEqual(self.diff(paths[0], paths[0], "--preset", "noise").returncode, 0)
+
+    def test_nothing_that_is_read_is_overwritten(self):
+        a = self.picture("a.png", scene())
+        before = (self.folder / "a.png").read_bytes()
+        for words in (("--heatmap", a), ("--report", a), ("--junit", "o.html", "--report", "o.html")):
+            said = self.diff(a, a, *words)
+            self.assertEqual(said.returncode, 4, words)
+            self.assertIn("would be overwritten", said.stderr)
+        self.assertEqual((self.folder / "a.png").read_bytes(), before)
+        self.assertEqual(self.diff(a, a, "--junit", "junit").returncode, 0, "only pictures need an ending")
+
     def test_shift_is_told(self):
         a = scene()
         told = self.document(self.picture("a.png", a), self.picture("b.png", [row[2:] + [row[-1]] * 2 for row in a]), "--align")

@@ -3,6 +3,7 @@
 
 The assets, and where the shared data is beside the repository, Blender's exports. Coverage is compared before a magenta background that no surface has, where
 POV-Ray draws surfaces in their plain colours (+Q1), opaque ones; or as they are."""
+import base64
 import json
 import os
 import pathlib
@@ -12,6 +13,7 @@ import struct
 import subprocess
 import unittest
 
+from pictures import png_bytes, write
 from program import SANITIZED, InFolder, run
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
@@ -134,6 +136,36 @@ class PovExport(InFolder):
             self.skipTest("the shared data is not there")
         self.convert(BLENDER / "instances.glb")
         self.assertLess((self.folder / "out.pov").stat().st_size, 10e6, "3.8 million triangles of 7 meshes")
+
+    def gltf(self, material, image="", vertices=((-1, -1, 0), (1, -1, 0), (0, 1, 0))):
+        """A triangle with texture coordinates before a camera and a lamp."""
+        body = b"".join(struct.pack("<3f", *v) for v in vertices) + struct.pack("<6f", 0, 1, 1, 1, 0.5, 0)
+        document = {"asset": {"version": "2.0"}, "scene": 0, "scenes": [{"nodes": [0, 1]}], "extensionsUsed": ["KHR_materials_unlit"],
+                    "nodes": [{"mesh": 0}, {"camera": 0, "translation": [0, 0, 4]}], "cameras": [{"type": "perspective", "perspective": {"yfov": 0.7, "znear": 0.1}}],
+                    "meshes": [{"primitives": [{"attributes": {"POSITION": 0, "TEXCOORD_0": 1}, "material": 0}]}], "materials": [material],
+                    "accessors": [{"bufferView": 0, "componentType": 5126, "count": 3, "type": "VEC3", "min": [-1, -1, 0], "max": [1, 1, 0]},
+                                  {"bufferView": 1, "componentType": 5126, "count": 3, "type": "VEC2"}],
+                    "bufferViews": [{"buffer": 0, "byteLength": 36}, {"buffer": 0, "byteOffset": 36, "byteLength": 24}],
+                    "buffers": [{"byteLength": 60, "uri": "data:application/octet-stream;base64," + base64.b64encode(body).decode()}]}
+        if image:
+            document.update(images=[{"uri": image}], textures=[{"source": 0}])
+        self.scene.write_text(json.dumps(document))
+        return self.scene
+
+    def assert_alike(self, scene):
+        self.convert(scene)
+        theirs, own = self.povray("out.pov", "theirs.ppm"), self.ours(scene, "own.ppm", "--spp", 1)
+        self.assertGreater(max(own[2]), 20)
+        self.assertLess(sum(abs(a - b) > 4 for a, b in zip(own[2], theirs[2])), 0.01 * len(own[2]))
+
+    def test_what_is_unlit_needs_no_lamp(self):
+        self.assert_alike(self.gltf({"pbrMetallicRoughness": {"baseColorFactor": [0.2, 0.5, 0.8, 1]}, "extensions": {"KHR_materials_unlit": {}}}))
+
+    def test_alpha_is_the_factors_and_the_pictures(self):
+        write(self.folder / "half é.png", png_bytes([[(0.9, 0.5, 0.1, 1.0), (0.1, 0.5, 0.9, 0.25)], [(0.3, 0.9, 0.3, 0.5), (0.9, 0.9, 0.9, 1.0)]]))
+        for factor in (1, 0.5):
+            self.assert_alike(self.gltf({"alphaMode": "BLEND", "doubleSided": True, "extensions": {"KHR_materials_unlit": {}}, "pbrMetallicRoughness":
+                                         {"baseColorFactor": [1, 1, 1, factor], "baseColorTexture": {"index": 0}}}, "half%20é.png"))
 
     def test_what_is_approximated_is_told_by_material(self):
         said = self.convert(ASSETS / "materials.glb")

@@ -44,9 +44,10 @@ void add_pair(const Comparison& c, Json& out) {
     if (c.shift) out["shift"] = {{"x", c.shift->x}, {"y", c.shift->y}, {"explained", c.shift->explained}};
 }
 
+/// XML has no other bytes than UTF-8's: those of a file's name that are none become the replacement character.
 std::string escaped_xml(const std::string& text) {
     std::string out;
-    for (const char c : text) switch (c) {
+    for (const char c : Json::parse(Json(text).dump(-1, ' ', false, Json::error_handler_t::replace)).get<std::string>()) switch (c) {
         case '<': out += "&lt;"; break;
         case '>': out += "&gt;"; break;
         case '&': out += "&amp;"; break;

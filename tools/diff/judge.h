@@ -32,7 +32,7 @@ struct MetricRule {
 tl::expected<MetricRule, std::string> parse_metric_rule(const std::string& text);
 
 struct Rules {
-    std::optional<PixelRule> fail, warn;
+    std::optional<PixelRule> fail, warn, preset;   ///< `preset`: fails too, whatever else is asked for
     std::vector<MetricRule> require;
     bool noise = false;   ///< differences must be those of independent noise: measure_noise
 };

@@ -46,13 +46,22 @@ std::vector<int> color_channels(const Picture& picture) {
     return found;
 }
 
-/// Which channels are those of a layer: one, or the first three, in the file's order.
+/// The channels of a layer: R, G, B (files sort them as B, G, R) and A, X, Y, Z, or as the file has them.
 std::vector<int> layer_channels(const Picture& picture, const std::string& layer) {
-    std::vector<int> found;
+    std::vector<int> all;
     for (size_t c = 0; c < picture.names.size(); ++c)
-        if (picture.names[c].rfind(layer + ".", 0) == 0 || picture.names[c] == layer) found.push_back(int(c));
-    if (found.size() > 1 && found.size() != 3) found.resize(1);
-    return found;
+        if (picture.names[c].rfind(layer + ".", 0) == 0 || picture.names[c] == layer) all.push_back(int(c));
+    for (const std::vector<std::string>& usual : {std::vector<std::string>{"R", "G", "B", "A"}, {"R", "G", "B"}, {"X", "Y", "Z"}}) {
+        std::vector<int> found;
+        for (const std::string& name : usual) found.push_back(channel_at(picture, layer + "." + name));
+        if (found.size() == all.size() && std::find(found.begin(), found.end(), -1) == found.end()) return found;
+    }
+    return all;
+}
+
+/// One number or three can be compared as colours are, and three with alpha.
+bool is_comparable(const Picture& picture, const std::vector<int>& channels) {
+    return channels.size() == 1 || channels.size() == 3 || (channels.size() == 4 && picture.names[size_t(channels[3])].ends_with(".A"));
 }
 
 tl::expected<Side, NoPair> read_side(const std::string& path, const std::string& layer) {
@@ -64,6 +73,9 @@ tl::expected<Side, NoPair> read_side(const std::string& path, const std::string&
         if (!layer.empty()) return bad_file(fmt::format("{} has no layer '{}': its channels are {}", path, layer, has));
         return bad_file(fmt::format("{} has no channels R, G, B or Y: --layer names one of its layers; its channels are {}", path, has));
     }
+    if (!layer.empty() && !is_comparable(stored->picture, from))
+        return bad_file(fmt::format("{}: the layer '{}' has {} channels, which are no colours: --layer {} compares one of them", path, layer, from.size(),
+                                    stored->picture.names[size_t(from[0])]));
     std::vector<std::string> names;
     if (from.size() <= 2) names = {"Y", "A"};
     else names = {"R", "G", "B", "A"};
@@ -80,23 +92,47 @@ void drop_last_channel(Picture& picture) {
     picture = select(picture, from, std::move(names));
 }
 
-bool is_opaque(const Picture& picture) {
-    for (size_t i = size_t(picture.channels) - 1; i < picture.values.size(); i += size_t(picture.channels))
-        if (picture.values[i] != 1) return false;
+/// Which pixels are compared: 1 or 0.
+using Counts = std::vector<uint8_t>;
+
+/// But for alphas that are no numbers.
+bool is_opaque(const Picture& picture, const Counts& counts) {
+    const size_t channels = size_t(picture.channels);
+    for (size_t p = 0; p < counts.size(); ++p) {
+        const float alpha = picture.values[(p + 1) * channels - 1];
+        if (counts[p] && alpha != 1 && std::isfinite(alpha)) return false;
+    }
     return true;
 }
 
-/// NaN is as gray as any other.
-bool is_gray(const Picture& picture) {
-    const auto same = [](float a, float b) { return a == b || (std::isnan(a) && std::isnan(b)); };
-    for (size_t i = 0; i < picture.values.size(); i += size_t(picture.channels))
-        if (!same(picture.values[i], picture.values[i + 1]) || !same(picture.values[i], picture.values[i + 2])) return false;
+/// An alpha that is no number is not lost: the colours become it.
+void drop_alpha(Picture& picture) {
+    for (auto pixel = picture.values.begin(); pixel != picture.values.end(); pixel += picture.channels)
+        if (const float alpha = pixel[picture.channels - 1]; !std::isfinite(alpha)) std::fill_n(pixel, picture.channels, alpha);
+    drop_last_channel(picture);
+}
+
+/// But for pixels that are not finite.
+bool is_gray(const Picture& picture, const Counts& counts) {
+    const size_t channels = size_t(picture.channels);
+    for (size_t p = 0; p < counts.size(); ++p) {
+        const float* pixel = &picture.values[p * channels];
+        if (counts[p] && (pixel[0] != pixel[1] || pixel[0] != pixel[2]) && std::isfinite(pixel[0]) && std::isfinite(pixel[1]) && std::isfinite(pixel[2])) return false;
+    }
     return true;
 }
 
-tl::expected<void, NoPair> match_alpha(Side& reference, Side& test, const std::string (&paths)[2], std::vector<std::string>& notes) {
+/// One channel of three; where one of these is not finite, that one.
+void make_gray(Picture& picture) {
+    for (auto pixel = picture.values.begin(); pixel != picture.values.end(); pixel += picture.channels)
+        for (int c = 1; c < 3 && std::isfinite(*pixel); ++c)
+            if (!std::isfinite(pixel[c])) *pixel = pixel[c];
+    picture = picture.channels == 4 ? select(picture, {0, 3}, {"Y", "A"}) : select(picture, {0}, {"Y"});
+}
+
+tl::expected<void, NoPair> match_alpha(Side& reference, Side& test, const Counts& counts, const std::string (&paths)[2], std::vector<std::string>& notes) {
     for (Side* side : {&reference, &test})
-        if (has_alpha(side->picture) && is_opaque(side->picture)) drop_last_channel(side->picture);
+        if (has_alpha(side->picture) && is_opaque(side->picture, counts)) drop_alpha(side->picture);
     const bool has[2] = {has_alpha(reference.picture), has_alpha(test.picture)};
     if (has[0] != has[1])
         return incomparable("alpha", fmt::format("{} is transparent in places, {} has no alpha", paths[has[0] ? 0 : 1], paths[has[0] ? 1 : 0]));
@@ -104,13 +140,13 @@ tl::expected<void, NoPair> match_alpha(Side& reference, Side& test, const std::s
     return {};
 }
 
-tl::expected<void, NoPair> match_colors(Side& reference, Side& test, const std::string (&paths)[2], std::vector<std::string>& notes) {
+tl::expected<void, NoPair> match_colors(Side& reference, Side& test, const Counts& counts, const std::string (&paths)[2], std::vector<std::string>& notes) {
     const bool gray[2] = {reference.picture.names[0] == "Y", test.picture.names[0] == "Y"};
     if (gray[0] == gray[1]) return {};
     Picture& colored = gray[0] ? test.picture : reference.picture;
-    if (!is_gray(colored)) return incomparable("channels", fmt::format("{} is gray, {} has colours", paths[gray[0] ? 0 : 1], paths[gray[0] ? 1 : 0]));
+    if (!is_gray(colored, counts)) return incomparable("channels", fmt::format("{} is gray, {} has colours", paths[gray[0] ? 0 : 1], paths[gray[0] ? 1 : 0]));
     notes.push_back(fmt::format("{} is gray in each pixel: one channel is compared", paths[gray[0] ? 1 : 0]));
-    colored = colored.channels == 4 ? select(colored, {0, 3}, {"Y", "A"}) : select(colored, {0}, {"Y"});
+    make_gray(colored);
     return {};
 }
 
@@ -149,7 +185,7 @@ void to_display(Side& side) {
 /// Rounds to k / levels.
 void round_to(Picture& picture, uint32_t levels) {
     for (float& value : picture.values)
-        if (std::isfinite(value)) value = float(double(std::lround(double(value) * levels)) / levels);
+        if (std::isfinite(value)) value = float(std::round(double(value) * levels) / levels);
 }
 
 void match_values(Side& reference, Side& test, std::vector<std::string>& notes) {
@@ -177,7 +213,9 @@ Odd odd_values(const PicturePair& pair, size_t pixel) {
         const float a = pair.reference.values[i], b = pair.test.values[i];
         if (std::isfinite(a) && std::isfinite(b)) continue;
         odd.any = true, odd.nan = odd.nan || std::isnan(a) || std::isnan(b);
-        if (!same_value(a, b)) odd.differ = true, odd.in_test = odd.in_test || !std::isfinite(b);
+        if (same_value(a, b)) continue;
+        odd.differ = true;
+        odd.in_test = odd.in_test || (odd.nan ? std::isnan(b) : !std::isfinite(b));   // NaN against an infinity: the NaN is the one to tell of
     }
     return odd;
 }
@@ -222,8 +260,8 @@ tl::expected<void, NoPair> crop_both(Picture& reference, Picture& test, const Pa
 }
 
 /// The mask has the size of the files, or of the part that is compared.
-tl::expected<std::vector<uint8_t>, NoPair> read_counts(const PairOptions& options, const Picture& whole, const Picture& part) {
-    std::vector<uint8_t> counts(size_t(part.width) * size_t(part.height), 1);
+tl::expected<Counts, NoPair> read_counts(const PairOptions& options, const Picture& whole, const Picture& part) {
+    Counts counts(size_t(part.width) * size_t(part.height), 1);
     if (options.mask.empty()) return counts;
     auto side = read_side(options.mask, "");
     if (!side) return tl::unexpected(side.error());
@@ -257,14 +295,14 @@ tl::expected<LoadedPair, NoPair> load_pair(const std::string& reference_path, co
     out.same_files = same_bytes(paths[0], paths[1]);
     if (options.layer.empty() && reference->others + test->others > 0)
         out.notes.push_back(fmt::format("only colours are compared: {} other channels are not (--layer names one)", std::max(reference->others, test->others)));
-    if (auto fits = match_alpha(*reference, *test, paths, out.notes); !fits) return tl::unexpected(fits.error());
-    if (auto fits = match_colors(*reference, *test, paths, out.notes); !fits) return tl::unexpected(fits.error());
-    out.pair.hdr = reference->levels == 0 && test->levels == 0;
-    if (!out.pair.hdr) match_values(*reference, *test, out.notes);
     const Picture whole(a.width, a.height, {});
     if (auto fits = crop_both(reference->picture, test->picture, options); !fits) return tl::unexpected(fits.error());
     auto counts = read_counts(options, whole, reference->picture);
     if (!counts) return tl::unexpected(counts.error());
+    if (auto fits = match_alpha(*reference, *test, *counts, paths, out.notes); !fits) return tl::unexpected(fits.error());
+    if (auto fits = match_colors(*reference, *test, *counts, paths, out.notes); !fits) return tl::unexpected(fits.error());
+    out.pair.hdr = reference->levels == 0 && test->levels == 0;
+    if (!out.pair.hdr) match_values(*reference, *test, out.notes);
     out.pair.reference = std::move(reference->picture), out.pair.test = std::move(test->picture);
     out.pair.counts = std::move(*counts), out.pair.threads = options.threads;
     out.non_finite = take_out_non_finite(out.pair);

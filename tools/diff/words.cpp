@@ -15,12 +15,20 @@
 namespace alidade {
 namespace {
 
+/// A number from 0 on, or infinity; not NaN, which no value is over.
+CLI::Validator at_least_zero() {
+    return CLI::Validator([](std::string& text) {
+        double value = 0;
+        return CLI::detail::lexical_cast(text, value) && value >= 0 ? std::string() : fmt::format("'{}' is not a number from 0 on", text);
+    }, "");
+}
+
 void add_pixel_rule(CLI::App& app, const std::string& name, const std::string& hard, const std::string& allowed, std::optional<PixelRule>& rule) {
     const auto add = [&](const std::string& option, double PixelRule::*field, const char* doc) {
         app.add_option_function<double>("--" + option, [&rule, field](double value) {
                if (!rule) rule = PixelRule{};
                (*rule).*field = value;
-           }, doc)->type_name("N")->check(CLI::NonNegativeNumber)->group(name == "fail" ? "Rules that fail" : "Rules that warn");
+           }, doc)->type_name("N")->check(at_least_zero())->group(name == "fail" ? "Rules that fail" : "Rules that warn");
     };
     add(name, &PixelRule::over, "a pixel is over the rule where a channel differs by more than this (0)");
     add(name + "percent", &PixelRule::percent, "percent of the pixels that may be over it (0)");
@@ -30,8 +38,7 @@ void add_pixel_rule(CLI::App& app, const std::string& name, const std::string& h
 }
 
 void merge(const Rules& from, Rules& into) {
-    if (from.fail) into.fail = from.fail;
-    if (from.warn) into.warn = from.warn;
+    if (from.fail) into.preset = from.fail;
     into.require.insert(into.require.end(), from.require.begin(), from.require.end());
     into.noise = into.noise || from.noise;
 }
@@ -63,7 +70,7 @@ void add_pair_words(CLI::App& app, DiffRequest& asked) {
        }, "compares only this part, in pixels from the top left, the ends outside")->type_name("x0,y0,x1,y1");
     app.add_option("--layer", asked.pair.layer, "compares the channels NAME.* of EXR files instead of the colours")->type_name("NAME");
     app.add_flag("--align", asked.align, "tells by how many pixels the test is shifted");
-    app.add_option("--threads", asked.pair.threads, "0: as many as the machine has (0)")->type_name("N")->check(CLI::NonNegativeNumber);
+    app.add_option("--threads", asked.pair.threads, "0: as many as the machine has (0)")->type_name("N")->check(CLI::Range(0, 1024));
 }
 
 void add_output_words(CLI::App& app, DiffRequest& asked) {
@@ -74,7 +81,7 @@ void add_output_words(CLI::App& app, DiffRequest& asked) {
 }
 
 void set_default_rules(Rules& rules, const std::string& preset) {
-    if (rules.fail || rules.warn || !rules.require.empty() || rules.noise) return;
+    if (rules.fail || rules.warn || rules.preset || !rules.require.empty() || rules.noise) return;
     for (const Preset& each : presets())
         if (each.name == preset) rules = each.rules();
 }
@@ -90,8 +97,21 @@ Words with_two_dashes(const CLI::App& app, const Words& given) {
 }
 
 std::string why_not_writable(const DiffRequest& request) {
-    for (const std::string& path : {request.junit, request.heatmap, request.report})
-        if (const std::string why = path.empty() ? "" : why_not_writable(path); !why.empty()) return why;
+    for (const std::string& path : {request.junit, request.report})
+        if (const std::string why = path.empty() ? "" : why_no_file(path); !why.empty()) return why;
+    if (const std::string why = request.heatmap.empty() ? "" : why_not_writable(request.heatmap); !why.empty()) return why;
+    return {};
+}
+
+std::string why_overwritten(const DiffRequest& request, std::vector<std::string> taken) {
+    for (const std::string& path : {request.junit, request.heatmap, request.report}) {
+        if (path.empty()) continue;
+        for (const std::string& other : taken) {
+            std::error_code ignored;
+            if (path == other || std::filesystem::equivalent(path, other, ignored)) return fmt::format("'{}' would be overwritten: give another name", path);
+        }
+        taken.push_back(path);
+    }
     return {};
 }
 

@@ -33,6 +33,8 @@ void set_default_rules(Rules& rules, const std::string& preset);
 Words with_two_dashes(const CLI::App& app, const Words& given);
 /// Why one of the files that were asked for cannot be written, or "".
 std::string why_not_writable(const DiffRequest& request);
+/// Why one of them would destroy a file that is read (`taken`) or another of them, or "".
+std::string why_overwritten(const DiffRequest& request, std::vector<std::string> taken);
 
 /// Reads, measures, judges.
 Comparison compare_files(const std::string& reference, const std::string& test, const DiffRequest& request);
