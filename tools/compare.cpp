@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-/// How far are we from POV-Ray on this scene?
+/// How far are we from another renderer on this scene?
 #include "tools/compare/compare_report.h"
-#include "tools/interrupt.h"
+#include "tools/compare/kept_pictures.h"
+#include "tools/compare/program.h"
 #include "tools/options.h"
 #include "tools/values.h"
 
@@ -10,6 +11,7 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
+#include <array>
 #include <filesystem>
 #include <utility>
 
@@ -17,8 +19,7 @@ namespace alidade {
 namespace {
 
 struct CompareWords {
-    CorpusRequest corpus;   ///< its `defaults` are the scene's job, its `diff` the rules
-    Request scene;          ///< how a scene is read that is not POV-Ray's own
+    CorpusRequest corpus;   ///< its `defaults` are the scene's job, its `reading` how a scene is read that is not POV-Ray's own, its `diff` the rules
 };
 
 /// Words after "--" are POV-Ray's, for both programs.
@@ -29,9 +30,29 @@ Words take_povray_words(Words& given) {
     return words;
 }
 
+/// --noise has its number of seeds, or 16: what follows may be the scene.
+Words with_noise_count(const Words& given) {
+    Words out;
+    for (size_t i = 0; i < given.size(); ++i) {
+        const bool counted = i + 1 < given.size() && !given[i + 1].empty() && given[i + 1].find_first_not_of("0123456789") == std::string::npos;
+        out.push_back(given[i] == "--noise" && !counted ? "--noise=16" : given[i]);
+    }
+    return out;
+}
+
+void add_reference_words(CLI::App& app, CompareJob& job) {
+    std::vector<std::string> names;
+    std::string docs;
+    for (const ReferenceProgram& program : references()) names.emplace_back(program.name), docs += fmt::format("{} = {}, {}; ", program.name, program.title, program.doc);
+    add_choice(app, "--against", names, [&job](size_t i) { job.against = &references()[i]; }, docs + "(default povray)");
+    app.add_option("--spp", job.spp, "samples a pixel, of both, beside a program that takes them at random (16)")->type_name("N")->check(CLI::Range(1, 1 << 20));
+    app.add_option("--noise", job.seeds, "our pictures of N seeds (16): a difference is an error where their noise does not explain it")->type_name("[N]")->check(CLI::Range(kFewestSeeds, 10000));
+}
+
 void add_words(CLI::App& app, CompareWords& words) {
-    PovJob& job = words.corpus.defaults;
-    add_scene_options(app, words.scene);   // of a POV-Ray scene SCENE alone counts: words after -- are for both programs
+    CompareJob& job = words.corpus.defaults;
+    add_reference_words(app, job);
+    add_scene_options(app, words.corpus.reading);   // of a POV-Ray scene SCENE alone counts: words after -- are for both programs
     app.get_option("SCENE")->required(false);
     app.add_option_function<std::string>("--size", [&job](const std::string& text) {
            const auto size = parse_size(text);
@@ -39,7 +60,7 @@ void add_words(CLI::App& app, CompareWords& words) {
            job.width = size->width, job.height = size->height;
        }, "of the picture (320x240; a list may say its own)")->type_name("WxH");
     app.add_option("--timeout", job.timeout, "seconds that a program has (600)")->type_name("SECONDS")->check(CLI::PositiveNumber);
-    app.add_option("--cache", job.cache, fmt::format("the folder of POV-Ray's pictures, which are kept ({})", default_cache()))->type_name("DIR");
+    app.add_option("--cache", job.cache, fmt::format("the folder of the other programs' pictures, which are kept ({})", default_cache()))->type_name("DIR");
     app.add_option("--corpus", words.corpus.list, "compares a list of scenes: a CSV file with a column `path`, or a path a line")->type_name("LIST");
     app.add_option("--scenes", words.corpus.scenes, "the folder that the list's paths begin from (its own)")->type_name("DIR");
     app.add_option("--where", words.corpus.where, "rows of the list that count: tier<=3, category=lights; may be given again")->type_name("CONDITION")->allow_extra_args(false);
@@ -48,6 +69,17 @@ void add_words(CLI::App& app, CompareWords& words) {
     add_rule_words(app, words.corpus.diff.rules);
     add_pair_words(app, words.corpus.diff);
     add_output_words(app, words.corpus.diff);
+}
+
+/// What changes a result.
+std::string as_one_line(const CLI::App& app) {
+    constexpr std::array kOthers = {"--jobs", "--cache", "--timeout", "--out", "--corpus", "--scenes", "--where", "--json", "--junit", "--report", "--heatmap", "--threads"};
+    std::string line;
+    for (const CLI::Option* option : app.get_options()) {
+        const bool counts = option->count() > 0 && std::none_of(kOthers.begin(), kOthers.end(), [&](const char* other) { return option->check_name(other); });
+        if (counts) line += fmt::format("{} {}\n", option->get_name(), fmt::join(option->results(), " "));
+    }
+    return line;
 }
 
 /// A program that made no picture fails; one that is not there is an error of the machine.
@@ -70,14 +102,13 @@ void print_rows(const std::vector<CorpusResult>& results) {
 int compare_one(const CompareWords& words) {
     DiffRequest diff = words.corpus.diff;
     const std::string report = std::exchange(diff.report, "");
-    PovJob job = words.corpus.defaults;
-    job.scene = words.scene.scene;
-    const bool pov = std::filesystem::path(job.scene).extension() == ".pov";
-    const SceneComparison compared = pov ? compare_with_povray(job, diff) : compare_exported(words.scene, job, diff);
+    CompareJob job = words.corpus.defaults;
+    job.scene = words.corpus.reading.scene;
+    const SceneComparison compared = compare_scene(words.corpus.reading, job, diff);
     if (diff.json) fmt::print("{}", as_json_text(to_json(compared)));
     else if (compared.comparison.judgement.verdict != Verdict::error) fmt::print("{}", as_lines(compared));
     auto written = write_files(compared.comparison, diff);
-    if (written && !report.empty()) written = write_report(report, job.scene, {report_pair(compared)});
+    if (written && !report.empty()) written = write_report(report, job.scene, *job.against, {report_pair(compared)});
     if (!written) return fail(written.error()), int(Verdict::error);
     return exit_code(compared);
 }
@@ -85,7 +116,8 @@ int compare_one(const CompareWords& words) {
 int compare_many(const CompareWords& words) {
     const auto entries = read_corpus(words.corpus);
     if (!entries) return fail(entries.error()), int(Verdict::error);
-    if (povray_version().empty()) return fail("POV-Ray is not installed: its package is povray (and povray-includes)"), int(Verdict::error);
+    const ReferenceProgram& against = *words.corpus.defaults.against;
+    if (const std::string why = why_missing(against); !why.empty()) return fail(why), int(Verdict::error);
     std::error_code error;
     std::filesystem::create_directories(words.corpus.out, error);
     if (error) return fail(fmt::format("cannot make the folder {}: {}", words.corpus.out, error.message())), int(Verdict::error);
@@ -100,7 +132,7 @@ int compare_many(const CompareWords& words) {
     if (words.corpus.diff.json) fmt::print("{}", as_json_text(all));
     else print_rows(results);
     const std::string report = words.corpus.diff.report.empty() ? words.corpus.out + "/report.html" : words.corpus.diff.report;
-    const auto written = write_report(report, fmt::format("{} scenes beside POV-Ray", results.size()), report_pairs(results, words.corpus));
+    const auto written = write_report(report, fmt::format("{} scenes beside {}", results.size(), against.title), against, report_pairs(results, words.corpus));
     if (!written) return fail(written.error()), int(Verdict::error);
     return worst;
 }
@@ -109,20 +141,25 @@ int compare_many(const CompareWords& words) {
 
 int run_compare(const Verb& verb, const Words& given) {
     CompareWords words;
+    CorpusRequest& corpus = words.corpus;
     Words ours = given;
-    words.corpus.defaults.words = take_povray_words(ours);
-    words.corpus.defaults.cache = default_cache();
+    corpus.defaults.words = take_povray_words(ours);
+    corpus.defaults.cache = default_cache(), corpus.defaults.against = &references()[0];
     CLI::App app;
     add_words(app, words);
-    if (const auto code = parse_words(app, verb, with_two_dashes(app, ours))) return *code == kDone ? int(kDone) : int(Verdict::error);
-    const auto usage = [&](const char* sentence) { return usage_error(verb, sentence), int(Verdict::error); };
-    if (words.scene.scene.empty() == words.corpus.list.empty()) return usage("give a SCENE, or --corpus LIST");
-    if (!words.corpus.list.empty() && words.corpus.out.empty()) return usage("--corpus needs --out DIR");
-    if (const std::string why = why_not_writable(words.corpus.diff); !why.empty()) return fail(why), int(Verdict::error);
-    words.corpus.defaults.results = words.corpus.out;
-    set_default_rules(words.corpus.diff.rules, "pov");
-    exit_on_signal();
-    return words.scene.scene.empty() ? compare_many(words) : compare_one(words);
+    if (const auto code = parse_words(app, verb, with_noise_count(with_two_dashes(app, ours)))) return *code == kDone ? int(kDone) : int(Verdict::error);
+    const auto usage = [&](const std::string& sentence) { return usage_error(verb, sentence), int(Verdict::error); };
+    const std::string& scene = corpus.reading.scene;
+    if (scene.empty() == corpus.list.empty()) return usage("give a SCENE, or --corpus LIST");
+    if (!corpus.list.empty() && corpus.out.empty()) return usage("--corpus needs --out DIR");
+    const ReferenceProgram& against = *corpus.defaults.against;
+    if (corpus.defaults.spp != 0 && !against.random) return usage(fmt::format("--spp says nothing to {}: its words, such as +A0.3, come after --", against.title));
+    if (const std::string why = why_not_writable(corpus.diff); !why.empty()) return fail(why), int(Verdict::error);
+    corpus.defaults.results = corpus.out;
+    corpus.words = as_one_line(app);
+    if (corpus.defaults.seeds == 1) set_default_rules(corpus.diff.rules, "pov");
+    clean_up_on_signal();
+    return scene.empty() ? compare_many(words) : compare_one(words);
 }
 
 }  // namespace alidade

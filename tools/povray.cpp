@@ -54,6 +54,7 @@ RenderOptions render_options(const PovrayRequest& r, int frame, const RenderSett
     options.width = r.width, options.height = r.height;
     options.threads = r.threads;
     options.frame = frame;
+    options.seed = r.seed;
     options.spp = scene.default_spp;
     options.lens_noise = scene.lens_noise;
     if (r.antialias && options.spp == 1) options.supersampling = Supersampling{r.sampling_method, r.antialias_threshold, r.antialias_gamma, r.jitter ? r.jitter_amount : 0, r.antialias_depth};
@@ -114,7 +115,7 @@ int render_frame(const PovrayRequest& r, int frame) {
 
 std::string help(const Verb& verb) {
     return fmt::format("alidade {}\n\n{}\n\nThe words are POV-Ray's: +Iscene.pov +Oout.png +W320 +H240 +A<threshold> -A +AM<method> +R<depth> -J +L<folder> +FN +WT<threads> +C +K<clock> +KFI1 +KFF10 +SF +EF +SC +EC +SR +ER,\n"
-                       "Key=Value, Declare=NAME=VALUE, scene.ini[section]. docs/pov-support.md lists what they do.\n\nExit codes: {}.\n",
+                       "Key=Value, Declare=NAME=VALUE, scene.ini[section]. docs/pov-support.md lists what they do. --seed=N is ours alone: other random numbers.\n\nExit codes: {}.\n",
                        verb.usage, verb.doc, verb.exits);
 }
 

@@ -10,6 +10,8 @@
 #include <filesystem>
 #include <fmt/format.h>
 #include <fstream>
+#include <limits>
+#include <string_view>
 
 namespace alidade {
 
@@ -233,11 +235,14 @@ std::string unknown(const std::string& word) {
     return fmt::format("'{}' is no word of POV-Ray{}", word, near.empty() ? "" : fmt::format("; did you mean '{}='?", near));
 }
 
+constexpr std::string_view kSeed = "--seed=";   // ours alone
+
 /// One command line, with the INI files that it names.
 class Reading {
   public:
     std::string take(const std::string& word) {
         if (word.empty()) return {};
+        if (word.rfind(kSeed, 0) == 0) return take_seed(word);
         if (word[0] == '+' || word[0] == '-') return take_switch(word);
         const size_t equals = word.find('=');
         if (equals != std::string::npos) return take_key(word, equals);
@@ -252,6 +257,11 @@ class Reading {
     std::string apply(const Row& row, const Word& value, const std::string& word) {
         if (row.apply(request, value)) return {};
         return fmt::format("'{}' has no value that {} can take", word, row.key);
+    }
+
+    std::string take_seed(const std::string& word) {
+        const auto seed = parse_integer(word.substr(kSeed.size()), 0, std::numeric_limits<int64_t>::max());
+        return seed ? (request.seed = uint64_t(*seed), std::string()) : fmt::format("'{}': {}", word, seed.error());
     }
 
     /// The row whose letters are the longest beginning of the word.

@@ -2,6 +2,7 @@
 /// POV-Ray's own words: +W320 -A Width=320 scene.ini[High] ...
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <tl/expected.hpp>
@@ -27,6 +28,7 @@ struct PovrayRequest {
     int initial_frame = 1, final_frame = 1;
     std::optional<int> subset_start, subset_end;
     double start_column = 0, end_column = 0, start_row = 0, end_row = 0;   ///< pixels from 1, or shares of the picture up to 1; 0: all
+    uint64_t seed = 0;                    ///< --seed=N, a word that POV-Ray does not have: other random numbers
     std::vector<std::string> notes;       ///< words that are known and change nothing here, each once
 
     bool animated() const { return final_frame > initial_frame || initial_frame != 1; }

@@ -20,8 +20,8 @@ constexpr Verb kVerbs[] = {
     {"convert", "convert SCENE OUT [options]", "writes a scene in another format, and lists what that cannot hold", kExits, run_convert},
     {"diff", "diff REFERENCE TEST [options]", "tells how far a picture is from another, where, and whether that is good enough",
      "0 pass, 1 warn, 2 fail, 3 incomparable, 4 file or usage", run_diff, 4},
-    {"compare", "compare SCENE | --corpus LIST --out DIR [options] [-- POV-Ray's words]", "renders with POV-Ray too, and tells how far the pictures are apart",
-     "as diff, the worst of a list; 2 also if a program made no picture; 4 also if POV-Ray is missing", run_compare, 4},
+    {"compare", "compare SCENE | --corpus LIST --out DIR [options] [-- POV-Ray's words]", "renders with POV-Ray or Cycles too, and tells how far the pictures are apart",
+     "as diff, the worst of a list; 2 also if a program made no picture; 4 also if the other program is missing", run_compare, 4},
 };
 
 std::string help() {

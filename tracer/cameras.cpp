@@ -34,12 +34,15 @@ Camera framing_camera(const Bounds& bounds) {
     return camera;
 }
 
-CameraRays::CameraRays(const Camera& camera, int width, int height) : camera_(camera), width_(width), height_(height) {
-    const double own = length(camera.right) / length(camera.up), asked = width_ / height_;
-    if (camera.fit != Fit::stretch) {
-        if (camera.fit == Fit::height || asked > own) camera_.right = camera.right * (asked / own);
-        else camera_.up = camera.up * (own / asked);
-    }
+Camera fitted(Camera camera, int width, int height) {
+    const double own = length(camera.right) / length(camera.up), asked = double(width) / height;
+    if (camera.fit == Fit::stretch) return camera;
+    if (camera.fit == Fit::height || asked > own) camera.right *= asked / own;
+    else camera.up *= own / asked;
+    return camera;
+}
+
+CameraRays::CameraRays(const Camera& camera, int width, int height) : camera_(fitted(camera, width, height)), width_(width), height_(height) {
     unit_right_ = normalized(camera_.right), unit_up_ = normalized(camera_.up), unit_normal_ = normalized(cross(camera_.right, camera_.up));
 }
 

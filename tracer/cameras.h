@@ -14,6 +14,9 @@ Camera placed(const Camera& camera, const Transform& to_world);
 /// A camera that sees all of `bounds`, from the front, the right and above, for files that bring none. A unit box if `bounds` is empty.
 Camera framing_camera(const Bounds& bounds);
 
+/// `camera` with `right` and `up` as the shape of a picture of this size makes them (Camera::fit).
+Camera fitted(Camera camera, int width, int height);
+
 /// Rays of one camera for pictures of one size.
 class CameraRays {
   public:

@@ -2,15 +2,27 @@
 """`alidade compare`: POV-Ray's picture beside ours."""
 import json
 import os
+import pathlib
 import shutil
+import signal
+import subprocess
 import sys
+import tempfile
+import time
 import unittest
 
-from program import InFolder, run
+from program import PROGRAM, InFolder, run
 
 BALL = """#version 3.7; global_settings { assumed_gamma 1 }
 camera { location <0, 1, -4> look_at 0 } light_source { <3, 5, -4>, 1 } #include "ground.inc"
 sphere { <0, 0, 0>, 1 pigment { checker rgb <1, 0.2, 0.1>, rgb 0.8 scale 0.4 } }
+"""
+SOFT = """#version 3.7; global_settings { assumed_gamma 1 }
+camera { location <0, 3, -5> look_at <0, 0.4, 0> angle 50 }
+light_source { <3, 5, -3>, 1 area_light <2, 0, 0>, <0, 0, 2>, 4, 4 jitter }
+plane { y, 0 pigment { rgb 0.8 } }
+sphere { <0, 1, 0>, 1 pigment { rgb <1, 0.4, 0.2> } }
+box { <-2, 0, -1>, <-1.3, 1.5, -0.5> pigment { rgb <0.3, 0.5, 1> } }
 """
 GROUND = "plane { y, -1 pigment { rgb <0.2, 0.5, 0.3> } }\n"
 
@@ -94,6 +106,67 @@ class Compare(InFolder):
         self.assertEqual(again.stdout, said.stdout)
         self.assertGreater((self.folder / "out/report.html").stat().st_size, 10000)
         self.assertEqual(self.compare("--corpus", "list.csv", "--out", "out", "--where", "colour=red").returncode, 4)
+
+    def test_a_scene_is_found_however_it_is_named(self):
+        shutil.copy(self.folder / "ball.pov", self.folder / "BALL.POV")
+        (self.folder / "links").mkdir()
+        (self.folder / "links/round.pov").symlink_to("../ball.pov")
+        (self.folder / "links/parts").symlink_to("..", target_is_directory=True)   # and a loop of links
+        for name, words in (("BALL.POV", []), ("links/../ball.pov", []), ("links/round.pov", ["--", "+Lparts"])):
+            said = self.compare(name, "--size", "40x30", *words)
+            self.assertEqual(said.returncode, 0, name + said.stdout + said.stderr)
+            self.assertIn("grade: exact", said.stdout)
+            self.assertNotIn("lost", said.stdout)
+
+    def test_an_interruption_leaves_nothing_behind(self):
+        scratch = self.folder / "scratch"
+        scratch.mkdir()
+        (self.folder / "endless.pov").write_text("#while (1) #end\n")
+        for end in (signal.SIGINT, signal.SIGTERM):
+            running = subprocess.Popen([PROGRAM, "compare", "endless.pov", "--cache", self.folder / "cache"], cwd=self.folder, stderr=subprocess.PIPE, text=True,
+                                       env={**os.environ, "TMPDIR": str(scratch)})
+            while not list(scratch.glob("*/scene")):   # POV-Ray's copy of the folder
+                self.assertIsNone(running.poll())
+                time.sleep(0.02)
+            time.sleep(0.3)
+            children = subprocess.run(["ps", "-o", "pid=", "--ppid", str(running.pid)], capture_output=True, text=True).stdout.split()
+            running.send_signal(end)
+            self.assertEqual((running.wait(10), running.stderr.read()), (2, "alidade: interrupted\n"))
+            running.stderr.close()
+            self.assertEqual(list(scratch.iterdir()), [])
+            self.assertTrue(children)
+            for child in children:
+                self.assertFalse(os.path.exists(f"/proc/{child}"))
+
+    def elsewhere(self):
+        """A folder that is no part of the scene's."""
+        kept = tempfile.TemporaryDirectory()
+        self.addCleanup(kept.cleanup)
+        return pathlib.Path(kept.name)
+
+    def test_noise_is_not_called_error(self):
+        (self.folder / "soft.pov").write_text(SOFT)
+        words = ["soft.pov", "--size", "80x60"]
+        told, code = self.document(*words, "--noise")
+        self.assertEqual((told["verdict"], code), ("pass", 0), told["noise"])
+        self.assertEqual((told["noise"]["seeds"], told["noise"]["reference_noise"], told["noise"]["tests"]), (16, "like ours", 3 * 80 * 60))
+        self.assertGreater(told["metrics"]["over2"]["value"], 0.02)   # the pictures do differ
+        kept = next((self.folder / "cache").glob("*.png"))
+        for of, to in (("<3, 5, -3>, 1", "<3, 5, -3>, 1.05"), ("box { <-2,", "box { <-2.1,")):
+            other = self.elsewhere()
+            (other / "soft.pov").write_text(SOFT.replace(of, to))
+            self.assertEqual(run("compare", *words, "--cache", other / "cache", cwd=other).returncode, 0)
+            shutil.copy(next((other / "cache").glob("*.png")), kept)   # in the place of this scene's
+            told, code = self.document(*words, "--noise", "--heatmap", other / "heat.ppm")
+            self.assertTrue(told["reference_render"]["from_cache"])
+            self.assertEqual((told["verdict"], code), ("fail", 2), told["noise"])
+            self.assertGreater(told["noise"]["significant"], 10)
+            pixels = (other / "heat.ppm").read_bytes()[-3 * 80 * 60:]
+            self.assertEqual(sum(pixels[i:i + 3] == b"\x00\xff\x00" for i in range(0, len(pixels), 3)), told["noise"]["significant"])
+
+    def test_words_of_the_noise(self):
+        for words in (["--noise=3"], ["--noise", "8"], ["--spp", "4"], ["--against", "nobody"]):
+            self.assertEqual(self.compare("ball.pov", *words).returncode, 4, words)
 
     def test_another_format_goes_through_the_exporter(self):
         (self.folder / "plate.obj").write_text("mtllib plate.mtl\nv -1 0 -1\nv 1 0 -1\nv 1 0 1\nv -1 0 1\nusemtl red\nf 4 3 2 1\n")

@@ -17,7 +17,7 @@ namespace {
 /// What the page tells of the renders, beside the numbers of the pictures.
 Json statistics_of(const Json& document) {
     Json out = Json::object();
-    for (const char* key : {"grade", "reference_render", "test_render"})
+    for (const char* key : {"grade", "noise", "reference_render", "test_render"})
         if (document.contains(key)) out[key] = document[key];
     return out;
 }
@@ -53,8 +53,8 @@ std::vector<ReportPair> report_pairs(const std::vector<CorpusResult>& results, c
     return pairs;
 }
 
-tl::expected<void, std::string> write_report(const std::string& path, const std::string& title, std::vector<ReportPair> pairs) {
-    const auto page = report_html({title, {{"alidade", ALIDADE_VERSION}, {"POV-Ray", povray_version()}}, std::move(pairs)});
+tl::expected<void, std::string> write_report(const std::string& path, const std::string& title, const ReferenceProgram& against, std::vector<ReportPair> pairs) {
+    const auto page = report_html({title, {{"alidade", ALIDADE_VERSION}, {against.title, against.version()}}, std::move(pairs)});
     if (!page) return tl::unexpected(page.error());
     return write_file(path, std::as_bytes(std::span(*page)));
 }

@@ -13,6 +13,6 @@ ReportPair report_pair(const SceneComparison& compared);
 std::vector<ReportPair> report_pairs(const std::vector<CorpusResult>& results, const CorpusRequest& request);
 
 /// Writes the page. An error is one sentence.
-tl::expected<void, std::string> write_report(const std::string& path, const std::string& title, std::vector<ReportPair> pairs);
+tl::expected<void, std::string> write_report(const std::string& path, const std::string& title, const ReferenceProgram& against, std::vector<ReportPair> pairs);
 
 }  // namespace alidade

@@ -4,6 +4,7 @@
 #include "exporters/exporter.h"
 #include "importers/importer.h"
 #include "scene/queries.h"
+#include "tools/compare/povray_reference.h"
 #include "tools/compare/program.h"
 #include "tools/output.h"
 #include "tools/povray_words.h"
@@ -17,30 +18,48 @@
 #include <filesystem>
 
 namespace alidade {
+
+namespace fs = std::filesystem;
+
 namespace {
 
+bool is_povray_scene(const std::string& path) {
+    std::string ending = fs::path(path).extension().string();
+    std::transform(ending.begin(), ending.end(), ending.begin(), [](unsigned char c) { return char(std::tolower(c)); });
+    return ending == ".pov";
+}
+
 /// Both programs' pictures are made of random numbers, which are not the same ones.
-bool is_random(const Imported& imported) {
-    for (const RequiredBy& each : requirements(imported.scene))
+bool is_random(const Scene& scene, const Diagnostics& said) {
+    for (const RequiredBy& each : requirements(scene))
         if (each.what == Requirement::area_lights || each.what == Requirement::depth_of_field || each.what == Requirement::media) return true;
-    for (const Material& material : imported.scene.materials)
+    for (const Material& material : scene.materials)
         for (const auto& layer : material.layers)
             if (const auto* finish = std::get_if<PovFinish>(&layer); finish && finish->crand > 0) return true;
-    for (const Diagnostic& message : imported.diagnostics.list())
+    for (const Diagnostic& message : said.list())
         for (const char* word : {"radiosity", "photons", "media", "subsurface"})
             if (message.message.find(word) != std::string::npos) return true;
     return false;
 }
 
-bool has_random_effects(const PovJob& job) {
+/// A scene of POV-Ray, as its words have it read.
+tl::expected<Request, std::string> povray_reading(const CompareJob& job) {
     const auto words = parse_povray_words(povray_words(job, "none.png"));
-    if (!words) return false;
-    ImportOptions options;
-    options.include_paths = words->library_paths, options.declarations = words->declarations;
-    options.frame.image_width = job.width, options.frame.image_height = job.height;
-    options.frame.clock = clock_of(*words, words->subset_start.value_or(words->initial_frame));
-    const auto imported = import_scene(job.scene, options);
-    return imported && is_random(*imported);
+    if (!words) return tl::unexpected(words.error());
+    Request out;
+    const fs::path folder = fs::path(job.scene).parent_path();
+    for (const std::string& path : words->library_paths) out.import.include_paths.push_back((folder / path).string());   // an absolute one stays as it is
+    out.import.declarations = words->declarations;
+    out.import.frame.clock = clock_of(*words, words->subset_start.value_or(words->initial_frame));
+    return out;
+}
+
+bool has_random_effects(const CompareJob& job) {
+    auto reading = povray_reading(job);
+    if (!reading) return false;
+    reading->import.frame.image_width = job.width, reading->import.frame.image_height = job.height;
+    const auto imported = import_scene(job.scene, reading->import);
+    return imported && is_random(imported->scene, imported->diagnostics);
 }
 
 void fail_with(SceneComparison& out, const RenderFailure& failure) {
@@ -55,76 +74,110 @@ Json to_json(const Rendered& rendered) {
 
 using Scratch = std::pair<ScratchFolder, ScratchFolder>;   // the reference's, and ours
 
+std::string as_title(const ReferenceProgram& program) { return fmt::format("{} {}", program.title, program.version()); }
+
 void compare_pictures(SceneComparison& out, const DiffRequest& request) {
     out.comparison = compare_files(out.reference->picture, out.test->picture, request);
-    if (out.comparison.loaded && !out.comparison.measured.empty()) out.graded = grade(out.comparison.loaded->pair, out.noisy);
+    const bool measured = out.comparison.loaded && !out.comparison.measured.empty();
+    if (measured) out.graded = grade(out.comparison.loaded->pair, out.noisy);
     else if (out.comparison.judgement.verdict == Verdict::incomparable) out.graded.grade = Grade::off;
-    out.comparison.reference = "POV-Ray " + povray_version(), out.comparison.test = "alidade";
+    if (measured && out.job.seeds > 1) {
+        auto seeds = compare_seeds(*out.reference, *out.test, out.noisy, request, out.comparison);
+        if (!seeds) return fail_with(out, {false, false, seeds.error()});
+        out.seeds = std::move(*seeds);
+    }
+    out.comparison.reference = as_title(*out.job.against), out.comparison.test = "alidade";
 }
 
-/// Our picture of a scene that is read already.
-tl::expected<Rendered, RenderFailure> render_here(const Scene& scene, const Request& request, const PovJob& job, const std::string& folder) {
+/// Our pictures of a scene that is compiled already, one of each seed.
+tl::expected<Rendered, RenderFailure> render_here(const CompiledScene& scene, const CompareJob& job, const std::string& folder) {
     const auto failure = [](std::string sentence) { return tl::unexpected(RenderFailure{false, false, std::move(sentence)}); };
     const std::clock_t start = std::clock();
-    Diagnostics said;
-    const auto compiled = compile(scene, request.compile, said);
-    if (!compiled) return failure(said.text());
-    constexpr int kLightSamples = 64;   // POV-Ray's light of the sky has no noise: ours has little
+    constexpr int kLightSamples = 64;   // a pixel: POV-Ray's light of the sky has no noise, ours has little
     RenderOptions options;
-    options.width = job.width, options.height = job.height, options.spp = 1, options.light_samples = kLightSamples, options.threads = 1;
-    const auto film = render(*compiled, options);
-    if (!film) return failure(film.error());
-    const std::string picture = folder + "/picture.png";
-    if (const auto written = write_film(picture, film->picture); !written) return failure(written.error());
-    const Words command{"alidade", "render", request.scene, "-o", "picture.png", "--size", fmt::format("{}x{}", job.width, job.height), "--spp", "1", "--light-samples", std::to_string(kLightSamples)};
-    return Rendered{picture, command, double(std::clock() - start) / CLOCKS_PER_SEC, false};
+    options.width = job.width, options.height = job.height, options.spp = job.spp, options.light_samples = std::max(1, kLightSamples / job.spp), options.threads = 1;
+    Rendered out;
+    for (int seed = 0; seed < job.seeds; ++seed) {
+        options.seed = uint64_t(seed);
+        const auto film = render(scene, options);
+        if (!film) return failure(film.error());
+        const std::string picture = fmt::format("{}/picture{}{}", folder, seed, job.against->ending);
+        if (const auto written = write_film(picture, film->picture); !written) return failure(written.error());
+        (seed ? out.more.emplace_back() : out.picture) = picture;
+    }
+    out.command = {"alidade", "render", job.scene, "-o", std::string("picture") + job.against->ending, "--size", fmt::format("{}x{}", job.width, job.height), "--spp", fmt::format("{}", job.spp),
+                   "--light-samples", fmt::format("{}", options.light_samples)};
+    out.cpu_seconds = double(std::clock() - start) / CLOCKS_PER_SEC;
+    return out;
+}
+
+/// How the scene is read: as POV-Ray's words say if it is a scene of POV-Ray and there are any.
+tl::expected<Request, std::string> final_reading(Request reading, const CompareJob& job) {
+    if (is_povray_scene(job.scene) && !job.words.empty()) {
+        const auto words = povray_reading(job);
+        if (!words) return words;
+        reading.import.include_paths = words->import.include_paths, reading.import.declarations = words->import.declarations, reading.import.frame = words->import.frame;
+    }
+    reading.scene = job.scene;
+    reading.import.frame.image_width = job.width, reading.import.frame.image_height = job.height;
+    return reading;
+}
+
+void compare_exported(const Request& given, SceneComparison& out, const Scratch& scratch, const DiffRequest& diff) {
+    const auto reading = final_reading(given, out.job);
+    if (!reading) return fail_with(out, {false, false, reading.error()});
+    Loaded loaded = load(*reading);
+    if (!loaded.scene) return fail_with(out, {false, false, loaded.said.text()});
+    CompareJob exported = out.job;
+    const std::string& folder = scratch.first.path();
+    exported.scene = fmt::format("{}/exported/{}", folder, out.job.against->exported);
+    std::error_code ignored;
+    fs::create_directories(folder + "/exported", ignored);
+    const auto files = export_scene(*loaded.scene, exported.scene);
+    if (!files) return fail_with(out, {false, true, files.error()});
+    out.lost = files->losses;
+    out.noisy = out.job.against->random || is_random(*loaded.scene, loaded.said);
+    Diagnostics said;
+    const auto compiled = compile(std::move(*loaded.scene), reading->compile, said);
+    if (!compiled) return fail_with(out, {false, false, said.text()});
+    const auto reference = out.job.against->render(exported, *compiled, folder);
+    if (!reference) return fail_with(out, reference.error());
+    out.reference = *reference;
+    const auto test = render_here(*compiled, out.job, scratch.second.path());
+    if (!test) return fail_with(out, test.error());
+    out.test = *test;
+    compare_pictures(out, diff);
+}
+
+void compare_with_povray(SceneComparison& out, const Scratch& scratch, const DiffRequest& request) {
+    const auto reference = povray_reference(out.job, scratch.first.path());
+    if (!reference) return fail_with(out, reference.error());
+    out.reference = *reference;
+    const auto test = povray_test(out.job, scratch.second.path());
+    if (!test) return fail_with(out, test.error());
+    out.test = *test;
+    out.noisy = has_random_effects(out.job);
+    compare_pictures(out, request);
 }
 
 }  // namespace
 
-SceneComparison compare_exported(const Request& request, const PovJob& job, const DiffRequest& diff) {
+SceneComparison compare_scene(const Request& reading, const CompareJob& job, const DiffRequest& request) {
     SceneComparison out;
     out.job = job;
+    if (out.job.spp == 0) out.job.spp = job.against->spp;
     const auto scratch = std::make_shared<Scratch>();
     out.scratch = scratch;
-    const Loaded loaded = load(request);
-    if (!loaded.scene) return fail_with(out, {false, false, loaded.said.text()}), out;
-    PovJob exported = job;
-    exported.scene = scratch->first.path() + "/exported/scene.pov";
-    std::error_code ignored;
-    std::filesystem::create_directories(scratch->first.path() + "/exported", ignored);
-    const auto files = export_scene(*loaded.scene, exported.scene);
-    if (!files) return fail_with(out, {false, true, files.error()}), out;
-    out.lost = files->losses;
-    const auto reference = povray_reference(exported, scratch->first.path());
-    if (!reference) return fail_with(out, reference.error()), out;
-    out.reference = *reference;
-    const auto test = render_here(*loaded.scene, request, job, scratch->second.path());
-    if (!test) return fail_with(out, test.error()), out;
-    out.test = *test;
-    compare_pictures(out, diff);
-    return out;
-}
-
-SceneComparison compare_with_povray(const PovJob& job, const DiffRequest& request) {
-    SceneComparison out;
-    out.job = job;
-    const auto scratch = std::make_shared<Scratch>();
-    out.scratch = scratch;
-    const auto reference = povray_reference(job, scratch->first.path());
-    if (!reference) return fail_with(out, reference.error()), out;
-    out.reference = *reference;
-    const auto test = povray_test(job, scratch->second.path());
-    if (!test) return fail_with(out, test.error()), out;
-    out.test = *test;
-    out.noisy = has_random_effects(job);
-    compare_pictures(out, request);
+    if (const std::string why = why_missing(*job.against); !why.empty()) fail_with(out, {true, true, why});
+    else if (job.against->version == povray_version && is_povray_scene(job.scene)) compare_with_povray(out, *scratch, request);
+    else compare_exported(reading, out, *scratch, request);
     return out;
 }
 
 Json to_json(const SceneComparison& c) {
     Json out = to_json(c.comparison);
-    out["scene"] = c.job.scene;
+    out["scene"] = c.job.scene, out["against"] = c.job.against->name;
+    if (c.seeds) out["noise"] = to_json(*c.seeds);
     out["grade"] = {{"name", name_of(c.graded.grade)}, {"rmse", c.graded.rmse}, {"over2", c.graded.over2}, {"envelope", c.graded.envelope}, {"noisy", c.noisy}};
     Json& lost = out["lost"] = Json::array();
     for (const Loss& loss : c.lost) lost.push_back({{"what", loss.what}, {"count", loss.count}, {"instead", loss.instead}});
@@ -135,9 +188,10 @@ Json to_json(const SceneComparison& c) {
 
 std::string as_lines(const SceneComparison& c) {
     std::string out;
-    for (const Loss& loss : c.lost) out += fmt::format("lost for POV-Ray: {} ({}){}\n", loss.what, loss.count, loss.instead.empty() ? "" : "; instead: " + loss.instead);
-    if (c.reference) out += fmt::format("POV-Ray {}: {:.2f} CPU s{}\n", povray_version(), c.reference->cpu_seconds, c.reference->from_cache ? " (kept from before)" : "");
+    for (const Loss& loss : c.lost) out += fmt::format("lost for {}: {} ({}){}\n", c.job.against->title, loss.what, loss.count, loss.instead.empty() ? "" : "; instead: " + loss.instead);
+    if (c.reference) out += fmt::format("{}: {:.2f} CPU s{}\n", as_title(*c.job.against), c.reference->cpu_seconds, c.reference->from_cache ? " (kept from before)" : "");
     if (c.test) out += fmt::format("alidade: {:.2f} CPU s\n", c.test->cpu_seconds);
+    if (c.seeds) out += as_lines(*c.seeds);
     out += as_lines(c.comparison);
     if (c.test) out += fmt::format("grade: {}{}\n", name_of(c.graded.grade), c.noisy ? " (of a scene with random effects)" : "");
     return out;

@@ -4,7 +4,7 @@
 
 #include "exporters/losses.h"
 #include "tools/compare/grade.h"
-#include "tools/compare/povray_reference.h"
+#include "tools/compare/seeds.h"
 #include "tools/diff/words.h"
 #include "tools/load.h"
 
@@ -13,20 +13,20 @@
 namespace alidade {
 
 struct SceneComparison {
-    PovJob job;
+    CompareJob job;
     Comparison comparison;                      ///< its verdict is `error` where a picture is missing
     Graded graded;
     bool noisy = false;                         ///< the scene has random effects: area lights, a lens, grainy finishes, or what is not modelled and is random
     bool missing_program = false;
-    std::vector<Loss> lost;                     ///< what the exporter could not write for POV-Ray
+    std::optional<SeedComparison> seeds;        ///< if job.seeds are more than one
+    std::vector<Loss> lost;                     ///< what the exporter could not write for the reference program
     std::optional<Rendered> reference, test;    ///< their pictures live as long as `scratch`
     std::shared_ptr<void> scratch;
 };
 
-/// A POV-Ray scene: both programs read the file.
-SceneComparison compare_with_povray(const PovJob& job, const DiffRequest& request);
-/// Any other scene: POV-Ray reads what our exporter makes of it. One sample at the centre of each pixel.
-SceneComparison compare_exported(const Request& scene, const PovJob& job, const DiffRequest& request);
+/// Beside POV-Ray, its own scenes are read by both programs. Else the reference program reads what our exporter makes of the scene as `reading` has it
+/// (its own name of a scene plays no part: job.scene is the scene).
+SceneComparison compare_scene(const Request& reading, const CompareJob& job, const DiffRequest& request);
 
 /// What `diff --json` tells, and the grade, the programs and what they cost.
 Json to_json(const SceneComparison& compared);

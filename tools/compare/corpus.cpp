@@ -3,6 +3,7 @@
 
 #include "core/fingerprint.h"
 #include "core/parallel.h"
+#include "tools/compare/povray_reference.h"
 #include "tools/compare/program.h"
 #include "tools/progress.h"
 
@@ -23,10 +24,10 @@ namespace fs = std::filesystem;
 namespace {
 
 /// "advanced__abyss.pov.png": a scene's picture in the folder of results.
-std::string picture_name(const std::string& name) {
+std::string picture_name(const std::string& name, const char* ending) {
     std::string plain = name;
     for (size_t at; (at = plain.find('/')) != plain.npos;) plain.replace(at, 1, "__");
-    return plain + ".png";
+    return plain + ending;
 }
 
 /// Results of an earlier run, by scene.
@@ -48,10 +49,10 @@ bool is_cut_short(const std::string& path) {
     return file.seekg(-1, std::ios::end) && file.get() != '\n';
 }
 
-/// Stands for the scene, both programs and the words.
-std::string key_of(const CorpusEntry& entry, uint64_t program) {
+/// Stands for the scene, both programs (ours: `program`) and the words.
+std::string key_of(const CorpusEntry& entry, uint64_t program, const std::string& words) {
     const auto reference = reference_key(entry.job);
-    return fmt::format("{:016x}-{}", program, reference ? *reference : reference.error());
+    return fmt::format("{:016x}-{}", fingerprint(words, program), reference ? *reference : reference.error());
 }
 
 class Run {
@@ -74,7 +75,7 @@ class Run {
 
     void one(size_t i) {
         const CorpusEntry& entry = entries_[i];
-        const std::string key = key_of(entry, program_);
+        const std::string key = key_of(entry, program_, request_.words);
         const auto before = earlier_.find(entry.name);
         const bool kept = before != earlier_.end() && before->second["key"] == key;
         CorpusResult result{entry, kept ? before->second : compared(entry, key), kept};
@@ -87,12 +88,12 @@ class Run {
     Json compared(const CorpusEntry& entry, const std::string& key) const {
         DiffRequest diff = request_.diff;
         diff.pair.threads = 1;
-        const SceneComparison scene = compare_with_povray(entry.job, diff);
+        const SceneComparison scene = compare_scene(request_.reading, entry.job, diff);
         Json out = to_json(scene);
         out["name"] = entry.name, out["group"] = entry.group, out["key"] = key;
         if (!scene.test) return out;
         const auto bytes = read_file(scene.test->picture);
-        const std::string name = picture_name(entry.name);
+        const std::string name = picture_name(entry.name, entry.job.against->ending);
         if (bytes && write_file(request_.out + "/" + name, *bytes)) out["test_picture"] = name;
         if (scene.reference) out["reference_picture"] = kept_reference(scene, name);
         return out;

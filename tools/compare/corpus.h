@@ -14,12 +14,14 @@ struct CorpusRequest {
     std::vector<std::string> where;///< "tier<=3", "category=lights": rows that count
     std::string out;               ///< the folder of results.jsonl, pictures and report.html
     int jobs = 1;
-    PovJob defaults;
+    CompareJob defaults;
+    Request reading;               ///< how scenes are read that go through an exporter
+    std::string words;             ///< stands for what was asked for: results of other words are not taken
     DiffRequest diff;
 };
 
 struct CorpusEntry {
-    PovJob job;
+    CompareJob job;
     std::string name, group;
 };
 

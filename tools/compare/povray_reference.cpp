@@ -3,14 +3,14 @@
 
 #include "core/fingerprint.h"
 #include "core/image.h"
+#include "tools/compare/kept_pictures.h"
 #include "tools/compare/program.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cstdlib>
 #include <filesystem>
-#include <fstream>
+#include <set>
 
 namespace alidade {
 
@@ -32,13 +32,16 @@ bool same_folder(const fs::path& a, const std::string& b) {
     return !b.empty() && fs::equivalent(a, b, ignored);
 }
 
-/// The files of a job below `folder`, sorted.
-std::vector<fs::path> files_below(const PovJob& job, const fs::path& folder, bool& too_large) {
+/// The files of a job below `folder`, sorted. Links to folders are followed, each folder once.
+std::vector<fs::path> files_below(const CompareJob& job, const fs::path& folder, bool& too_large) {
     std::vector<fs::path> files;
     uint64_t bytes = 0;
     std::error_code ignored;
-    for (fs::recursive_directory_iterator at(folder, fs::directory_options::skip_permission_denied, ignored), end; at != end && bytes <= kMostBytes; at.increment(ignored)) {
-        if (at->is_directory(ignored) && (same_folder(at->path(), job.cache) || same_folder(at->path(), job.results))) at.disable_recursion_pending();
+    std::set<fs::path> seen{fs::canonical(folder, ignored)};
+    constexpr auto kHow = fs::directory_options::skip_permission_denied | fs::directory_options::follow_directory_symlink;
+    for (fs::recursive_directory_iterator at(folder, kHow, ignored), end; at != end && bytes <= kMostBytes; at.increment(ignored)) {
+        const bool left_out = same_folder(at->path(), job.cache) || same_folder(at->path(), job.results);
+        if (at->is_directory(ignored) && (left_out || !seen.insert(fs::canonical(at->path(), ignored)).second)) at.disable_recursion_pending();
         if (at->is_regular_file(ignored)) files.push_back(at->path()), bytes += at->file_size(ignored);
     }
     too_large = bytes > kMostBytes;
@@ -46,7 +49,7 @@ std::vector<fs::path> files_below(const PovJob& job, const fs::path& folder, boo
     return files;
 }
 
-tl::expected<std::string, std::string> copied_folder(const PovJob& job, const std::string& scratch) {
+tl::expected<std::string, std::string> copied_folder(const CompareJob& job, const std::string& scratch) {
     bool too_large = false;
     const fs::path from = folder_of(job.scene), to = fs::path(scratch) / "scene";
     const std::vector<fs::path> files = files_below(job, from, too_large);
@@ -73,54 +76,21 @@ std::string produced(const std::string& output) {
     return found.size() == 1 ? found[0] : "";
 }
 
-/// The line of a program's output that says what went wrong, else its last.
-std::string complaint(const std::string& output) {
-    std::string last, found;
-    for (size_t begin = 0; begin < output.size();) {
-        const size_t end = std::min(output.find('\n', begin), output.size());
-        std::string line = output.substr(begin, end - begin);
-        begin = end + 1;
-        line.erase(std::remove_if(line.begin(), line.end(), [](char c) { return static_cast<unsigned char>(c) < 0x20; }), line.end());
-        if (line.find_first_not_of(' ') == line.npos) continue;
-        last = line;
-        if (found.empty() && (line.find("rror:") != line.npos || line.find("rror ") != line.npos)) found = line;
-    }
-    return found.empty() ? last : found;
-}
-
-tl::expected<Rendered, RenderFailure> render(const PovJob& job, const std::string& scratch, Words program, bool reference) {
-    const auto folder = copied_folder(job, scratch);
-    if (!folder) return failure(reference, folder.error());
-    const std::string output = scratch + "/picture.png";
+/// `program` in the copied folder.
+tl::expected<Rendered, RenderFailure> render(const CompareJob& job, const std::string& folder, const std::string& output, Words program, bool reference) {
     for (const std::string& word : povray_words(job, output)) program.push_back(word);
-    const auto run = run_program(program, *folder, job.timeout);
+    const auto run = run_program(program, folder, job.timeout);
     if (!run) return failure(reference, run.error());
     const char* name = reference ? "POV-Ray" : "alidade";
     if (run->timed_out) return failure(reference, fmt::format("{} made no picture in {} s", name, job.timeout));
     const std::string picture = produced(output);
     if (run->exit_code != 0 || picture.empty()) return failure(reference, fmt::format("{} made no picture (exit code {}): {}", name, run->exit_code, complaint(run->output)));
-    return Rendered{picture, std::move(program), run->cpu_seconds, false};
-}
-
-/// Kept beside the picture: the CPU seconds that it cost.
-double kept_seconds(const std::string& path) {
-    double seconds = 0;
-    std::ifstream(path) >> seconds;
-    return seconds;
-}
-
-void keep(const Rendered& rendered, const std::string& stem) {
-    const std::string seconds = fmt::format("{}\n", rendered.cpu_seconds);
-    const auto picture = read_file(rendered.picture);
-    std::error_code ignored;
-    fs::create_directories(fs::path(stem).parent_path(), ignored);
-    // The picture last: what is there with its picture is whole. A cache that cannot be written costs time, nothing else.
-    if (picture && write_file(stem + ".seconds", std::as_bytes(std::span(seconds)))) (void)write_file(stem + ".png", *picture).has_value();
+    return Rendered{picture, {}, std::move(program), run->cpu_seconds, false};
 }
 
 }  // namespace
 
-Words povray_words(const PovJob& job, const std::string& output) {
+Words povray_words(const CompareJob& job, const std::string& output) {
     Words words = job.words;
     for (const std::string& word : {"+I" + fs::path(job.scene).filename().string(), fmt::format("+W{}", job.width), fmt::format("+H{}", job.height)}) words.push_back(word);
     const bool antialiased = std::any_of(job.words.begin(), job.words.end(), [](const std::string& word) { return word.rfind("+A", 0) == 0 || word.rfind("+a", 0) == 0; });
@@ -129,8 +99,8 @@ Words povray_words(const PovJob& job, const std::string& output) {
     return words;
 }
 
-tl::expected<std::string, std::string> reference_key(const PovJob& job) {
-    uint64_t key = fingerprint(povray_version());
+tl::expected<std::string, std::string> reference_key(const CompareJob& job) {
+    uint64_t key = fingerprint(fmt::format("{} {}", job.against->name, job.against->version()));
     for (const std::string& word : povray_words(job, "")) key = fingerprint(word + '\0', key);
     std::vector<fs::path> folders{folder_of(job.scene)};
     for (const std::string& word : job.words)
@@ -147,23 +117,37 @@ tl::expected<std::string, std::string> reference_key(const PovJob& job) {
     return fmt::format("{:016x}", key);
 }
 
-tl::expected<Rendered, RenderFailure> povray_reference(const PovJob& job, const std::string& scratch) {
-    if (povray_version().empty()) return tl::unexpected(RenderFailure{true, true, "POV-Ray is not installed: its package is povray (and povray-includes)"});
+tl::expected<Rendered, RenderFailure> povray_reference(const CompareJob& job, const std::string& scratch) {
     if (!fs::is_regular_file(job.scene)) return failure(true, fmt::format("there is no file {}", job.scene));
     const auto key = reference_key(job);
     if (!key) return failure(true, key.error());
-    const std::string stem = fmt::format("{}/{}", job.cache, *key);
-    if (fs::exists(stem + ".png")) {
-        Words command{"povray"};
-        for (const std::string& word : povray_words(job, "picture.png")) command.push_back(word);
-        return Rendered{stem + ".png", std::move(command), kept_seconds(stem + ".seconds"), true};
+    const KeptPictures kept(job.cache, *key, ".png", 1);
+    if (auto found = kept.find()) {
+        found->command = {"povray"};
+        for (const std::string& word : povray_words(job, "picture.png")) found->command.push_back(word);
+        return *found;
     }
-    auto rendered = render(job, scratch, {"povray"}, true);
-    if (rendered) keep(*rendered, stem);
+    const auto folder = copied_folder(job, scratch);
+    if (!folder) return failure(true, folder.error());
+    auto rendered = render(job, *folder, scratch + "/picture.png", {"povray"}, true);
+    if (rendered) kept.keep(*rendered);
     return rendered;
 }
 
-tl::expected<Rendered, RenderFailure> povray_test(const PovJob& job, const std::string& scratch) { return render(job, scratch, {own_program(), "povray"}, false); }
+tl::expected<Rendered, RenderFailure> povray_test(const CompareJob& job, const std::string& scratch) {
+    const auto folder = copied_folder(job, scratch);
+    if (!folder) return failure(false, folder.error());
+    auto all = render(job, *folder, scratch + "/picture.png", {own_program(), "povray"}, false);
+    for (int seed = 1; all && seed < job.seeds; ++seed) {
+        const std::string own = fmt::format("{}/seed{}", scratch, seed);   // a folder of its own: the picture's name may get a number
+        std::error_code error;
+        if (!fs::create_directory(own, error)) return failure(false, fmt::format("cannot make the folder {}: {}", own, error.message()));
+        const auto one = render(job, *folder, own + "/picture.png", {own_program(), "povray", fmt::format("--seed={}", seed)}, false);
+        if (!one) return one;
+        all->more.push_back(one->picture), all->cpu_seconds += one->cpu_seconds;
+    }
+    return all;
+}
 
 const std::string& povray_version() {
     static const std::string version = [] {
@@ -176,13 +160,6 @@ const std::string& povray_version() {
         return run->output.substr(from, run->output.find_first_of(" \n", from) - from);
     }();
     return version;
-}
-
-std::string default_cache() {
-    const char* cache = std::getenv("XDG_CACHE_HOME");
-    const char* home = std::getenv("HOME");
-    if (cache && *cache) return std::string(cache) + "/alidade/references";
-    return home && *home ? std::string(home) + "/.cache/alidade/references" : (fs::temp_directory_path() / "alidade-references").string();
 }
 
 }  // namespace alidade

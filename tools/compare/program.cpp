@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tools/compare/program.h"
 
+#include "tools/verbs.h"
+
 #include <fcntl.h>
 #include <fmt/format.h>
 #include <spawn.h>
@@ -14,6 +16,8 @@
 #include <cstring>
 #include <filesystem>
 #include <fstream>
+#include <mutex>
+#include <set>
 #include <system_error>
 #include <thread>
 
@@ -25,6 +29,34 @@ namespace fs = std::filesystem;
 
 namespace {
 
+/// What an interruption has to clear away.
+struct Alive {
+    std::mutex mutex;
+    std::set<pid_t> programs;
+    std::set<std::string> folders;
+};
+
+/// Never destroyed: the thread that waits for signals may outlive main().
+Alive& alive() {
+    static Alive* all = new Alive;
+    return *all;
+}
+
+/// Waits for a signal, clears away and ends the process. The lock is kept: nothing new begins.
+[[noreturn]] void end_on(const sigset_t& signals) {
+    int signal = 0;
+    sigwait(&signals, &signal);
+    Alive& all = alive();
+    const std::scoped_lock lock(all.mutex);
+    for (const pid_t program : all.programs) ::kill(-program, SIGKILL);
+    for (const pid_t program : all.programs) waitpid(program, nullptr, 0);
+    std::error_code ignored;
+    for (const std::string& folder : all.folders) fs::remove_all(folder, ignored);
+    constexpr std::string_view kText = "alidade: interrupted\n";
+    [[maybe_unused]] const auto written = ::write(STDERR_FILENO, kText.data(), kText.size());
+    _exit(kInterrupted);
+}
+
 /// How the process is started: its streams, its folder, and a group of its own, so that what it starts ends with it.
 class Start {
   public:
@@ -34,7 +66,10 @@ class Start {
         posix_spawn_file_actions_addopen(&actions_, STDIN_FILENO, "/dev/null", O_RDONLY, 0);
         posix_spawn_file_actions_addopen(&actions_, STDOUT_FILENO, log.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0600);
         posix_spawn_file_actions_adddup2(&actions_, STDOUT_FILENO, STDERR_FILENO);
-        posix_spawnattr_setflags(&attributes_, POSIX_SPAWN_SETPGROUP);
+        sigset_t none;   // this process may wait for its signals; a program has to hear them
+        sigemptyset(&none);
+        posix_spawnattr_setsigmask(&attributes_, &none);
+        posix_spawnattr_setflags(&attributes_, POSIX_SPAWN_SETPGROUP | POSIX_SPAWN_SETSIGMASK);
         posix_spawnattr_setpgroup(&attributes_, 0);
     }
     ~Start() { posix_spawn_file_actions_destroy(&actions_), posix_spawnattr_destroy(&attributes_); }
@@ -45,8 +80,10 @@ class Start {
         for (const std::string& word : words) argv.push_back(const_cast<char*>(word.c_str()));
         argv.push_back(nullptr);
         pid_t pid = 0;
+        const std::scoped_lock lock(alive().mutex);
         const int error = posix_spawnp(&pid, argv[0], &actions_, &attributes_, argv.data(), environ);
         if (error) return tl::unexpected(fmt::format("cannot run {}: {}", words[0], std::strerror(error)));
+        alive().programs.insert(pid);
         return pid;
     }
 
@@ -71,6 +108,10 @@ void wait_for(pid_t pid, double timeout, ProgramRun& run) {
         ::kill(-pid, SIGKILL);
         wait4(pid, &status, 0, &usage);
         break;
+    }
+    {
+        const std::scoped_lock lock(alive().mutex);
+        alive().programs.erase(pid);
     }
     run.exit_code = WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
     run.cpu_seconds = seconds(usage.ru_utime) + seconds(usage.ru_stime);
@@ -98,6 +139,20 @@ tl::expected<ProgramRun, std::string> run_program(const std::vector<std::string>
     return run;
 }
 
+std::string complaint(const std::string& output) {
+    std::string last, found;
+    for (size_t begin = 0; begin < output.size();) {
+        const size_t end = std::min(output.find('\n', begin), output.size());
+        std::string line = output.substr(begin, end - begin);
+        begin = end + 1;
+        line.erase(std::remove_if(line.begin(), line.end(), [](char c) { return static_cast<unsigned char>(c) < 0x20; }), line.end());
+        if (line.find_first_not_of(' ') == line.npos) continue;
+        last = line;
+        if (found.empty() && (line.find("rror:") != line.npos || line.find("rror ") != line.npos)) found = line;
+    }
+    return found.empty() ? last : found;
+}
+
 std::string find_program(const std::string& name) {
     const char* path = std::getenv("PATH");
     std::string rest = path ? path : "";
@@ -113,15 +168,27 @@ std::string find_program(const std::string& name) {
 
 std::string own_program() { return fs::read_symlink("/proc/self/exe").string(); }
 
+void clean_up_on_signal() {
+    sigset_t signals;
+    sigemptyset(&signals);
+    for (const int signal : {SIGINT, SIGTERM, SIGHUP}) sigaddset(&signals, signal);
+    pthread_sigmask(SIG_BLOCK, &signals, nullptr);
+    std::thread([signals] { end_on(signals); }).detach();
+}
+
 ScratchFolder::ScratchFolder() {
     std::string name = (fs::temp_directory_path() / "alidade-XXXXXX").string();
+    const std::scoped_lock lock(alive().mutex);
     if (!::mkdtemp(name.data())) throw std::system_error(errno, std::generic_category(), "cannot make a temporary folder");
     path_ = name;
+    alive().folders.insert(path_);
 }
 
 ScratchFolder::~ScratchFolder() {
+    const std::scoped_lock lock(alive().mutex);
     std::error_code ignored;
     fs::remove_all(path_, ignored);
+    alive().folders.erase(path_);
 }
 
 }  // namespace alidade

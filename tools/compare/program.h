@@ -18,12 +18,19 @@ struct ProgramRun {
 /// Runs words[0], found along PATH, in `folder`, with an empty standard input. An error says why it could not be started.
 tl::expected<ProgramRun, std::string> run_program(const std::vector<std::string>& words, const std::string& folder, double timeout_seconds);
 
+/// The line of a program's output that says what went wrong, else its last.
+std::string complaint(const std::string& output);
+
 /// Where PATH has a program of this name, or "".
 std::string find_program(const std::string& name);
 /// This program's own file.
 std::string own_program();
 
-/// A folder for what is thrown away at the end of the scope.
+/// From now on SIGINT, SIGTERM and SIGHUP kill the programs that run, with what they have started, remove all scratch folders, and end this process with
+/// the exit code of an interruption. To be called before other threads are started.
+void clean_up_on_signal();
+
+/// A folder for what is thrown away at the end of the scope, or at the end of the program (clean_up_on_signal).
 class ScratchFolder {
   public:
     ScratchFolder();

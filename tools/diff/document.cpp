@@ -119,6 +119,10 @@ Picture heat_map(const Comparison& c) {
     const std::vector<float>& errors = (hdr == c.measured.end() ? c.measured.at("flip") : hdr->second).map;
     Picture out(c.loaded->pair.width(), c.loaded->pair.height(), {"R", "G", "B"});
     for (size_t p = 0; p < errors.size(); ++p) {
+        if (!c.marked.empty() && c.marked[p]) {
+            out.values[3 * p + 1] = 1;
+            continue;
+        }
         const double at = std::clamp(double(errors[p]), 0.0, 1.0) * (kColors.size() - 1);
         const size_t from = std::min(size_t(at), kColors.size() - 2);
         for (size_t k = 0; k < 3; ++k) out.values[3 * p + k] = float(srgb_to_linear(kColors[from][k] + (at - double(from)) * (kColors[from + 1][k] - kColors[from][k])));

@@ -18,6 +18,7 @@ struct Comparison {
     std::optional<Shift> shift;        ///< if it was asked for
     Judgement judgement;
     Cause cause;
+    std::vector<uint8_t> marked;       ///< pixels that heat_map() marks, one a pixel; empty for none
 };
 
 /// The versioned document: `schema` counts up when a key changes its meaning or goes.
@@ -27,7 +28,7 @@ std::string as_lines(const Comparison& comparison);
 /// A JUnit file: one test case a rule, or one that says why there is nothing to measure.
 std::string as_junit(const Comparison& comparison);
 
-/// FLIP's error map (HDR-FLIP's where there is one), from black over purple and orange to white.
+/// FLIP's error map (HDR-FLIP's where there is one), from black over purple and orange to white; marked pixels are green.
 Picture heat_map(const Comparison& comparison);
 
 }  // namespace alidade

@@ -116,7 +116,7 @@ std::string why_overwritten(const DiffRequest& request, std::vector<std::string>
 }
 
 Comparison compare_files(const std::string& reference, const std::string& test, const DiffRequest& asked) {
-    Comparison out{reference, test, {}, {}, {}, {}, {}, {}};
+    Comparison out{reference, test, {}, {}, {}, {}, {}, {}, {}};
     auto loaded = load_pair(reference, test, asked.pair);
     if (!loaded) {
         out.judgement = {loaded.error().incomparable ? Verdict::incomparable : Verdict::error, loaded.error().sentence, {}};

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tools/metrics/noise.h"
 
+#include "tools/metrics/student.h"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -11,22 +13,6 @@ namespace {
 constexpr int kTile = 16;
 constexpr size_t kLeastPixels = 8;
 constexpr double kFalseAlarms = 0.01;
-
-/// The normal deviate that a Student's t of `degrees` is as rare as, to 0.02 for 8 degrees and more.
-/// Source   Wallace, "Bounds on normal approximations to Student's and the chi-square distributions", Ann. Math. Statist. 30 (1959), section 3.
-double normal_deviate(double t, double degrees) {
-    return (8 * degrees + 1) / (8 * degrees + 3) * std::sqrt(degrees * std::log1p(t * t / degrees));
-}
-
-/// The z that |z| exceeds with this probability.
-double two_sided_limit(double probability) {
-    double low = 0, high = 40;
-    for (int i = 0; i < 60; ++i) {
-        const double middle = 0.5 * (low + high);
-        (std::erfc(middle / std::sqrt(2.0)) > probability ? low : high) = middle;
-    }
-    return low;
-}
 
 /// What is left over at the end belongs to the last whole tile.
 int end_of_tile(int begin, int size) { return begin + 2 * kTile > size ? size : begin + kTile; }
@@ -70,7 +56,7 @@ Noise measure_noise(const PicturePair& pair) {
                 out.largest_z = std::max(out.largest_z, z);
             }
     if (tests == 0 && differs(pair)) out.largest_z = std::numeric_limits<double>::infinity();   // too few pixels to know
-    out.limit = two_sided_limit(1 - std::pow(1 - kFalseAlarms, 1 / double(std::max<size_t>(tests, 1))));
+    out.limit = sidak_limit(kFalseAlarms, tests);
     return out;
 }
 
