@@ -59,7 +59,7 @@ void add_words(CLI::App& app, CompareWords& words) {
            if (!size) throw CLI::ValidationError("--size", size.error());
            job.width = size->width, job.height = size->height;
        }, "of the picture (320x240; a list may say its own)")->type_name("WxH");
-    app.add_option("--timeout", job.timeout, "seconds that a program has (600)")->type_name("SECONDS")->check(CLI::PositiveNumber);
+    app.add_option("--timeout", job.timeout, "seconds that a program has (600)")->type_name("SECONDS")->check(CLI::Range(0.001, 1e7));
     app.add_option("--cache", job.cache, fmt::format("the folder of the other programs' pictures, which are kept ({})", default_cache()))->type_name("DIR");
     app.add_option("--corpus", words.corpus.list, "compares a list of scenes: a CSV file with a column `path`, or a path a line")->type_name("LIST");
     app.add_option("--scenes", words.corpus.scenes, "the folder that the list's paths begin from (its own)")->type_name("DIR");
@@ -82,14 +82,6 @@ std::string as_one_line(const CLI::App& app) {
     return line;
 }
 
-/// A program that made no picture fails; one that is not there is an error of the machine.
-int exit_code(const SceneComparison& compared) {
-    const Verdict verdict = compared.comparison.judgement.verdict;
-    if (verdict != Verdict::error) return int(verdict);
-    fail(compared.comparison.judgement.reason);
-    return compared.missing_program ? int(Verdict::error) : int(Verdict::fail);
-}
-
 void print_rows(const std::vector<CorpusResult>& results) {
     for (const CorpusResult& result : results) {
         const auto text = [&](const char* key) { return result.document[key].get<std::string>(); };
@@ -110,6 +102,7 @@ int compare_one(const CompareWords& words) {
     auto written = write_files(compared.comparison, diff);
     if (written && !report.empty()) written = write_report(report, job.scene, *job.against, {report_pair(compared)});
     if (!written) return fail(written.error()), int(Verdict::error);
+    if (compared.comparison.judgement.verdict == Verdict::error) fail(compared.comparison.judgement.reason);
     return exit_code(compared);
 }
 
@@ -123,10 +116,7 @@ int compare_many(const CompareWords& words) {
     if (error) return fail(fmt::format("cannot make the folder {}: {}", words.corpus.out, error.message())), int(Verdict::error);
     const std::vector<CorpusResult> results = compare_corpus(words.corpus, *entries);
     int worst = 0;
-    for (const CorpusResult& result : results) {
-        const int code = result.document["exit_code"].get<int>();
-        worst = std::max(worst, code == int(Verdict::error) ? int(Verdict::fail) : code);
-    }
+    for (const CorpusResult& result : results) worst = std::max(worst, result.document["exit_code"].get<int>());
     Json all = Json::array();
     for (const CorpusResult& result : results) all.push_back(result.document);
     if (words.corpus.diff.json) fmt::print("{}", as_json_text(all));
@@ -153,9 +143,15 @@ int run_compare(const Verb& verb, const Words& given) {
     if (scene.empty() == corpus.list.empty()) return usage("give a SCENE, or --corpus LIST");
     if (!corpus.list.empty() && corpus.out.empty()) return usage("--corpus needs --out DIR");
     const ReferenceProgram& against = *corpus.defaults.against;
+    if (!corpus.list.empty() && !(corpus.diff.junit + corpus.diff.heatmap).empty()) return usage("--junit and --heatmap are for one SCENE; a list has --json and --report");
+    const bool one_of_ours = !scene.empty() && !is_povray_scene(scene);
+    if (one_of_ours && !corpus.defaults.words.empty()) return usage("the words after -- are POV-Ray's, and this is no scene of POV-Ray's: what they say cannot be said to both programs");
+    if (!scene.empty() && !std::filesystem::is_regular_file(scene)) return fail(fmt::format("there is no file '{}'", scene)), int(Verdict::error);
+    if (const std::string why = why_overwritten(corpus.diff, {scene, corpus.diff.pair.mask}); !why.empty()) return fail(why), int(Verdict::error);
     if (corpus.defaults.spp != 0 && !against.random) return usage(fmt::format("--spp says nothing to {}: its words, such as +A0.3, come after --", against.title));
     if (const std::string why = why_not_writable(corpus.diff); !why.empty()) return fail(why), int(Verdict::error);
     corpus.defaults.results = corpus.out;
+    corpus.defaults.cache = std::filesystem::absolute(corpus.defaults.cache).string();
     corpus.words = as_one_line(app);
     if (corpus.defaults.seeds == 1) set_default_rules(corpus.diff.rules, "pov");
     clean_up_on_signal();

@@ -68,8 +68,10 @@ class Compare(InFolder):
         self.assertEqual(said.returncode, 2)
         self.assertIn("POV-Ray made no picture", said.stderr)
         said = self.compare("absent.pov")
-        self.assertNotEqual(said.returncode, 0)
-        self.assertIn("there is no file absent.pov", said.stderr)
+        self.assertEqual(said.returncode, 4)
+        self.assertIn("there is no file 'absent.pov'", said.stderr)
+        told, code = self.document("broken.pov")
+        self.assertEqual((told["exit_code"], code), (2, 2))
         (self.folder / "endless.pov").write_text("#while (1) #end\n")
         said = self.compare("endless.pov", "--timeout", "1")
         self.assertEqual(said.returncode, 2)
@@ -106,6 +108,47 @@ class Compare(InFolder):
         self.assertEqual(again.stdout, said.stdout)
         self.assertGreater((self.folder / "out/report.html").stat().st_size, 10000)
         self.assertEqual(self.compare("--corpus", "list.csv", "--out", "out", "--where", "colour=red").returncode, 4)
+
+    def test_files_that_words_name_count(self):
+        library = pathlib.Path(self.enterContext(tempfile.TemporaryDirectory()))
+        (library / "color.inc").write_text("#declare C = rgb <1, 0, 0>;\n")
+        (self.folder / "tinted.pov").write_text(BALL.replace('#include "ground.inc"', '#include "color.inc"').replace("checker rgb <1, 0.2, 0.1>, rgb 0.8 scale 0.4", "C"))
+        (library / "words.ini").write_text(f"Library_Path={library}\n")
+        for words in (["--", f"Library_Path={library}"], ["--", str(library / "words.ini")]):
+            for color in ("<1, 0, 0>", "<0, 0, 1>"):
+                (library / "color.inc").write_text(f"#declare C = rgb {color};\n")
+                said = self.compare("tinted.pov", "--size", "40x30", "--json", *words)
+                self.assertEqual((json.loads(said.stdout)["grade"]["name"], said.returncode), ("exact", 0), words)
+
+    def test_names_that_povray_does_not_take(self):
+        shutil.copy(self.folder / "ball.pov", self.folder / "a 'ball' é.pov")
+        self.assertEqual(self.compare("a 'ball' é.pov", "--size", "40x30").returncode, 0)
+
+    def test_words_that_one_program_alone_would_take_are_refused(self):
+        said = self.compare(self.scene, "--", "+A0.1")
+        self.assertEqual(said.returncode, 4)
+        self.assertIn("this is no scene of POV-Ray's", said.stderr)
+        (self.folder / "list").write_text("ball.pov\n")
+        self.assertEqual(self.compare("--corpus", "list", "--out", "out", "--junit", "junit.xml").returncode, 4)
+
+    def test_rows_of_a_list_are_their_own(self):
+        (self.folder / "a").mkdir()
+        (self.folder / "a/ground.inc").write_text(GROUND)
+        (self.folder / "a/b.pov").write_text(BALL)
+        (self.folder / "a__b.pov").write_text(BALL.replace("<0, 0, 0>, 1", "<1, 0, 0>, 0.5"))
+        (self.folder / "list.csv").write_bytes("\ufeffstatus,path,width,height\nok,a/b.pov,40,30\nok,a__b.pov,40,30\nok,a/b.pov,32,24\nfailed,c.pov,1,1\n".encode())
+        words = ["--corpus", "list.csv", "--out", "out"]
+        self.assertEqual(run("compare", *words, "--cache", "cache", cwd=self.folder).returncode, 0)
+        rows = [json.loads(line) for line in (self.folder / "out/results.jsonl").read_text().splitlines()]
+        self.assertEqual(len({row["test_picture"] for row in rows}), 3)
+        self.assertIn("iVBORw0KGgo", (self.folder / "out/report.html").read_text(), "a relative cache is found from the report as well")
+        self.assertEqual(self.compare(*words).returncode, 0)
+        self.assertEqual(len((self.folder / "out/results.jsonl").read_text().splitlines()), 3, "all are kept")
+        self.assertEqual(self.compare(*words, "--require", "max_abs<0").returncode, 2, "other rules are another question")
+        (self.folder / "list.csv").write_text("path,width\na/b.pov,wide\n")
+        said = self.compare(*words)
+        self.assertEqual(said.returncode, 4)
+        self.assertIn("a/b.pov: the width 'wide' is not a number from 1 to 65535", said.stderr)
 
     def test_a_scene_is_found_however_it_is_named(self):
         shutil.copy(self.folder / "ball.pov", self.folder / "BALL.POV")

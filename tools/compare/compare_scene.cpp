@@ -8,6 +8,7 @@
 #include "tools/compare/program.h"
 #include "tools/output.h"
 #include "tools/povray_words.h"
+#include "tools/report/report.h"
 #include "tracer/render.h"
 
 #include <fmt/format.h>
@@ -22,12 +23,6 @@ namespace alidade {
 namespace fs = std::filesystem;
 
 namespace {
-
-bool is_povray_scene(const std::string& path) {
-    std::string ending = fs::path(path).extension().string();
-    std::transform(ending.begin(), ending.end(), ending.begin(), [](unsigned char c) { return char(std::tolower(c)); });
-    return ending == ".pov";
-}
 
 /// Both programs' pictures are made of random numbers, which are not the same ones.
 bool is_random(const Scene& scene, const Diagnostics& said) {
@@ -69,7 +64,7 @@ void fail_with(SceneComparison& out, const RenderFailure& failure) {
 }
 
 Json to_json(const Rendered& rendered) {
-    return {{"command", fmt::format("{}", fmt::join(rendered.command, " "))}, {"cpu_seconds", rendered.cpu_seconds}, {"from_cache", rendered.from_cache}};
+    return {{"command", shell_line(rendered.command)}, {"cpu_seconds", rendered.cpu_seconds}, {"from_cache", rendered.from_cache}};
 }
 
 using Scratch = std::pair<ScratchFolder, ScratchFolder>;   // the reference's, and ours
@@ -162,6 +157,17 @@ void compare_with_povray(SceneComparison& out, const Scratch& scratch, const Dif
 
 }  // namespace
 
+bool is_povray_scene(const std::string& path) {
+    std::string ending = fs::path(path).extension().string();
+    std::transform(ending.begin(), ending.end(), ending.begin(), [](unsigned char c) { return char(std::tolower(c)); });
+    return ending == ".pov";
+}
+
+int exit_code(const SceneComparison& compared) {
+    const Verdict verdict = compared.comparison.judgement.verdict;
+    return int(verdict == Verdict::error && !compared.missing_program ? Verdict::fail : verdict);
+}
+
 SceneComparison compare_scene(const Request& reading, const CompareJob& job, const DiffRequest& request) {
     SceneComparison out;
     out.job = job;
@@ -176,6 +182,7 @@ SceneComparison compare_scene(const Request& reading, const CompareJob& job, con
 
 Json to_json(const SceneComparison& c) {
     Json out = to_json(c.comparison);
+    out["exit_code"] = exit_code(c);
     out["scene"] = c.job.scene, out["against"] = c.job.against->name;
     if (c.seeds) out["noise"] = to_json(*c.seeds);
     out["grade"] = {{"name", name_of(c.graded.grade)}, {"rmse", c.graded.rmse}, {"over2", c.graded.over2}, {"envelope", c.graded.envelope}, {"noisy", c.noisy}};

@@ -28,6 +28,11 @@ struct SceneComparison {
 /// (its own name of a scene plays no part: job.scene is the scene).
 SceneComparison compare_scene(const Request& reading, const CompareJob& job, const DiffRequest& request);
 
+/// By its ending, in any case of letters.
+bool is_povray_scene(const std::string& path);
+/// Of the verb: the verdict's, but a program that made no picture fails; one that is not there is an error of the machine.
+int exit_code(const SceneComparison& compared);
+
 /// What `diff --json` tells, and the grade, the programs and what they cost.
 Json to_json(const SceneComparison& compared);
 std::string as_lines(const SceneComparison& compared);

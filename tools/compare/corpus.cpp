@@ -23,22 +23,26 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// "advanced__abyss.pov.png": a scene's picture in the folder of results.
-std::string picture_name(const std::string& name, const char* ending) {
-    std::string plain = name;
+/// One row of a list: the same scene may stand there in two sizes, or with other words.
+std::string row_id(const CorpusEntry& entry) { return fmt::format("{} {}x{} {}", entry.name, entry.job.width, entry.job.height, fmt::join(entry.job.words, " ")); }
+
+/// "advanced__abyss.pov-01234567.png": a row's picture in the folder of results.
+std::string picture_name(const CorpusEntry& entry, const char* ending) {
+    std::string plain = entry.name;
     for (size_t at; (at = plain.find('/')) != plain.npos;) plain.replace(at, 1, "__");
-    return plain + ending;
+    return fmt::format("{}-{:08x}{}", plain, uint32_t(fingerprint(row_id(entry))), ending);
 }
 
-/// Results of an earlier run, by scene.
+/// Results of an earlier run, by row.
 std::map<std::string, Json> earlier_results(const std::string& path) {
     std::map<std::string, Json> results;
     std::ifstream file(path);
     for (std::string line; std::getline(file, line);) {
         Json row = Json::parse(line, nullptr, false);   // a line that was cut short by a kill is none
-        if (!row.is_object() || !row.contains("name") || !row.contains("key")) continue;
-        const std::string name = row["name"].get<std::string>();
-        results[name] = std::move(row);
+        const auto is_text = [&](const char* key) { return row.is_object() && row.contains(key) && row[key].is_string(); };
+        if (!is_text("row") || !is_text("key") || !is_text("verdict")) continue;
+        const std::string id = row["row"].get<std::string>();
+        results[id] = std::move(row);
     }
     return results;
 }
@@ -76,8 +80,8 @@ class Run {
     void one(size_t i) {
         const CorpusEntry& entry = entries_[i];
         const std::string key = key_of(entry, program_, request_.words);
-        const auto before = earlier_.find(entry.name);
-        const bool kept = before != earlier_.end() && before->second["key"] == key;
+        const auto before = earlier_.find(row_id(entry));
+        const bool kept = before != earlier_.end() && before->second["key"] == key && is_whole(before->second);
         CorpusResult result{entry, kept ? before->second : compared(entry, key), kept};
         const std::scoped_lock lock(mutex_);
         if (!kept) log_ << result.document.dump(-1, ' ', false, Json::error_handler_t::replace) << "\n" << std::flush;
@@ -85,26 +89,28 @@ class Run {
         progress_.update(++done_, entries_.size());
     }
 
+    /// What made no picture is tried again, and what has lost one.
+    bool is_whole(const Json& document) const {
+        const auto there = [&](const char* key) { return document.contains(key) && document[key].is_string() && fs::exists(fs::path(request_.out) / document[key].get<std::string>()); };
+        return document["verdict"] != "error" && there("test_picture") && there("reference_picture");
+    }
+
     Json compared(const CorpusEntry& entry, const std::string& key) const {
         DiffRequest diff = request_.diff;
         diff.pair.threads = 1;
         const SceneComparison scene = compare_scene(request_.reading, entry.job, diff);
         Json out = to_json(scene);
-        out["name"] = entry.name, out["group"] = entry.group, out["key"] = key;
-        if (!scene.test) return out;
-        const auto bytes = read_file(scene.test->picture);
-        const std::string name = picture_name(entry.name, entry.job.against->ending);
-        if (bytes && write_file(request_.out + "/" + name, *bytes)) out["test_picture"] = name;
-        if (scene.reference) out["reference_picture"] = kept_reference(scene, name);
+        out["name"] = entry.name, out["group"] = entry.group, out["row"] = row_id(entry), out["key"] = key;
+        if (!scene.test || !scene.reference) return out;
+        const std::string name = picture_name(entry, entry.job.against->ending);
+        if (keep(scene.test->picture, name)) out["test_picture"] = name;
+        if (keep(scene.reference->picture, "reference__" + name)) out["reference_picture"] = "reference__" + name;
         return out;
     }
 
-    /// The reference lies in the cache; if that could not be written it is kept here.
-    std::string kept_reference(const SceneComparison& scene, const std::string& name) const {
-        if (scene.reference->from_cache) return scene.reference->picture;
-        const std::string there = "reference__" + name;
-        const auto bytes = read_file(scene.reference->picture);
-        return bytes && write_file(request_.out + "/" + there, *bytes) ? there : "";
+    bool keep(const std::string& picture, const std::string& name) const {
+        const auto bytes = read_file(picture);
+        return bytes && write_file(request_.out + "/" + name, *bytes);
     }
 
     const CorpusRequest& request_;

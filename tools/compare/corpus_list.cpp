@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <charconv>
 #include <filesystem>
 #include <fstream>
@@ -16,6 +17,8 @@ namespace fs = std::filesystem;
 namespace {
 
 using Row = std::map<std::string, std::string>;
+
+constexpr int kMostPixels = 65535;   // a side
 
 /// The cells of a line of CSV (RFC 4180, without line breaks inside of quotes).
 std::vector<std::string> cells_of(const std::string& line) {
@@ -60,11 +63,16 @@ tl::expected<bool, std::string> keeps(const Row& row, const std::string& conditi
     return value && (condition[sign] == '<' ? *value <= *limit : *value >= *limit);
 }
 
-CorpusEntry entry_of(const CorpusRequest& request, const fs::path& folder, Row& row) {
+/// An error is one sentence.
+tl::expected<CorpusEntry, std::string> entry_of(const CorpusRequest& request, const fs::path& folder, Row& row) {
     CorpusEntry entry{request.defaults, row["path"], row["category"]};
     entry.job.scene = (folder / row["path"]).string();
     for (const auto& [column, target] : {std::pair("width", &entry.job.width), std::pair("height", &entry.job.height)})
-        if (const auto value = number(row[column]); value && *value >= 1) *target = int(*value);
+        if (const std::string& cell = row[column]; !cell.empty()) {
+            const auto value = number(cell);
+            if (!value || !(*value >= 1 && *value <= kMostPixels)) return tl::unexpected(fmt::format("{}: the {} '{}' is not a number from 1 to {}", row["path"], column, cell, kMostPixels));
+            *target = int(*value);
+        }
     for (const std::string& word : split(row["frame_args"], ' ')) entry.job.words.push_back(word);
     for (const std::string& word : split(row["extra_library_dirs"], ';')) entry.job.words.push_back("+L" + word);
     return entry;
@@ -79,9 +87,10 @@ tl::expected<std::vector<CorpusEntry>, std::string> read_corpus(const CorpusRequ
     std::vector<std::string> columns;
     std::vector<CorpusEntry> entries;
     for (std::string line; std::getline(file, line);) {
+        if (columns.empty() && line.starts_with("\xEF\xBB\xBF")) line.erase(0, 3);   // UTF-8's mark, as spreadsheets write it
         const std::vector<std::string> cells = cells_of(line);
-        if (cells[0].empty() || cells[0][0] == '#') continue;
-        if (columns.empty() && cells[0] == "path") {
+        if (std::all_of(cells.begin(), cells.end(), [](const std::string& cell) { return cell.empty(); }) || cells[0].starts_with('#')) continue;
+        if (columns.empty() && std::find(cells.begin(), cells.end(), "path") != cells.end()) {
             columns = cells;
             continue;
         }
@@ -94,7 +103,10 @@ tl::expected<std::vector<CorpusEntry>, std::string> read_corpus(const CorpusRequ
             if (!kept) return tl::unexpected(kept.error());
             counts = counts && *kept;
         }
-        if (counts) entries.push_back(entry_of(request, folder, row));
+        if (!counts) continue;
+        auto entry = entry_of(request, folder, row);
+        if (!entry) return tl::unexpected(entry.error());
+        entries.push_back(std::move(*entry));
     }
     if (entries.empty()) return tl::unexpected(fmt::format("{} lists no scene that counts", request.list));
     return entries;

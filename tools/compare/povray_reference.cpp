@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <fstream>
 #include <set>
 
 namespace alidade {
@@ -49,6 +50,38 @@ std::vector<fs::path> files_below(const CompareJob& job, const fs::path& folder,
     return files;
 }
 
+/// In any case of letters; `word` is in lower case.
+bool begins_with(const std::string& text, std::string_view word) {
+    return text.size() >= word.size() && std::equal(word.begin(), word.end(), text.begin(), [](char a, char b) { return a == std::tolower(static_cast<unsigned char>(b)); });
+}
+
+/// What the scene is called in copies of its folder: POV-Ray takes no blanks, quotes or letters beyond ASCII after +I.
+std::string name_in_copy(const CompareJob& job) {
+    const std::string name = fs::path(job.scene).filename().string();
+    const bool plain = std::all_of(name.begin(), name.end(), [](char c) { return std::isalnum(static_cast<unsigned char>(c)) || c == '.' || c == '_' || c == '-' || c == '+'; });
+    return plain ? name : "alidade_compared_scene.pov";
+}
+
+/// The folders that a word, or a line of an .ini file, adds to POV-Ray's library.
+void add_library(const fs::path& folder, const std::string& word, std::vector<fs::path>& out) {
+    const size_t equal = word.find('=');
+    if (begins_with(word, "+l") || begins_with(word, "-l")) out.push_back(folder / word.substr(2));   // an absolute one stays as it is
+    if (begins_with(word, "library_path") && equal != word.npos) {
+        std::string path = word.substr(equal + 1);
+        std::erase_if(path, [](char c) { return c == '"' || c == '\r'; });
+        path.erase(0, path.find_first_not_of(" \t"));
+        out.push_back(folder / path);
+    }
+}
+
+/// The file of a word that is an .ini, "file.ini" or "file.ini[section]", or "".
+fs::path ini_of(const fs::path& folder, const std::string& word) {
+    if (word.empty() || word[0] == '+' || word[0] == '-' || word.find('=') != word.npos) return {};
+    const fs::path file = folder / word.substr(0, word.find('['));
+    std::error_code ignored;
+    return fs::is_regular_file(file, ignored) ? file : fs::path();
+}
+
 tl::expected<std::string, std::string> copied_folder(const CompareJob& job, const std::string& scratch) {
     bool too_large = false;
     const fs::path from = folder_of(job.scene), to = fs::path(scratch) / "scene";
@@ -60,6 +93,9 @@ tl::expected<std::string, std::string> copied_folder(const CompareJob& job, cons
         fs::create_directories(copy.parent_path(), error);
         if (!fs::copy_file(file, copy, fs::copy_options::overwrite_existing, error)) return tl::unexpected(fmt::format("cannot copy {}: {}", file.string(), error.message()));
     }
+    const std::string name = name_in_copy(job);
+    if (name != fs::path(job.scene).filename() && !fs::copy_file(job.scene, to / name, fs::copy_options::overwrite_existing, error))
+        return tl::unexpected(fmt::format("cannot copy {}: {}", job.scene, error.message()));
     return to.string();
 }
 
@@ -92,8 +128,8 @@ tl::expected<Rendered, RenderFailure> render(const CompareJob& job, const std::s
 
 Words povray_words(const CompareJob& job, const std::string& output) {
     Words words = job.words;
-    for (const std::string& word : {"+I" + fs::path(job.scene).filename().string(), fmt::format("+W{}", job.width), fmt::format("+H{}", job.height)}) words.push_back(word);
-    const bool antialiased = std::any_of(job.words.begin(), job.words.end(), [](const std::string& word) { return word.rfind("+A", 0) == 0 || word.rfind("+a", 0) == 0; });
+    for (const std::string& word : {"+I" + name_in_copy(job), fmt::format("+W{}", job.width), fmt::format("+H{}", job.height)}) words.push_back(word);
+    const bool antialiased = std::any_of(job.words.begin(), job.words.end(), [](const std::string& word) { return begins_with(word, "+a") || begins_with(word, "antialias"); });
     if (!antialiased) words.emplace_back("-A");
     for (const std::string& word : {std::string("+WT1"), std::string("-D"), std::string("-P"), std::string("+FN8"), "+O" + output}) words.push_back(word);
     return words;
@@ -103,8 +139,13 @@ tl::expected<std::string, std::string> reference_key(const CompareJob& job) {
     uint64_t key = fingerprint(fmt::format("{} {}", job.against->name, job.against->version()));
     for (const std::string& word : povray_words(job, "")) key = fingerprint(word + '\0', key);
     std::vector<fs::path> folders{folder_of(job.scene)};
-    for (const std::string& word : job.words)
-        if (word.size() > 2 && (word[0] == '+' || word[0] == '-') && (word[1] == 'L' || word[1] == 'l')) folders.push_back(folders[0] / word.substr(2));   // an absolute one stays as it is
+    for (const std::string& word : job.words) {
+        add_library(folders[0], word, folders);
+        const fs::path ini = ini_of(folders[0], word);
+        if (ini.empty()) continue;
+        std::ifstream lines(ini);
+        for (std::string line; std::getline(lines, line); key = fingerprint(line + '\n', key)) add_library(folders[0], line, folders);
+    }
     for (const fs::path& folder : folders) {
         bool too_large = false;
         for (const fs::path& file : files_below(job, folder, too_large)) {
