@@ -126,6 +126,7 @@ void compare_exported(const Request& given, SceneComparison& out, const Scratch&
     if (!reading) return fail_with(out, {false, false, reading.error()});
     Loaded loaded = load(*reading);
     if (!loaded.scene) return fail_with(out, {false, false, loaded.said.text()});
+    loaded.scene->animations.clear();   // what has been posed stands; a program that plays them would show another moment
     CompareJob exported = out.job;
     const std::string& folder = scratch.first.path();
     exported.scene = fmt::format("{}/exported/{}", folder, out.job.against->exported);
