@@ -74,6 +74,12 @@ Json to_json(const Rendered& rendered) {
 
 using Scratch = std::pair<ScratchFolder, ScratchFolder>;   // the reference's, and ours
 
+/// Antialiasing moves its rays at random, unless it is told not to.
+bool is_jittered(const CompareJob& job) {
+    const auto words = parse_povray_words(povray_words(job, "none.png"));
+    return words && words->antialias && words->jitter;
+}
+
 std::string as_title(const ReferenceProgram& program) { return fmt::format("{} {}", program.title, program.version()); }
 
 void compare_pictures(SceneComparison& out, const DiffRequest& request) {
@@ -82,7 +88,7 @@ void compare_pictures(SceneComparison& out, const DiffRequest& request) {
     if (measured) out.graded = grade(out.comparison.loaded->pair, out.noisy);
     else if (out.comparison.judgement.verdict == Verdict::incomparable) out.graded.grade = Grade::off;
     if (measured && out.job.seeds > 1) {
-        auto seeds = compare_seeds(*out.reference, *out.test, out.noisy, request, out.comparison);
+        auto seeds = compare_seeds(*out.reference, *out.test, out.noisy || is_jittered(out.job), request, out.comparison);
         if (!seeds) return fail_with(out, {false, false, seeds.error()});
         out.seeds = std::move(*seeds);
     }
