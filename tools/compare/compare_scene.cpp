@@ -69,6 +69,12 @@ Json to_json(const Rendered& rendered) {
 
 using Scratch = std::pair<ScratchFolder, ScratchFolder>;   // the reference's, and ours
 
+/// Antialiasing moves its rays at random, unless it is told not to.
+bool is_jittered(const CompareJob& job) {
+    const auto words = parse_povray_words(povray_words(job, "none.png"));
+    return words && words->antialias && words->jitter;
+}
+
 std::string as_title(const ReferenceProgram& program) { return fmt::format("{} {}", program.title, program.version()); }
 
 void compare_pictures(SceneComparison& out, const DiffRequest& request) {
@@ -77,7 +83,7 @@ void compare_pictures(SceneComparison& out, const DiffRequest& request) {
     if (measured) out.graded = grade(out.comparison.loaded->pair, out.noisy);
     else if (out.comparison.judgement.verdict == Verdict::incomparable) out.graded.grade = Grade::off;
     if (measured && out.job.seeds > 1) {
-        auto seeds = compare_seeds(*out.reference, *out.test, out.noisy, request, out.comparison);
+        auto seeds = compare_seeds(*out.reference, *out.test, out.noisy || is_jittered(out.job), request, out.comparison);
         if (!seeds) return fail_with(out, {false, false, seeds.error()});
         out.seeds = std::move(*seeds);
     }
@@ -123,6 +129,7 @@ void compare_exported(const Request& given, SceneComparison& out, const Scratch&
     if (!reading) return fail_with(out, {false, false, reading.error()});
     Loaded loaded = load(*reading);
     if (!loaded.scene) return fail_with(out, {false, false, loaded.said.text()});
+    loaded.scene->animations.clear();   // what has been posed stands; a program that plays them would show another moment
     CompareJob exported = out.job;
     const std::string& folder = scratch.first.path();
     exported.scene = fmt::format("{}/exported/{}", folder, out.job.against->exported);

@@ -53,7 +53,7 @@ tl::expected<Rendered, RenderFailure> render(const CompareJob& job, const Json& 
     for (const auto& [file, text] : {std::pair(kScript, std::string(kCyclesScript)), std::pair(kJob, told.dump())})
         if (const auto written = write_file(fmt::format("{}/{}", scratch, file), std::as_bytes(std::span(text))); !written) return failure(written.error());
     Words words = command(scratch + "/");
-    words.insert(words.begin(), {"env", search_path()});
+    words.insert(words.begin(), {"env", search_path(), "TMPDIR=" + scratch});   // what it leaves there when it is killed goes with the folder
     const auto run = run_program(words, scratch, job.timeout);
     if (!run) return failure(run.error());
     if (run->timed_out) return failure(fmt::format("Cycles made no picture in {} s", job.timeout));

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 /// Pictures whose noise is known: how often the test of pixels is wrong, and what it finds.
+#include "core/vec.h"
 #include "tests/tools/metrics/pairs.h"
 #include "tools/metrics/seed_noise.h"
 #include "tools/metrics/student.h"
