@@ -97,6 +97,12 @@ Result<void> check_size(uint64_t width, uint64_t height, uint64_t channels, size
 
 }  // namespace image
 
+tl::expected<StoredPicture, std::string> decode_stored_picture(std::span<const std::byte> bytes) try {
+    return decode_stored(bytes);
+} catch (const std::bad_alloc&) {
+    return tl::unexpected(std::string(kNoMemory));
+}
+
 tl::expected<Picture, std::string> decode_picture(std::span<const std::byte> bytes, Encoding encoding) try {
     Result<Stored> stored = decode_stored(bytes);
     if (!stored) return tl::unexpected(std::move(stored.error()));
@@ -114,14 +120,12 @@ tl::expected<Picture, std::string> read_picture(const std::string& path, Encodin
     return picture;
 }
 
-tl::expected<StoredPicture, std::string> read_stored_picture(const std::string& path) try {
+tl::expected<StoredPicture, std::string> read_stored_picture(const std::string& path) {
     const auto bytes = read_file(path);
     if (!bytes) return tl::unexpected(bytes.error());
-    Result<Stored> stored = decode_stored(*bytes);
+    auto stored = decode_stored_picture(*bytes);
     if (!stored) return tl::unexpected(fmt::format("cannot read {}: {}", path, stored.error()));
     return stored;
-} catch (const std::bad_alloc&) {
-    return tl::unexpected(fmt::format("cannot read {}: {}", path, kNoMemory));
 }
 
 tl::expected<std::vector<std::byte>, std::string> encode_picture(const Picture& picture, const std::string& ending) try {

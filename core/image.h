@@ -43,8 +43,12 @@ struct StoredPicture {
     Picture picture;
     uint32_t levels = 0;   ///< values are k / levels with k = 0 .. levels; 0: they are floats
     double gamma = 0;      ///< of a PNG that says by a gAMA chunk, without an sRGB chunk: stored = linear ^ gamma; 0: it does not say
+    bool srgb = false;     ///< of a PNG that has an sRGB chunk
+    std::vector<uint8_t> palette = {};   ///< of a PNG with a palette: the number of each pixel's colour
 };
 tl::expected<StoredPicture, std::string> read_stored_picture(const std::string& path);
+/// The same for a picture held in memory.
+tl::expected<StoredPicture, std::string> decode_stored_picture(std::span<const std::byte> bytes);
 
 /// Writes `picture`, linear and premultiplied by alpha, by the ending of `path`: .exr (float, every channel, names as layers); .png (8 bit,
 /// sRGB-encoded, colour and alpha only); .ppm (the same without alpha: over black); .pfm (float, colour only, over black); others through the

@@ -32,6 +32,8 @@ void add_node_losses(const Node& node, Losses& losses) {
 
 void add_common_losses(const Scene& scene, Losses& losses) {
     for (const Node& node : scene.nodes) add_node_losses(node, losses);
+    for (const ShapeEntry& shape : scene.shapes)
+        if (const auto* mesh = std::get_if<Mesh>(&shape.geometry)) losses.add("meshes that mix textures over triangles", !mesh->corner_slots.empty(), "the first corner's");
     const Atmosphere& a = scene.atmosphere;
     losses.add("environments", size_t(a.environment.has_value()) + a.environment_image.has_value());
     losses.add("backgrounds", !is_black(a.background));

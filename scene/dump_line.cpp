@@ -48,6 +48,26 @@ void put(std::string& out, WarpKind kind) {
     out += kNames[size_t(kind)];
 }
 
+void put(std::string& out, PictureMap map) {
+    static constexpr const char* kNames[] = {"planar", "spherical", "cylindrical", "toroidal"};
+    out += kNames[size_t(map)];
+}
+
+void put(std::string& out, PictureFilter filter) {
+    static constexpr const char* kNames[] = {"none", "bilinear", "bicubic", "distance"};
+    out += kNames[size_t(filter)];
+}
+
+void put(std::string& out, PictureCode code) {
+    static constexpr const char* kNames[] = {"stored", "told_or_srgb", "told_or_stored", "srgb", "power"};
+    out += kNames[size_t(code)];
+}
+
+void put(std::string& out, PictureValue value) {
+    static constexpr const char* kNames[] = {"grey", "transmission", "palette"};
+    out += kNames[size_t(value)];
+}
+
 void put(std::string& out, NoiseGenerator generator) { put(out, int(generator)); }
 
 void put(std::string& out, Wave wave) {

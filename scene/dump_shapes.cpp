@@ -63,7 +63,7 @@ template <class T> void dump_attribute(std::string& out, const std::string& name
 void dump_mesh(std::string& out, const std::string& head, const ShapeEntry& entry, const Mesh& mesh, MeshLists how) {
     Line(out, head).word("mesh").field("name", entry.name).field("origin", mesh.origin).field("from", entry.from);
     Line(out, "  positions").list("values", mesh.positions, how).list("exact", mesh.exact_positions, how);
-    Line(out, "  triangles").list("vertices", mesh.triangles, how).list("slots", mesh.slots, how).list("faces", mesh.faces, how);
+    Line(out, "  triangles").list("vertices", mesh.triangles, how).list("slots", mesh.slots, how).list("corner_slots", mesh.corner_slots, how).list("faces", mesh.faces, how);
     dump_attribute(out, "normals", mesh.normals, how);
     for (size_t i = 0; i < mesh.uvs.size(); ++i) dump_attribute(out, fmt::format("uv {}", i), mesh.uvs[i], how);
     dump_attribute(out, "tangents", mesh.tangents, how);

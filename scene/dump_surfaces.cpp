@@ -37,13 +37,21 @@ class SignalDump {
   private:
     void pattern(std::string_view head, const PatternSignal& s) const {
         const PatternSignal usual;
-        Line(out_, head).word("pattern").always("pattern", s.pattern).field("parameters", s.parameters).field("source", s.source).field("turbulence", s.turbulence.amount, usual.turbulence.amount)
+        Line(out_, head).word("pattern").always("pattern", s.pattern).field("parameters", s.parameters).field("source", s.source).field("uv_mapped", s.uv_mapped).field("turbulence", s.turbulence.amount, usual.turbulence.amount)
             .field("octaves", s.turbulence.octaves, usual.turbulence.octaves).field("omega", s.turbulence.omega, usual.turbulence.omega)
             .field("lambda", s.turbulence.lambda, usual.turbulence.lambda).field("noise", s.noise, usual.noise).field("wave", s.wave)
             .field("wave_exponent", s.wave_exponent, usual.wave_exponent).field("frequency", s.frequency).field("phase", s.phase).field("from", from_);
+        if (s.picture) picture(*s.picture);
         for (const MapEntry& entry : s.map) Line(out_, "  map").always("value", entry.value).always("signal", entry.signal);
         for (const Warp& warp : s.warps)
             Line(out_, "  warp").always("kind", warp.kind).field("transform", warp.transform).field("parameters", warp.parameters);
+    }
+
+    void picture(const PatternPicture& p) const {
+        const PatternPicture usual;
+        Line(out_, "  picture").always("image", p.image).field("map", p.map, usual.map).field("filter", p.filter, usual.filter).field("code", p.code, usual.code).field("gamma", p.gamma, usual.gamma).field("scene_gamma", p.scene_gamma, usual.scene_gamma)
+            .field("once", p.once).field("premultiplied", p.premultiplied).field("value", p.value, usual.value);
+        for (const PatternPicture::Clearing& c : p.clearings) Line(out_, "  clearing").field("color", c.color).field("filter", c.filter).field("transmit", c.transmit);
     }
 
     std::string& out_;
@@ -103,7 +111,7 @@ void dump_surfaces(std::string& out, const Scene& scene) {
         std::visit(SignalDump(out, fmt::format("signal {}", i), scene.signals[i]), scene.signals[i].what);
     for (size_t i = 0; i < scene.materials.size(); ++i) {
         const Material& m = scene.materials[i];
-        Line(out, fmt::format("material {}", i)).field("name", m.name).field("uv_mapped", m.uv_mapped).field("from", m.from);
+        Line(out, fmt::format("material {}", i)).field("name", m.name).field("from", m.from);
         for (const auto& layer : m.layers) std::visit([&](const auto& surface) { dump_layer(out, surface); }, layer);
     }
     for (size_t i = 0; i < scene.interiors.size(); ++i) dump_interior(out, i, scene.interiors[i]);

@@ -85,11 +85,48 @@ struct Turbulence {
 
 enum class Wave { ramp, sine, triangle, scallop, cubic, poly };
 
+/// How POV-Ray lays a picture out in space (its `map_type` 0, 1, 2, 5): on the plane z = 0 from <0, 0> to <1, 1>; around the y axis as on a sphere, a cylinder of
+/// height 1 or a torus of major radius 1.
+enum class PictureMap { planar, spherical, cylindrical, toroidal };
+/// Between pixels (`interpolate`: none, 2, 3, 4): `distance` weighs the four nearest by 1 / distance^2.
+enum class PictureFilter { none, bilinear, bicubic, distance };
+/// What a picture's stored numbers are: `told` is what the file says by itself, and where it does not, what stands behind the word.
+enum class PictureCode { stored, told_or_srgb, told_or_stored, srgb, power };
+/// Which of a picture's numbers make a pattern.
+enum class PictureValue { grey, transmission, palette };
+
+/// The pattern whose colours are a picture's, without a map.
+inline constexpr const char* kImageMap = "image_map";
+
+/// A picture in space, of the patterns that show one (POV-Ray's manual, 3.4.7.6 "Image Map").
+struct PatternPicture {
+    ImageId image;
+    PictureMap map = PictureMap::planar;
+    PictureFilter filter = PictureFilter::none;
+    PictureCode code = PictureCode::stored;
+    double gamma = 1;                 ///< of PictureCode::power: linear = stored ^ gamma
+    bool scene_gamma = true;          ///< what was decoded becomes what the scene calculates with (RenderSettings::assumed_gamma); false: it stays linear
+    bool once = false;                ///< it is not repeated: nothing is around it
+    bool premultiplied = false;       ///< the file's colours are multiplied by its alpha
+    PictureValue value = PictureValue::grey;
+    /// Colours become transparent by this much more: the one with a number in the palette, or all.
+    struct Clearing {
+        std::optional<int> color;
+        double filter = 0, transmit = 0;
+        friend bool operator==(const Clearing&, const Clearing&) = default;
+    };
+    std::vector<Clearing> clearings;
+
+    friend bool operator==(const PatternPicture&, const PatternPicture&) = default;
+};
+
 /// A pattern of the point (a name in the pattern registry, eval/patterns/registry.h) mapped to signals.
 struct PatternSignal {
     std::string pattern;
     std::vector<double> parameters;        ///< in the order of the pattern's row; what is left out at the end has the row's default
     std::optional<SignalId> source;        ///< of `pigment_pattern`: the pigment whose grey is the pattern's number
+    std::optional<PatternPicture> picture; ///< of `image_map`, `image_pattern` and `bump_map`, and of nothing else
+    bool uv_mapped = false;                ///< looked up at (u, v, 0) of the surface (v upwards), and not at the point
     std::vector<MapEntry> map;             ///< in the order of the file, which is not sorted; of `average`, the values are weights
     std::vector<Warp> warps;               ///< in the order of the file: the last is undone first
     Turbulence turbulence;                 ///< the `turbulence` outside of warps: applied after all of them
@@ -172,7 +209,6 @@ struct PovTextureMap {
 struct Material {
     std::string name;
     std::vector<std::variant<GltfPbr, PovFinish, PovTextureMap>> layers;
-    bool uv_mapped = false;   ///< POV: patterns are looked up at (u, v, 0)
     SourcePos from;
 };
 

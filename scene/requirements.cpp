@@ -151,6 +151,7 @@ class Collector {
 
     void signal(const Signal& s) {
         if (std::holds_alternative<ImageSignal>(s.what)) need(Requirement::textures, s.from);
+        if (const PatternSignal* pattern = pattern_of(s); pattern && pattern->picture) need(Requirement::textures, s.from);
         if (std::holds_alternative<PatternSignal>(s.what) || std::holds_alternative<ReliefSignal>(s.what)) need(Requirement::patterns, s.from);
         if (std::holds_alternative<FunctionSignal>(s.what)) need(Requirement::functions, s.from);
     }

@@ -118,8 +118,11 @@ Vec3 normal_of(const Polygon& polygon) {
 
 uint32_t slot_count(const ShapeGeometry& geometry) {
     const Mesh* mesh = std::get_if<Mesh>(&geometry);
-    if (!mesh || mesh->slots.empty()) return 1;
-    return *std::max_element(mesh->slots.begin(), mesh->slots.end()) + 1;
+    uint32_t last = 0;
+    if (!mesh) return 1;
+    for (const auto* slots : {&mesh->slots, &mesh->corner_slots})
+        if (!slots->empty()) last = std::max(last, *std::max_element(slots->begin(), slots->end()));
+    return last + 1;
 }
 
 }  // namespace alidade

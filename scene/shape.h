@@ -124,6 +124,7 @@ struct Mesh {
     std::vector<Vec3> exact_positions;      ///< empty, or as many as positions: the file's numbers where float rounds them (--precision double)
     std::vector<Index3> triangles;          ///< into positions; counter-clockwise seen from the front
     std::vector<uint32_t> slots;            ///< the material slot of each triangle; empty: all 0
+    std::vector<uint32_t> corner_slots;     ///< empty, or 3 x triangles: the slots whose light is mixed over a triangle (POV-Ray's texture_list)
     std::vector<uint32_t> faces;            ///< the polygon of the file that each triangle came from; empty: itself
     Attribute<Vec3f> normals;               ///< absent: flat
     std::vector<Attribute<Vec2f>> uvs;      ///< one a texture coordinate set, v growing downwards (glTF's convention)

@@ -90,7 +90,8 @@ class ShapeCheck {
         if (!is_finite(mesh.origin)) return not_finite();
         if (!positions(mesh)) return;
         per_triangle(mesh.slots, mesh, "material slots");
-        if (!mesh.slots.empty() && *std::max_element(mesh.slots.begin(), mesh.slots.end()) >= kMostSlots) error(fmt::format("has a material slot beyond {}", kMostSlots - 1));
+        if (!mesh.corner_slots.empty() && mesh.corner_slots.size() != 3 * mesh.triangles.size()) error(fmt::format("has {} material slots of corners for {} triangles", mesh.corner_slots.size(), mesh.triangles.size()));
+        if (slot_count(mesh) > kMostSlots) error(fmt::format("has a material slot beyond {}", kMostSlots - 1));
         per_triangle(mesh.faces, mesh, "face numbers");
         attribute(mesh.normals, mesh, "normals");
         attribute(mesh.tangents, mesh, "tangents");

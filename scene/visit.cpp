@@ -85,6 +85,8 @@ bool lets_light_through(const Scene& scene, SignalId root) {
     return std::any_of(read.begin(), read.end(), [&](SignalId id) {
         const auto& what = scene.signals[id.index].what;
         const auto* constant = std::get_if<ConstantSignal>(&what);
+        const auto* pattern = std::get_if<PatternSignal>(&what);
+        if (pattern && pattern->picture && pattern->pattern == kImageMap) return true;
         return constant ? constant->filter != 0 || constant->transmit != 0 : std::holds_alternative<ImageSignal>(what);
     });
 }

@@ -42,7 +42,6 @@ struct SlotMaterial {
 /// Where a material's patterns are looked up.
 struct PatternSpace {
     Transform to_world, from_world;   ///< from and into the space of the node that carries the material
-    bool uv_mapped = false;           ///< at (u, v, 0) instead
 };
 
 /// One path from a root to a node with a shape.

@@ -206,7 +206,7 @@ uint32_t MaterialTable::space(const CarriedMaterial& carried, const std::vector<
     for (size_t i = 0; i <= carried.carrier; ++i) to_world = to_world * out_.scene.nodes[path[i].index].to_parent;
     const auto from_world = inverse(to_world);
     if (!from_world) return kNoId;
-    out_.pattern_spaces.push_back({to_world, *from_world, out_.scene.materials[carried.material.index].uv_mapped});
+    out_.pattern_spaces.push_back({to_world, *from_world});
     return uint32_t(out_.pattern_spaces.size() - 1);
 }
 

@@ -90,7 +90,7 @@ PovSurface::Passage PovSurface::passage(const CompiledScene& scene, const ShadeP
 PovSurface::PovSurface(const CompiledScene& scene, const ShadePoint& point, const Vec3& dir, const Vec3& normal)
     : dir_(dir), normal_(normal), position_(point.position), irid_wavelength_(scene.scene.settings.irid_wavelength) {
     double_illuminate_ = scene.instances[point.instance].double_illuminate;
-    add(scene, point, material_at(scene, point), 1, pattern_frame(point));
+    for_each_mixed_slot(scene, point, [&](const ShadePoint& own, double share) { add(scene, own, material_at(scene, own), share, pattern_frame(own)); });
 }
 
 void PovSurface::add(const CompiledScene& scene, const ShadePoint& point, const Material& material, double share, const PatternFrame& frame) {
@@ -124,6 +124,13 @@ void PovSurface::add_layers(const CompiledScene& scene, const ShadePoint& point,
     }
     texture.end = layers_.size();
     textures_.push_back(texture);
+}
+
+Color PovSurface::albedo() const {
+    Color sum(0);
+    for (const PovTexture& t : textures_)
+        if (t.begin < t.end) sum += layers_[t.begin].color * t.share;
+    return sum;
 }
 
 Color PovSurface::emitted(const Color& ambient_light) const {

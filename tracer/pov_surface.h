@@ -37,6 +37,8 @@ class PovSurface {
     void secondary(const CompiledScene& scene, const ShadePoint& point, const RayState& state, const Vec3& facing, Secondaries& out) const;
     /// Of the layer on top of the first texture.
     const PovLayer& top() const { return layers_.front(); }
+    /// The colours of the layers on top, mixed as the textures are.
+    Color albedo() const;
 
   private:
     struct Passage;

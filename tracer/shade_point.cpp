@@ -66,7 +66,17 @@ Vec2 ShadePoint::uv(uint32_t set) const {
 
 Vec3 ShadePoint::pattern_point() const {
     if (!space) return position;
-    return space->uv_mapped ? Vec3(uv(0), 0) : space->from_world.point(position);
+    return space->from_world.point(position);
+}
+
+Vec3 ShadePoint::uv_place() const {
+    if (mesh) {
+        if (mesh->uvs.empty() || !mesh->uvs[0].present()) return Vec3(0);
+        const Vec2 at = uv(0);
+        return {at.x, 1 - at.y, 0};
+    }
+    const bool mapped = on_shape.shape && (std::holds_alternative<Sphere>(*on_shape.shape) || std::holds_alternative<Box>(*on_shape.shape) || std::holds_alternative<Torus>(*on_shape.shape));
+    return mapped ? Vec3(uv(0), 0) : Vec3(position.x, position.y, 0);   // as POV-Ray has it for shapes that it knows no (u, v) of
 }
 
 Vec4 ShadePoint::vertex_color() const {
@@ -82,8 +92,7 @@ ShadePoint shade_point(const CompiledScene& scene, const Ray& ray, const Hit& hi
     p.error = world_error(scene, ray, hit, p.position);
     place(scene, instance, hit, p);
     p.front = dot(ray.dir, p.geometric_normal) <= 0;
-    const uint32_t space = slot_at(scene, p).space;
-    if (space != kNoId) p.space = &scene.pattern_spaces[space];
+    p.space = pattern_space(scene, p);
     return p;
 }
 

@@ -29,12 +29,35 @@ struct ShadePoint {
     const PatternSpace* space = nullptr;   ///< of the material's patterns, if it has any
 
     Vec2 uv(uint32_t set) const;
+    /// Where POV-Ray looks up what is uv_mapped: (u, v, 0), v upwards.
+    Vec3 uv_place() const;
     /// Where patterns are looked up.
     Vec3 pattern_point() const;
     /// The mesh's vertex colour, or white.
     bool has_vertex_color() const { return mesh && !mesh->colors.empty() && mesh->colors[0].present(); }
     Vec4 vertex_color() const;
 };
+
+/// The material, and what else the surface at `point` has of its slot.
+inline const SlotMaterial& slot_at(const CompiledScene& scene, const ShadePoint& point) { return scene.slots[scene.instances[point.instance].first_slot + point.slot]; }
+inline const PatternSpace* pattern_space(const CompiledScene& scene, const ShadePoint& point) {
+    const uint32_t space = slot_at(scene, point).space;
+    return space == kNoId ? nullptr : &scene.pattern_spaces[space];
+}
+
+/// Calls f(point, share) for each slot whose light is mixed at a point, as the point would be if it had that slot alone: the shares add up to 1.
+template <class F> void for_each_mixed_slot(const CompiledScene& scene, const ShadePoint& point, const F& f) {
+    if (!point.mesh || point.mesh->corner_slots.empty()) return f(point, 1.0);
+    const double shares[] = {1 - point.u - point.v, point.u, point.v};
+    const uint32_t* slots = &point.mesh->corner_slots[3 * size_t(point.triangle)];
+    if (slots[0] == slots[1] && slots[1] == slots[2]) return f(point, 1.0);
+    for (int corner = 0; corner < 3; ++corner) {
+        ShadePoint own = point;
+        own.slot = slots[corner];
+        own.space = pattern_space(scene, own);
+        f(own, shares[corner]);
+    }
+}
 
 /// `ray` is the world-space ray that found `hit`.
 ShadePoint shade_point(const CompiledScene& scene, const Ray& ray, const Hit& hit);
@@ -45,8 +68,6 @@ double world_error(const CompiledScene& scene, const Ray& ray, const Hit& hit, c
 /// The unit normal of what was hit, in world space, on its outside.
 Vec3 geometric_normal(const CompiledScene& scene, const Ray& ray, const Hit& hit);
 
-/// The material, and what else the surface at `point` has of its slot.
-inline const SlotMaterial& slot_at(const CompiledScene& scene, const ShadePoint& point) { return scene.slots[scene.instances[point.instance].first_slot + point.slot]; }
 inline const Material& material_at(const CompiledScene& scene, const ShadePoint& point) { return scene.scene.materials[slot_at(scene, point).material]; }
 
 /// Fills in `tangent` and `bitangent`: the mesh's own, else those that compile() made along the texture coordinates of `uv_set`; any, if there are none.

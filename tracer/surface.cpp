@@ -28,7 +28,7 @@ Surface shade_pov(const CompiledScene& scene, const ShadePoint& point, const Vec
     s.normal_ = dot(point.shading_normal, dir) > 0 ? -point.shading_normal : point.shading_normal;
     s.pov_ = std::make_shared<const PovSurface>(scene, point, dir, s.normal_);
     s.mirrors_or_refracts_ = true;
-    s.albedo_ = s.pov_->top().color;
+    s.albedo_ = s.pov_->albedo();
     s.normal_ = s.pov_->top().normal;
     s.emitted_ = s.pov_->emitted(scene.scene.settings.ambient_light);
     return s;
@@ -157,7 +157,11 @@ void Surface::add_transmission(const CompiledScene& scene, const RayState& state
 
 Color transmitted(const CompiledScene& scene, const ShadePoint& point, const Vec3& dir) {
     const GltfPbr* metal_rough = pbr(scene, point);
-    if (!metal_rough) return pov_transmitted(scene, material_at(scene, point), point, pattern_frame(point), dir);
+    if (!metal_rough) {
+        Color sum(0);
+        for_each_mixed_slot(scene, point, [&](const ShadePoint& own, double share) { sum += pov_transmitted(scene, material_at(scene, own), own, pattern_frame(own), dir) * share; });
+        return sum;
+    }
     const GltfPbr& m = *metal_rough;
     const Vec4 base = base_color<kAllFeatures>(scene, m, point);
     const double there = coverage(m, base.w);

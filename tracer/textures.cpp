@@ -69,7 +69,7 @@ Textures::Textures(const Scene& scene, const std::vector<SignalId>& used, int th
         if (added) keys.push_back(at->first);
         resource_of_[id.index] = at->second;
     }
-    add_patterns(used, said);
+    add_patterns(scene, used, said);
     pictures_.resize(keys.size());
     std::vector<std::string> failures(keys.size());
     parallel_for(keys.size(), threads, [&](size_t i) {
@@ -83,8 +83,11 @@ Textures::Textures(const Scene& scene, const std::vector<SignalId>& used, int th
     }
 }
 
-void Textures::add_patterns(const std::vector<SignalId>& used, Diagnostics& said) {
-    const auto keep = [&](SignalId id, auto made, auto& all) {
+void Textures::add_patterns(const Scene& scene, const std::vector<SignalId>& used, Diagnostics& said) {
+    const auto keep = [&](SignalId id, const PatternSignal& pattern, const auto& make, auto& all) {
+        auto source = source_of(pattern, scene);
+        if (!source) return said.error(signals_[id.index].from, source.error());
+        auto made = make(std::move(*source));
         if (!made) return said.error(signals_[id.index].from, made.error());
         resource_of_[id.index] = uint32_t(all.size());
         all.push_back(std::move(*made));
@@ -92,19 +95,25 @@ void Textures::add_patterns(const std::vector<SignalId>& used, Diagnostics& said
     for (const SignalId id : used) {
         if (resource_of_[id.index] != kNoId) continue;
         const auto& what = signals_[id.index].what;
-        if (const auto* pattern = std::get_if<PatternSignal>(&what)) keep(id, Pattern::make(*pattern, source_of(*pattern)), patterns_);
-        if (const auto* relief = std::get_if<ReliefSignal>(&what)) keep(id, Relief::make(*relief, source_of(relief->pattern)), reliefs_);
+        if (const auto* pattern = std::get_if<PatternSignal>(&what)) keep(id, *pattern, [&](PatternSource source) { return Pattern::make(*pattern, std::move(source)); }, patterns_);
+        if (const auto* relief = std::get_if<ReliefSignal>(&what)) keep(id, relief->pattern, [&](PatternSource source) { return Relief::make(*relief, std::move(source)); }, reliefs_);
     }
 }
 
-PatternSource Textures::source_of(const PatternSignal& signal) const {
-    if (!signal.source) return nullptr;
-    return [this, pigment = *signal.source](const Vec3& place) { return pov_grey(this->pigment(pigment, place).color); };
+tl::expected<PatternSource, std::string> Textures::source_of(const PatternSignal& signal, const Scene& scene) {
+    PatternSource source;
+    if (signal.source) source.grey = [this, pigment = *signal.source](const Vec3& place) { return pov_grey(this->pigment(pigment, place).color); };
+    if (!signal.picture) return source;
+    auto picture = space_pictures_.get(*signal.picture, scene);
+    if (!picture) return tl::unexpected(picture.error());
+    source.picture = std::move(*picture);
+    return source;
 }
 
 size_t Textures::bytes() const {
     size_t n = 0;
     for (const Picture& p : pictures_) n += p.values.size() * sizeof(float);
+    for (const auto& p : space_pictures_.all()) n += p->bytes();
     return n;
 }
 
@@ -119,7 +128,11 @@ Vec4 Textures::lookup(const ImageSignal& image, const Picture& picture, const Ve
 }
 
 Textures::Value Textures::mapped(const PatternSignal& signal, const Pattern& pattern, const ShadePoint& point, const Vec3& outside) const {
-    const Vec3 at = pattern.place(outside);
+    const Vec3 at = pattern.place(signal.uv_mapped ? point.uv_place() : outside);
+    if (const SpacePicture* picture = pattern.shown()) {
+        const PigmentColor c = picture->color(at);
+        return {Vec4(c.color, 1), c.filter, c.transmit};
+    }
     if (signal.map.empty()) {
         const double v = pattern.value_at(at);   // as POV-Ray's own map from black to white
         return {Vec4(v, v, v, 1), 0, 0};
@@ -168,7 +181,8 @@ Vec3 Textures::bent_there(SignalId id, const Vec3& place, const Vec3& n) const {
     return relief.outwards(sum);
 }
 
-Vec3 Textures::bent(SignalId relief, const PatternFrame& frame, const Vec3& n) const {
+Vec3 Textures::bent(SignalId relief, const PatternFrame& outer, const Vec3& n) const {
+    const PatternFrame frame = std::get<ReliefSignal>(signals_[relief.index].what).pattern.uv_mapped ? outer.on_surface() : outer;
     const Vec3 there = frame.normal_in * n;
     const Vec3 bent = bent_there(relief, frame.at, reliefs_[resource_of_[relief.index]].scaled() ? normalized(there) : there);
     const Vec3 unit = normalized(frame.normal_out * bent);
@@ -176,8 +190,8 @@ Vec3 Textures::bent(SignalId relief, const PatternFrame& frame, const Vec3& n) c
 }
 
 PatternFrame pattern_frame(const ShadePoint& point) {
-    if (!point.space || point.space->uv_mapped) return {point.pattern_point(), Mat3(1.0), Mat3(1.0)};
-    return {point.pattern_point(), glm::transpose(point.space->to_world.linear), glm::transpose(point.space->from_world.linear)};
+    if (!point.space) return {point.position, Mat3(1.0), Mat3(1.0), point.uv_place()};
+    return {point.pattern_point(), glm::transpose(point.space->to_world.linear), glm::transpose(point.space->from_world.linear), point.uv_place()};
 }
 
 }  // namespace alidade

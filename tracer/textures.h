@@ -19,6 +19,10 @@ namespace alidade {
 struct PatternFrame {
     Vec3 at{0};
     Mat3 normal_in{1.0}, normal_out{1.0};
+    Vec3 uv{0};   ///< where those are looked up that follow the surface
+
+    /// The normals of what follows the surface are those of the world.
+    PatternFrame on_surface() const { return {uv, Mat3(1.0), Mat3(1.0), uv}; }
 };
 
 /// The frame of a point's own material.
@@ -45,7 +49,7 @@ class Textures {
     /// Calls f(entry, share, frame) for the entries of a PatternSignal's map that count at a point, with where they are looked up: their shares add up to 1.
     template <class F> void for_each_share(SignalId pattern, const PatternFrame& frame, const F& f) const;
 
-    size_t count() const { return pictures_.size(); }
+    size_t count() const { return pictures_.size() + space_pictures_.all().size(); }
     size_t bytes() const;
 
   private:
@@ -54,8 +58,8 @@ class Textures {
         double filter = 0, transmit = 0;
     };
 
-    void add_patterns(const std::vector<SignalId>& used, Diagnostics& said);
-    PatternSource source_of(const PatternSignal& signal) const;
+    void add_patterns(const Scene& scene, const std::vector<SignalId>& used, Diagnostics& said);
+    tl::expected<PatternSource, std::string> source_of(const PatternSignal& signal, const Scene& scene);
     /// `at` is where patterns are looked up.
     Value value(SignalId signal, const ShadePoint& point, const Vec3& at) const;
     Value mapped(const PatternSignal& signal, const Pattern& pattern, const ShadePoint& point, const Vec3& outside) const;
@@ -65,6 +69,7 @@ class Textures {
 
     const std::vector<Signal>& signals_;
     std::vector<Picture> pictures_;
+    SpacePictures space_pictures_;
     std::vector<Pattern> patterns_;
     std::vector<Relief> reliefs_;
     std::vector<uint32_t> resource_of_;   ///< by signal: its picture, its pattern or its relief; kNoId where the signal is none of them
@@ -72,8 +77,10 @@ class Textures {
 
 template <class F> void Textures::for_each_share(SignalId signal, const PatternFrame& frame, const F& f) const {
     const Pattern& pattern = patterns_[resource_of_[signal.index]];
-    const PatternFrame inner{pattern.place(frame.at), pattern.normal_in() * frame.normal_in, frame.normal_out * pattern.normal_out()};
-    alidade::for_each_share(std::get<PatternSignal>(signals_[signal.index].what).map, pattern, inner.at, [&](uint32_t entry, double share) { f(entry, share, inner); });
+    const PatternSignal& own = std::get<PatternSignal>(signals_[signal.index].what);
+    const PatternFrame outer = own.uv_mapped ? frame.on_surface() : frame;
+    const PatternFrame inner{pattern.place(outer.at), pattern.normal_in() * outer.normal_in, outer.normal_out * pattern.normal_out(), frame.uv};
+    alidade::for_each_share(own.map, pattern, inner.at, [&](uint32_t entry, double share) { f(entry, share, inner); });
 }
 
 }  // namespace alidade

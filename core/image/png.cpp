@@ -29,6 +29,8 @@ struct Header {
     png_uint_32 width = 0, height = 0;
     int bits = 0, channels = 0;   ///< of a decoded pixel; filled after the transforms are set
     double gamma = 0;             ///< as in StoredPicture
+    bool srgb = false;            ///< likewise
+    bool palette = false;         ///< samples are numbers of colours
 };
 
 void on_error(png_structp png, png_const_charp message) {
@@ -46,17 +48,20 @@ void on_read(png_structp png, png_bytep out, size_t size) {
     reader->rest = reader->rest.subspan(size);
 }
 
-/// Reads up to the pixels and asks for whole samples of 8 or 16 bits, true colour instead of a palette, alpha instead of tRNS.
+/// Reads up to the pixels and asks for whole samples of 8 or 16 bits, and alpha instead of tRNS where there is no palette.
 bool read_header(Reader& reader, Header& header) {
     if (setjmp(png_jmpbuf(reader.png))) return false;
     png_set_read_fn(reader.png, &reader, on_read);
     png_read_info(reader.png, reader.info);
-    png_set_expand(reader.png);
+    header.palette = png_get_color_type(reader.png, reader.info) == PNG_COLOR_TYPE_PALETTE;
+    if (header.palette) png_set_packing(reader.png);
+    else png_set_expand(reader.png);
     if constexpr (std::endian::native == std::endian::little) png_set_swap(reader.png);
     png_set_interlace_handling(reader.png);
     header.width = png_get_image_width(reader.png, reader.info);
     header.height = png_get_image_height(reader.png, reader.info);
-    if (!png_get_valid(reader.png, reader.info, PNG_INFO_sRGB)) png_get_gAMA(reader.png, reader.info, &header.gamma);   // 0 stays where there is none
+    header.srgb = png_get_valid(reader.png, reader.info, PNG_INFO_sRGB) != 0;
+    if (!header.srgb) png_get_gAMA(reader.png, reader.info, &header.gamma);   // 0 stays where there is none
     png_read_update_info(reader.png, reader.info);
     header.bits = png_get_bit_depth(reader.png, reader.info);
     header.channels = png_get_channels(reader.png, reader.info);
@@ -95,6 +100,23 @@ std::vector<std::string> channel_names(int count) {
     }
 }
 
+/// A pixel's number in the palette -> its colour. Numbers beyond the palette are black, as libpng has them.
+Stored looked_up(const Reader& reader, const Header& header, std::vector<uint8_t> numbers) {
+    png_colorp colors = nullptr;
+    png_bytep alphas = nullptr;
+    int color_count = 0, alpha_count = 0;
+    png_get_PLTE(reader.png, reader.info, &colors, &color_count);
+    png_get_tRNS(reader.png, reader.info, &alphas, &alpha_count, nullptr);
+    Stored stored{Picture(int(header.width), int(header.height), channel_names(alpha_count ? 4 : 3)), 255u, header.gamma, header.srgb, std::move(numbers)};
+    float* to = stored.picture.values.data();
+    for (const uint8_t number : stored.palette) {
+        const png_color c = number < color_count ? colors[number] : png_color{0, 0, 0};
+        for (const png_byte channel : {c.red, c.green, c.blue}) *to++ = float(channel / 255.0);
+        if (alpha_count) *to++ = number < alpha_count ? float(alphas[number] / 255.0) : 1.0f;
+    }
+    return stored;
+}
+
 }  // namespace
 
 Result<Stored> decode_png(std::span<const std::byte> bytes) {
@@ -105,9 +127,10 @@ Result<Stored> decode_png(std::span<const std::byte> bytes) {
     if (!reader.info) return tl::unexpected(std::string("not enough memory"));
 
     Header header;
-    const Result<std::vector<uint8_t>> samples = read_samples(reader, header);
+    Result<std::vector<uint8_t>> samples = read_samples(reader, header);
     if (!samples) return tl::unexpected(samples.error());
-    Stored stored{Picture(int(header.width), int(header.height), channel_names(header.channels)), header.bits == 16 ? 65535u : 255u, header.gamma};
+    if (header.palette) return looked_up(reader, header, std::move(*samples));
+    Stored stored{Picture(int(header.width), int(header.height), channel_names(header.channels)), header.bits == 16 ? 65535u : 255u, header.gamma, header.srgb, {}};
     for (size_t i = 0; i < stored.picture.values.size(); ++i) {
         uint16_t sample = (*samples)[header.bits == 16 ? 2 * i : i];
         if (header.bits == 16) std::memcpy(&sample, &(*samples)[2 * i], 2);

@@ -3,6 +3,7 @@
 
 #include "eval/noise/noise.h"
 #include "eval/noise/single.h"
+#include "eval/patterns/picture.h"
 
 #include <fmt/format.h>
 
@@ -28,7 +29,11 @@ tl::expected<Pattern, std::string> Pattern::make(const PatternSignal& signal, Pa
     Pattern out;
     out.row_ = find_pattern(signal.pattern);
     if (!out.row_) return tl::unexpected(fmt::format("there is no pattern '{}'", signal.pattern));
-    if (out.row_->sourced != bool(signal.source) || out.row_->sourced != bool(source)) return tl::unexpected(fmt::format("the pattern '{}' has {}", signal.pattern, out.row_->sourced ? "no pigment" : "a pigment, and takes none"));
+    const SourceKind needed = out.row_->source, given = signal.picture ? SourceKind::picture : signal.source ? SourceKind::pigment : SourceKind::none;
+    if (needed != given || (needed != SourceKind::none) != bool(source)) {
+        static constexpr const char* kWanted[] = {"takes no pigment and no picture", "has no pigment", "has no picture"};
+        return tl::unexpected(fmt::format("the pattern '{}' {}", signal.pattern, kWanted[size_t(needed)]));
+    }
     out.source_ = std::move(source);
     const auto names = out.row_->parameters;
     if (signal.parameters.size() > names.size()) return tl::unexpected(fmt::format("the pattern '{}' has {} parameters, more than {}", signal.pattern, signal.parameters.size(), names.size()));
@@ -67,7 +72,7 @@ Vec3 Pattern::place(const Vec3& p) const {
 
 double Pattern::value_at(const Vec3& place) const {
     if (!row_->value && !source_) return 0;
-    double v = source_ ? source_(place) : row_->value(place, input_);
+    double v = source_.picture ? source_.picture->value(place) : source_.grey ? source_.grey(place) : row_->value(place, input_);
     constexpr double kPeriod = 1.00001;   // so that 1 itself does not fall to 0
     if (frequency_ != 0) v = std::fmod(v * frequency_ + input_.phase, kPeriod);
     if (v < 0) v -= std::floor(v);

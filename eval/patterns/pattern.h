@@ -6,6 +6,7 @@
 #include "eval/patterns/warps.h"
 
 #include <functional>
+#include <memory>
 
 namespace alidade {
 
@@ -33,13 +34,20 @@ template <class Entry> MapBlend look_up(std::span<const Entry> map, double value
 }
 inline MapBlend look_up(const std::vector<MapEntry>& map, double value) { return look_up(std::span<const MapEntry>(map), value); }
 
-/// The number of a pattern at a place, where something else than its row knows it.
-using PatternSource = std::function<double(const Vec3& place)>;
+class SpacePicture;
+
+/// What knows a pattern's number at a place, where its row does not: one of them.
+struct PatternSource {
+    std::function<double(const Vec3& place)> grey;
+    std::shared_ptr<const SpacePicture> picture;
+
+    explicit operator bool() const { return grey || picture; }
+};
 
 class Pattern {
   public:
     /// Or why not: no such pattern, too many parameters, a warp that cannot be undone. `source` stands for the signal's own, and must be there where that is.
-    static tl::expected<Pattern, std::string> make(const PatternSignal& signal, PatternSource source = nullptr);
+    static tl::expected<Pattern, std::string> make(const PatternSignal& signal, PatternSource source = {});
 
     /// Where the pattern itself is looked up: all warps and the turbulence undone. The entries of its map are looked up there too.
     Vec3 place(const Vec3& p) const;
@@ -51,6 +59,11 @@ class Pattern {
     /// All entries count, by their weights; there is no value.
     bool is_average() const { return !row_->value && !row_->relief && !source_; }
     const PatternOps& row() const { return *row_; }
+    /// The picture whose colours stand for the map, or null.
+    const SpacePicture* shown() const { return row_->colored ? source_.picture.get() : nullptr; }
+    const SpacePicture* picture() const { return source_.picture.get(); }
+    /// A picture whose values are the heights of a relief, and no number of the pattern.
+    bool is_bump_map() const { return source_.picture && row_->embossed; }
     /// The row's own relief, which must be there.
     Vec3 relief(const Vec3& place, const Vec3& n, double amount) const { return row_->relief(place, n, amount, input_); }
     /// How normals come into the space of the pattern, where all transformations of its warps are undone, and back.

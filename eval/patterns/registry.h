@@ -35,6 +35,9 @@ struct PatternParameter {
     bool single = false;   ///< POV-Ray keeps it in single precision
 };
 
+/// What a pattern's number is taken from, where no function of the point makes it.
+enum class SourceKind { none, pigment, picture };
+
 struct PatternOps {
     const char* name;
     const char* doc;
@@ -46,7 +49,9 @@ struct PatternOps {
     void (*prepare)(PatternInput& in) = nullptr;              ///< what is worth doing once
     /// The unit normal `n`, bent by a relief of its own; null where the value's slope bends it. Not a unit vector.
     Vec3 (*relief)(const Vec3& p, const Vec3& n, double amount, const PatternInput& in) = nullptr;
-    bool sourced = false;                                     ///< its number is what another signal is at the point
+    SourceKind source = SourceKind::none;
+    bool colored = false;                                     ///< its colours stand for a map: those of its picture
+    bool embossed = false;                                    ///< it bends normals by the rise of its picture
 };
 
 /// One row for each pattern.

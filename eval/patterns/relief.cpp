@@ -2,8 +2,16 @@
 #include "eval/patterns/relief.h"
 
 #include "eval/noise/single.h"
+#include "eval/patterns/picture.h"
 
 namespace alidade {
+
+namespace {
+
+/// Normals nearer to the y axis than this count as vertical.
+constexpr double kFlat = 1e-10;
+
+}  // namespace
 
 double height_at(std::span<const SlopeEntry> slopes, double value) {
     const MapBlend at = look_up<SlopeEntry>(slopes, value);
@@ -30,7 +38,16 @@ double Relief::height(const Vec3& place) const {
     return slopes_.empty() ? value : height_at(slopes_, value);
 }
 
+/// To the right and up as bump_map has it, for a unit normal; where that is vertical, as if it leaned towards -z.
+Vec3 Relief::embossed(const Vec3& place, const Vec3& n) const {
+    const double across = std::hypot(n.x, n.z);
+    const Vec3 right = across > kFlat ? Vec3(n.z, 0, -n.x) / across : Vec3(-1, 0, 0);
+    const Vec2 rise = pattern_.picture()->rise(place);
+    return n + amount_ * (rise.x * right + rise.y * cross(right, n));
+}
+
 Vec3 Relief::bent(const Vec3& place, const Vec3& n) const {
+    if (pattern_.is_bump_map()) return embossed(place, n);
     if (slopes_.empty() && pattern_.row().relief) return pattern_.relief(place, n, amount_);
     static constexpr Vec3 kTowards[] = {{0.942809041, -0.333333333, 0}, {-0.471404521, -0.333333333, 0.816496581}, {-0.471404521, -0.333333333, -0.816496581}, {0, 1, 0}};
     const double k = -5 * amount_ * (0.02 / accuracy_);

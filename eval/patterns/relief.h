@@ -10,7 +10,7 @@ namespace alidade {
 class Relief {
   public:
     /// Or why not, as Pattern::make.
-    static tl::expected<Relief, std::string> make(const ReliefSignal& signal, PatternSource source = nullptr);
+    static tl::expected<Relief, std::string> make(const ReliefSignal& signal, PatternSource source = {});
 
     Vec3 place(const Vec3& p) const { return pattern_.place(p); }
     const Pattern& pattern() const { return pattern_; }
@@ -25,6 +25,7 @@ class Relief {
 
   private:
     double height(const Vec3& place) const;
+    Vec3 embossed(const Vec3& place, const Vec3& n) const;
 
     Pattern pattern_;
     double amount_ = 0.5, accuracy_ = 0.02;

@@ -40,16 +40,22 @@ tl::expected<void, std::string> SpacePigments::prepare(SignalId root) {
         if (std::holds_alternative<ConstantSignal>(what) || patterns_.count(id.index)) continue;
         const auto* pattern = std::get_if<PatternSignal>(&what);
         if (!pattern) return tl::unexpected(std::string("only colours and patterns have a value in space"));
-        auto made = Pattern::make(*pattern, source_of(*pattern));
+        auto made = make(*pattern);
         if (!made) return tl::unexpected(made.error());
         patterns_.emplace(id.index, std::move(*made));
     }
     return {};
 }
 
-PatternSource SpacePigments::source_of(const PatternSignal& signal) const {
-    if (!signal.source) return nullptr;
-    return [this, pigment = *signal.source](const Vec3& place) { return pov_grey(color(pigment, place).color); };
+tl::expected<Pattern, std::string> SpacePigments::make(const PatternSignal& signal) {
+    PatternSource source;
+    if (signal.source) source.grey = [this, pigment = *signal.source](const Vec3& place) { return pov_grey(color(pigment, place).color); };
+    if (signal.picture) {
+        auto picture = pictures_.get(*signal.picture, scene_);
+        if (!picture) return tl::unexpected(picture.error());
+        source.picture = std::move(*picture);
+    }
+    return Pattern::make(signal, std::move(source));
 }
 
 PigmentColor SpacePigments::color(SignalId pigment, const Vec3& p) const {
@@ -58,6 +64,7 @@ PigmentColor SpacePigments::color(SignalId pigment, const Vec3& p) const {
     const Pattern& pattern = patterns_.at(pigment.index);
     const std::vector<MapEntry>& map = std::get<PatternSignal>(what).map;
     const Vec3 at = pattern.place(p);
+    if (pattern.shown()) return pattern.shown()->color(at);
     if (map.empty()) return {Color(pattern.value_at(at)), 0, 0};
     PigmentColor total;
     for_each_share(map, pattern, at, [&](uint32_t entry, double share) {

@@ -3,19 +3,14 @@
 #pragma once
 
 #include "eval/patterns/pattern.h"
+#include "eval/patterns/picture.h"
 #include "scene/scene.h"
 
 #include <unordered_map>
 
 namespace alidade {
 
-/// A colour of POV-Ray's: what part of the light that passes is coloured (filter), what part is not (transmit).
-struct PigmentColor {
-    Color color{0};
-    double filter = 0, transmit = 0;
-};
-
-/// Constants, patterns, and maps of them. The scene may grow meanwhile.
+/// Constants, patterns, pictures, and maps of them. The scene may grow meanwhile.
 class SpacePigments {
   public:
     /// `scene` must outlive the pigments.
@@ -28,12 +23,13 @@ class SpacePigments {
     /// Of a pigment that is ready. As POV-Ray's own map from black to white where a pattern has none.
     PigmentColor color(SignalId pigment, const Vec3& p) const;
 
-    /// The grey of the pigment that the pattern takes, which must be ready when it is asked; none where it takes none.
-    PatternSource source_of(const PatternSignal& signal) const;
+    /// The pattern, with the grey of the pigment that it takes, which must be ready when it is asked, or the picture that it shows, which is read now.
+    tl::expected<Pattern, std::string> make(const PatternSignal& signal);
 
   private:
     const Scene& scene_;
     std::unordered_map<uint32_t, Pattern> patterns_;
+    SpacePictures pictures_;
 };
 
 }  // namespace alidade

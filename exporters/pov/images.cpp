@@ -17,6 +17,15 @@ std::span<const std::byte> as_bytes(const std::string& text) { return std::as_by
 bool is_png(const std::string& bytes) { return picture_format(bytes).ending == std::string_view(".png"); }
 bool is_jpeg(const std::string& bytes) { return picture_format(bytes).ending == std::string_view(".jpg"); }
 
+/// What POV-Ray calls the format of a file of this name.
+const char* format_word(const std::string& name) {
+    static constexpr std::pair<std::string_view, const char*> kWords[] = {{".jpg", "jpeg"}, {".jpeg", "jpeg"}, {".ppm", "ppm"}, {".pgm", "pgm"}, {".tga", "tga"}, {".gif", "gif"},
+                                                                          {".tif", "tiff"}, {".tiff", "tiff"}, {".exr", "exr"}, {".hdr", "hdr"}, {".bmp", "sys"}, {".iff", "iff"}};
+    for (const auto& [ending, word] : kWords)
+        if (name.ends_with(ending)) return word;
+    return "png";
+}
+
 /// PNG: of a colour type with alpha, or with transparent colours in a palette.
 bool png_has_alpha(const std::string& bytes) {
     constexpr size_t kColourType = 25;
@@ -142,6 +151,37 @@ bool ImageWriter::alpha_pattern(const ImageSignal& image) {
     if (mask.words.empty()) return false;
     sdl_.line("uv_mapping");
     picture("image_pattern", mask, image, "use_alpha", 0);
+    return true;
+}
+
+void ImageWriter::picture_code(const std::string& word, const PatternPicture& p) {
+    const bool colours = word == kImageMap, linear = colours && !p.scene_gamma && p.code != PictureCode::stored;
+    losses_.add("pictures decoded by the words of a scene that corrects nothing", linear, "other colours");
+    if (p.code == PictureCode::power) sdl_.line("gamma", p.gamma);
+    else if (p.code == PictureCode::srgb || (colours && p.code == PictureCode::stored)) sdl_.line("gamma srgb");   // which assumed_gamma srgb undoes
+}
+
+bool ImageWriter::pattern(const std::string& word, const PatternPicture& p) {
+    const std::string* bytes = encoded(p.image);
+    if (!bytes) return false;
+    const std::string name = files_.add_picture(scene_.images[p.image.index], *bytes);
+    static constexpr const char* kMaps[] = {"0", "1", "2", "5"};
+    static constexpr const char* kFilters[] = {"0", "2", "3", "4"};
+    sdl_.begin(word);
+    sdl_.line(format_word(name), quoted(name));
+    picture_code(word, p);
+    if (p.premultiplied) sdl_.line("premultiplied on");
+    if (p.map != PictureMap::planar) sdl_.line("map_type", kMaps[size_t(p.map)]);
+    if (p.filter != PictureFilter::none) sdl_.line("interpolate", kFilters[size_t(p.filter)]);
+    if (p.once) sdl_.line("once");
+    if (p.value == PictureValue::transmission) sdl_.line("use_alpha");
+    if (p.value == PictureValue::palette) sdl_.line("use_index");
+    for (const PatternPicture::Clearing& c : p.clearings) {
+        const std::string which = c.color ? fmt::format("{},", *c.color) : "all";
+        if (c.filter != 0) sdl_.line("filter", which, c.filter);
+        if (c.transmit != 0) sdl_.line("transmit", which, c.transmit);
+    }
+    sdl_.end();
     return true;
 }
 

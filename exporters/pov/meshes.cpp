@@ -105,7 +105,7 @@ class MeshText {
 
     /// Slot 0 is the object's own texture; the others are numbered from 0. One that no node gives a material takes the default.
     void textures() {
-        const bool several = slots_.size() > 1 && !mesh_.slots.empty();
+        const bool several = slots_.size() > 1 && (!mesh_.slots.empty() || mixed());
         if (!several && !colors_.present()) return;
         c_.sdl.begin("texture_list");
         c_.sdl.line(colors_.present() ? colors_.size() : slots_.size() - 1, ",");
@@ -121,9 +121,18 @@ class MeshText {
             const uint32_t t = finite_[n];
             c_.sdl.item(mesh_.triangles[t]);
             if (colors_.present()) c_.sdl.item(colors_.at(n).x), c_.sdl.item(colors_.at(n).y), c_.sdl.item(colors_.at(n).z);
+            else if (mixed() && mixes(t))
+                for (int corner = 0; corner < 3; ++corner) c_.sdl.item(mesh_.corner_slots[3 * size_t(t) + size_t(corner)] - 1);
             else if (slots_.size() > 1 && !mesh_.slots.empty() && mesh_.slots[t] > 0) c_.sdl.item(mesh_.slots[t] - 1);
         }
         end();
+    }
+
+    bool mixed() const { return slots_.size() > 1 && !mesh_.corner_slots.empty(); }
+    /// Three textures, none of which is the object's own: that has no number.
+    bool mixes(uint32_t t) const {
+        const uint32_t* s = &mesh_.corner_slots[3 * size_t(t)];
+        return (s[0] != s[1] || s[1] != s[2]) && s[0] > 0 && s[1] > 0 && s[2] > 0;
     }
 
     template <class T> void indices(const char* word, const Attribute<T>& attribute) {

@@ -120,7 +120,16 @@ void PatternWriter::parameters(const PatternSignal& s) {
     if (s.pattern == "magnet_julia") sides(4);
 }
 
+/// What stands for a picture that cannot be read.
+void PatternWriter::picture(const PatternSignal& s) {
+    if (images_.pattern(s.pattern, *s.picture)) return;
+    if (s.pattern == kImageMap) sdl_.line("color rgb 1");
+    else sdl_.line(s.pattern == "bump_map" ? "bumps 0" : "planar");
+}
+
 void PatternWriter::pattern_head(const PatternSignal& s) {
+    if (s.uv_mapped) sdl_.line("uv_mapping");
+    if (s.picture) return picture(s);
     const Vec2 c(parameter(s, s.pattern == "julia" ? 0 : 1, 0), parameter(s, s.pattern == "julia" ? 1 : 2, 0));
     if (s.pattern == "gradient") sdl_.line("gradient", vector_parameter(s, 0, Vec3(0)));
     else if (s.pattern == "spiral1" || s.pattern == "spiral2") sdl_.line(s.pattern, parameter(s, 0, 1));

@@ -33,6 +33,7 @@ class PatternWriter {
     void pigment_pattern(const PatternSignal& s);
     void pigment_map(const PatternSignal& s);
     void relief(const ReliefSignal& r);
+    void picture(const PatternSignal& s);
     void parameters(const PatternSignal& s);
     std::string item(SignalId id, const char* kind) const;
     ExactColour colour(SignalId id) const;

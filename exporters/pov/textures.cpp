@@ -63,19 +63,17 @@ void write_finish(Sdl& sdl, const PovFinish& f) {
     sdl.end();
 }
 
-void TextureWriter::layer(const PovFinish& f, bool uv_mapped) {
+void TextureWriter::layer(const PovFinish& f) {
     sdl_.begin("texture");
-    if (uv_mapped) sdl_.line("uv_mapping");
     patterns_.pigment_block(f.pigment);
     if (f.normal) patterns_.normal_block(*f.normal);
     write_finish(sdl_, f);
     sdl_.end();
 }
 
-void TextureWriter::layer(const PovTextureMap& m, bool uv_mapped) {
+void TextureWriter::layer(const PovTextureMap& m) {
     const auto* pattern = pattern_of(scene_.signals[m.pattern.index]);
     sdl_.begin("texture");
-    if (uv_mapped) sdl_.line("uv_mapping");
     if (!pattern) {
         use(m.textures.front());
     } else {
@@ -101,7 +99,7 @@ void TextureWriter::declare_one(MaterialId id) {
     const bool old = std::any_of(m.layers.begin(), m.layers.end(), [](const auto& part) { return std::visit([](const auto& what) { return has_old_words(what); }, part); });
     const bool of_old = old && scene_.settings.filter_dims_by_colour;   // POV-Ray warns of such words in newer scenes, where they act otherwise
     if (of_old) sdl_.line("#version 3.0;");
-    for (const auto& part : m.layers) std::visit([&](const auto& what) { layer(what, m.uv_mapped); }, part);
+    for (const auto& part : m.layers) std::visit([&](const auto& what) { layer(what); }, part);
     if (of_old) sdl_.line(version_line(scene_));
 }
 

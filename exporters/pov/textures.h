@@ -29,9 +29,9 @@ class TextureWriter {
 
   private:
     void declare_one(MaterialId id);
-    void layer(const PovFinish& f, bool uv_mapped);
-    void layer(const PovTextureMap& m, bool uv_mapped);
-    void layer(const GltfPbr&, bool) {}
+    void layer(const PovFinish& f);
+    void layer(const PovTextureMap& m);
+    void layer(const GltfPbr&) {}
 
     const Scene& scene_;
     Sdl& sdl_;

@@ -5,6 +5,8 @@
 #include "exporters/pov/node_facts.h"
 #include "exporters/pov/textures.h"
 
+#include <span>
+
 namespace alidade::pov_export {
 
 class VertexColors {

@@ -41,10 +41,30 @@ NoiseGenerator usual_noise(const Parser& p) {
     return noise;
 }
 
+namespace {
+
+/// What the colours of pictures become: as the last global_settings has it.
+void set_usual_gamma(const Parser& p, Build& build) {
+    build.uncorrected = !p.version_given || p.version < 3.7 - 1e-9;
+    for (const Value& settings : p.globals) {
+        const std::vector<Item>& items = settings.as<Block>().items;
+        for (size_t i = 0; i + 1 < items.size(); ++i) {
+            if (items[i].kind != Item::Kind::word || items[i].word != "assumed_gamma"_w) continue;
+            const Item& what = items[i + 1];
+            build.uncorrected = false;
+            build.scene.settings.srgb_coded = what.kind == Item::Kind::word;
+            if (what.value.kind == Kind::number && what.value.c[0] > 0) build.scene.settings.assumed_gamma = what.value.c[0];
+        }
+    }
+}
+
+}  // namespace
+
 /// What was made of the blocks that were asked.
 struct SpaceFunctions::Stage {
     explicit Stage(Parser& p) : build(p), pigments(build.scene) {
         build.noise = usual_noise(p);
+        set_usual_gamma(p, build);
         settings = p.globals.size();
     }
     /// Loops make functions without end; when there are many, the next one begins anew.
@@ -89,9 +109,9 @@ Pattern build_pattern(Build& build, SpacePigments& pigments, const Block& block)
     }
     if (signal.pattern.empty()) build.p.fail(block.place, "the name of a pattern is expected in pattern { }");
     if (signal.source) prepare(build.p, pigments, *signal.source, block.place);
-    auto made = Pattern::make(signal, pigments.source_of(signal));
+    auto made = pigments.make(signal);
     if (!made) build.p.fail(block.place, made.error());
-    if (!made->row().value && !signal.source) build.p.fail(block.place, fmt::format("the pattern {} has no number", signal.pattern));
+    if (!made->row().value && !signal.source && signal.pattern != "image_pattern") build.p.fail(block.place, fmt::format("the pattern {} has no number", signal.pattern));
     return std::move(*made);
 }
 

@@ -140,6 +140,15 @@ TEST_P(EveryPng, DecodesToItsSamples) {
     }
 }
 
+TEST_P(EveryPng, KeepsTheNumbersOfItsPalette) {
+    const Sampled sampled = make_png(GetParam());
+    const auto stored = decode_stored_picture(sampled.file);
+    ASSERT_TRUE(stored) << stored.error();
+    EXPECT_FALSE(stored->srgb) << "it does not say so";
+    const std::vector<unsigned> numbers(stored->palette.begin(), stored->palette.end());
+    EXPECT_EQ(numbers, GetParam().color_type == PNG_COLOR_TYPE_PALETTE ? sampled.samples : std::vector<unsigned>());
+}
+
 /// Automatic means sRGB for 8 and 16 bits; the curve is applied to colour and never to alpha.
 TEST_P(EveryPng, DecodesColourByTheCurveButNotAlpha) {
     const Kind& kind = GetParam();

@@ -52,7 +52,7 @@ bool same(double a, double b, double allowed) { return std::fabs(a - b) <= allow
 TEST(Patterns, EveryRowHasACase) {
     std::set<std::string> tested = {"average", "facets"};   // have no number: pictures beside POV-Ray's
     for (const PatternCase& c : pattern_cases()) tested.insert(c.signal.pattern);
-    for (const PatternOps& row : patterns()) EXPECT_TRUE(row.sourced || tested.count(row.name)) << row.name;
+    for (const PatternOps& row : patterns()) EXPECT_TRUE(row.source != SourceKind::none || tested.count(row.name)) << row.name;
     std::set<WarpKind> warps;
     for (const PatternCase& c : pattern_cases())
         for (const Warp& w : c.signal.warps) warps.insert(w.kind);
@@ -65,7 +65,7 @@ TEST(Patterns, ASourceIsAskedAtThePlaceAndShaped) {
     s.source = SignalId{0};
     s.wave = Wave::triangle, s.frequency = 2;
     s.warps.push_back({WarpKind::transform, Transform::scale(Vec3(4)), {}});
-    const auto pattern = Pattern::make(s, [](const Vec3& p) { return p.x; });
+    const auto pattern = Pattern::make(s, {[](const Vec3& p) { return p.x; }, nullptr});
     ASSERT_TRUE(pattern);
     EXPECT_DOUBLE_EQ(pattern->value({1, 0, 0}), 1);      // a quarter, twice, folded
     EXPECT_DOUBLE_EQ(pattern->value({0.5, 0, 0}), 0.5);
@@ -142,7 +142,7 @@ TEST(Patterns, WildNumbersAreHarmless) {
             for (const PatternParameter& p : row.parameters) s.parameters.push_back(std::string(p.name) == "iterations" ? std::min(wild, 100.0) : wild);
             s.turbulence = {Vec3(wild), int(std::clamp(wild, -9.0, 99.0)), wild, wild};
             s.frequency = wild;
-            if (row.sourced) continue;
+            if (row.source != SourceKind::none) continue;
             const Pattern pattern = made(s);
             for (const double at : {0.0, 0.3, -1e300, 1e300, std::nan("")}) (void)pattern.value({at, 0.5, at});
         }

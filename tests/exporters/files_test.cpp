@@ -51,7 +51,7 @@ class Files : public testing::Test {
             scene.signals.push_back({signal, {}});
             GltfPbr pbr;
             pbr.base_color = SignalId{uint32_t(scene.signals.size() - 1)};
-            scene.materials.push_back({name, {pbr}, false, {}});
+            scene.materials.push_back({name, {pbr}, {}});
             scene.nodes.push_back(scene.nodes[0]);
             scene.nodes.back().materials = {MaterialId{uint32_t(scene.materials.size() - 1)}};
             scene.roots.push_back({uint32_t(scene.nodes.size() - 1)});

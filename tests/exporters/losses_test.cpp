@@ -80,8 +80,8 @@ TEST_F(Losing, NamesCannotBreakALine) {
     pbr.base_color = SignalId{0};
     scene.signals.push_back({ConstantSignal{Vec4(0.5, 0.25, 0.125, 1)}, {}});
     const std::string evil = "a\nv 9 9 9\r\"../../etc/passwd\\\n#\t'\x01";
-    scene.materials.push_back({evil, {pbr}, false, {}});
-    scene.materials.push_back({evil, {pbr}, false, {}});
+    scene.materials.push_back({evil, {pbr}, {}});
+    scene.materials.push_back({evil, {pbr}, {}});
     scene.nodes[0].materials = {MaterialId{0}};
     scene.nodes[0].name = evil;
     scene.shapes[0].name = "\xff\xfe not UTF-8";
@@ -118,7 +118,7 @@ TEST_F(Losing, WhatIsNoNumberIsNeverWritten) {
     pbr.base_color = SignalId{0};
     pbr.emissive = SignalId{0};
     scene.signals.push_back({ConstantSignal{Vec4(double(nan), 0, 0, 1)}, {}});
-    scene.materials.push_back({"m", {pbr}, false, {}});
+    scene.materials.push_back({"m", {pbr}, {}});
     for (const char* name : {"n.gltf", "n.glb", "n.obj", "n.ply"}) {
         EXPECT_THAT(losses(scene, name), HasSubstr("triangles with a vertex that is not finite: 1")) << name;
         const auto read = import_scene((folder_ / name).string());

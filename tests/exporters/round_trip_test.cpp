@@ -52,10 +52,10 @@ std::vector<std::string> endings(const ExporterEntry& entry) {
 bool holds_materials(const std::string& ending) { return ending != ".ply" && ending != ".pov"; }   // POV-Ray's finishes are others
 bool holds_missing_uvs(const std::string& ending) { return ending != ".ply" && ending != ".pov"; }   // one mesh: if one has them all do
 
-/// POV-Ray scenes have texture coordinates and colours of vertices, which are not read yet.
+/// In POV-Ray's scenes colours of vertices are textures.
 void forget_what_pov_lacks(std::vector<WorldTriangle>& list) {
     for (WorldTriangle& t : list)
-        for (Corner& c : t.corners) std::fill(c.begin() + 6, c.end(), std::numeric_limits<double>::quiet_NaN());
+        for (Corner& c : t.corners) std::fill(c.begin() + 8, c.end(), std::numeric_limits<double>::quiet_NaN());
 }
 
 /// NaN stands for an attribute that is not there.

@@ -66,7 +66,7 @@ MaterialId add_material(Scene& s, const std::string& name, const Vec4& color, do
     pbr.roughness = constant(Vec4(roughness));
     pbr.metallic = constant(Vec4(metallic));
     pbr.double_sided = true;
-    s.materials.push_back({name, {pbr}, false, {}});
+    s.materials.push_back({name, {pbr}, {}});
     return {uint32_t(s.materials.size() - 1)};
 }
 

@@ -176,13 +176,67 @@ TEST_F(PovBuilders, SettingsDependOnTheVersion) {
 }
 
 TEST_F(PovBuilders, WhatIsNotModelledIsSaidOnceWithItsCount) {
-    const std::string text = "#version 3.7;\n#for(I, 1, 3) isosurface { function { x } } #end\nrainbow { angle 3 }\nsphere { 0, 1 photons { target } pigment { aoi } uv_mapping }";
+    const std::string text = "#version 3.7;\n#for(I, 1, 3) isosurface { function { x } } #end\nrainbow { angle 3 }\nsphere { 0, 1 photons { target } pigment { aoi } cutaway_textures }";
     const std::string messages = said(text);
     EXPECT_THAT(messages, HasSubstr("s.pov:2:15: warning: isosurface is not modelled yet: it is left out (3 times)"));
     EXPECT_THAT(messages, HasSubstr("rainbow is not modelled yet"));
     EXPECT_THAT(messages, HasSubstr("the pattern aoi of a pigment is not modelled yet: middle grey stands for it"));
-    EXPECT_THAT(messages, HasSubstr("uv_mapping in sphere is not modelled yet"));
+    EXPECT_THAT(messages, HasSubstr("cutaway_textures in sphere is not modelled yet"));
     EXPECT_EQ(scene(text).shapes.size(), 1u) << "the rest is there";
+}
+
+TEST_F(PovBuilders, WhatIsWrongWithAPictureIsAnErrorAtItsPlace) {
+    write("a.png", "");
+    const std::pair<const char*, const char*> cases[] = {
+        {"pigment { image_map { png \"b.png\" } }", "s.pov:1:41: error: the picture \"b.png\" is not found"},
+        {"pigment { image_map { png \"../a.png\" } }", "1:41: error: the picture \"../a.png\" is not found"},
+        {"pigment { image_map { png } }", "error: the name of a file is expected in image_map"},
+        {"pigment { image_map { function 8, 8 { x } } }", "error: the name of a file is expected in image_map"},
+        {"pigment { image_map { png \"a.png\" map_type 3 } }", "1:58: error: there is no map_type 3"},
+        {"pigment { image_map { png \"a.png\" gamma 0 } }", "1:55: error: the gamma of a picture must be greater than 0"},
+        {"normal { bump_map { png \"a.png\" bump_size x } }", "error: a number is expected as the depth of a normal"},
+        {"texture { material_map { png \"a.png\" } }", "1:25: error: a material_map needs textures"},
+        {"pigment { rgb 1 } uv_mapping", "1:33: error: uv_mapping must stand before the texture"},
+    };
+    for (const auto& [words, error] : cases) EXPECT_THAT(said(fmt::format("sphere {{ 0, 1 {} }}", words)), HasSubstr(error)) << words;
+    EXPECT_EQ(said("sphere { 0, 1 pigment { image_map { png \"a.png\" } } normal { bump_map { png \"a\" } } }"), "") << "a file is read when it is needed";
+}
+
+TEST_F(PovBuilders, AnImageMapIsAPattern) {
+    write("a.png", ""), write("a.tif", "");
+    const Scene s = scene("#version 3.7; sphere { 0, 1 texture { uv_mapping pigment { image_map { png \"a.png\" map_type 2 interpolate 3 once filter 2, .5 transmit all .25 } scale 2 } } }\n"
+                          "sphere { 0, 1 pigment { image_map { png \"a.png\" gamma srgb } } normal { bump_map { tiff \"a.tif\" bump_size 2 use_index } } }");
+    EXPECT_EQ(s.images.size(), 2u) << "each file once";
+    const auto& first = std::get<PovFinish>(s.materials.at(0).layers.at(0)), second = std::get<PovFinish>(s.materials.at(1).layers.at(0));
+    const auto& map = std::get<PatternSignal>(s.signals.at(first.pigment.index).what);
+    EXPECT_EQ(map.pattern, kImageMap);
+    EXPECT_TRUE(map.uv_mapped);
+    EXPECT_EQ(map.warps.size(), 1u);
+    PatternPicture want;
+    want.image = ImageId{0}, want.map = PictureMap::cylindrical, want.filter = PictureFilter::bicubic, want.once = true, want.code = PictureCode::told_or_srgb;
+    want.clearings = {{2, 0.5, 0}, {{}, 0, 0.25}};
+    EXPECT_EQ(*map.picture, want);
+    EXPECT_EQ(std::get<PatternSignal>(s.signals.at(second.pigment.index).what).picture->code, PictureCode::srgb);
+    const auto& relief = std::get<ReliefSignal>(s.signals.at(second.normal->index).what);
+    EXPECT_EQ(relief.amount, 2);
+    EXPECT_EQ(relief.pattern.picture->value, PictureValue::palette);
+    EXPECT_EQ(relief.pattern.picture->code, PictureCode::stored);
+}
+
+TEST_F(PovBuilders, MeshesHaveTextureCoordinatesAndTexturesThatAreMixed) {
+    const std::string corners = "mesh2 { vertex_vectors { 3, 0, x, y } uv_vectors { 2, <.25, .125>, <1, 0> } face_indices { 1, <0, 1, 2> } ";
+    const auto mesh_in = [&](const std::string& text) { return std::get<Mesh>(scene(text).shapes.at(0).geometry); };
+    const Mesh indexed = mesh_in(corners + "uv_indices { 1, <0, 1, 1> } }");
+    EXPECT_EQ(indexed.uvs.at(0).values, (std::vector<Vec2f>{{0.25f, 0.875f}, {1, 1}})) << "v grows downwards here";
+    EXPECT_EQ(indexed.uvs.at(0).corners, (std::vector<uint32_t>{0, 1, 1}));
+    EXPECT_THAT(said(corners + "}"), HasSubstr("another number of texture coordinates than of vertices or triangles"));
+    EXPECT_THAT(said(corners + "uv_indices { 1, <0, 1, 2> } }"), HasSubstr("error: there is no vector 2: the mesh has 2"));
+    const std::string textures = "#declare A = texture { pigment { rgb x } } #declare B = texture { pigment { rgb y } }\n";
+    const Mesh mixed = mesh_in(textures + "mesh { triangle { 0, x, y } triangle { 0, x, y uv_vectors <1, 0>, <0, 1>, <1, 1> texture_list { A B A } } triangle { 0, x, z texture { B } } }");
+    EXPECT_EQ(mixed.slots, (std::vector<uint32_t>{0, 1, 2}));
+    EXPECT_EQ(mixed.corner_slots, (std::vector<uint32_t>{0, 0, 0, 1, 2, 1, 2, 2, 2}));
+    EXPECT_EQ(mixed.uvs.at(0).values.size(), 9u);
+    EXPECT_THAT(said(textures + "mesh { triangle { 0, x, y texture_list { A B } } }"), HasSubstr("2:27: error: the texture_list of a triangle has three textures"));
 }
 
 TEST_F(PovBuilders, MapsOfColours) {

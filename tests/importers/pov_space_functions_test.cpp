@@ -130,7 +130,7 @@ TEST(PovSpaceFunctions, WhatCannotBeCalledIsAnErrorWithItsPlace) {
         {"#declare M = function { pattern { } } #declare K = M(1, 2, 3);", "4:25: error: the name of a pattern is expected"},
         {"#declare M = function { pattern { bozo turbulence } } #declare K = M(1, 2, 3);", "error: a vector is expected as"},
         {"#declare M = function { pigment { wood scale <1,2,3> warp { repeat 0 } } } #declare K = M(1, 2, 3);", "error:"},
-        {"#declare M = function { pigment { image_map { png \"a.png\" } } } #declare K = M(1, 2, 3);", "warning: the pattern image_map of a pigment is not modelled yet: middle grey stands for it"},
+        {"#declare M = function { pigment { image_map { png \"a.png\" } } } #declare K = M(1, 2, 3);", "4:51: error: the picture \"a.png\" is not found"},
     };
     for (const auto& [text, words] : cases) {
         Diagnostics said;

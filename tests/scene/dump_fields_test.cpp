@@ -15,6 +15,10 @@ GltfPbr& gltf(Scene& s) { return std::get<GltfPbr>(s.materials[0].layers[0]); }
 PovFinish& pov(Scene& s) { return std::get<PovFinish>(s.materials[1].layers[0]); }
 ImageSignal& image(Scene& s) { return std::get<ImageSignal>(s.signals[1].what); }
 PatternSignal& pattern(Scene& s) { return std::get<PatternSignal>(s.signals[4].what); }
+PatternPicture& picture(Scene& s) {
+    if (!pattern(s).picture) pattern(s).picture.emplace();
+    return *pattern(s).picture;
+}
 AreaLight& area(Scene& s) {
     if (!std::holds_alternative<AreaLight>(s.lights[0].kind)) s.lights[0].kind = AreaLight();
     return std::get<AreaLight>(s.lights[0].kind);
@@ -112,6 +116,7 @@ const Change kShapeChanges[] = {
     [](Scene& s) { mesh(s).exact_positions.clear(); },
     [](Scene& s) { mesh(s).triangles[1].z = 1; },
     [](Scene& s) { mesh(s).slots[1] = 2; },
+    [](Scene& s) { mesh(s).corner_slots = {0, 1, 0, 0, 0, 0}; },
     [](Scene& s) { mesh(s).faces[1] = 1; },
     [](Scene& s) { mesh(s).normals.values[0].x = 1; },
     [](Scene& s) { mesh(s).normals.corners.clear(); },
@@ -151,6 +156,21 @@ const Change kSurfaceChanges[] = {
     [](Scene& s) { pattern(s).pattern = "wood"; },
     [](Scene& s) { pattern(s).parameters = {1}; },
     [](Scene& s) { pattern(s).source = SignalId{0}; },
+    [](Scene& s) { pattern(s).uv_mapped = true; },
+    [](Scene& s) { picture(s); },
+    [](Scene& s) { picture(s).image = ImageId{1}; },
+    [](Scene& s) { picture(s).map = PictureMap::spherical; },
+    [](Scene& s) { picture(s).filter = PictureFilter::bicubic; },
+    [](Scene& s) { picture(s).code = PictureCode::power; },
+    [](Scene& s) { picture(s).gamma = 2; },
+    [](Scene& s) { picture(s).scene_gamma = false; },
+    [](Scene& s) { picture(s).once = true; },
+    [](Scene& s) { picture(s).premultiplied = true; },
+    [](Scene& s) { picture(s).value = PictureValue::palette; },
+    [](Scene& s) { picture(s).clearings = {{}}; },
+    [](Scene& s) { picture(s).clearings = {{0, 0, 0}}; },
+    [](Scene& s) { picture(s).clearings = {{{}, 1, 0}}; },
+    [](Scene& s) { picture(s).clearings = {{{}, 0, 1}}; },
     [](Scene& s) { std::get<ConstantSignal>(s.signals[0].what).filter = 0.5; },
     [](Scene& s) { std::get<ConstantSignal>(s.signals[0].what).transmit = 0.5; },
     [](Scene& s) { pattern(s).turbulence.amount.y = 1; },
@@ -181,7 +201,6 @@ const Change kSurfaceChanges[] = {
     [](Scene& s) { s.functions[0].constants = {1}; },
     [](Scene& s) { s.functions[0].code = {1}; },
     [](Scene& s) { s.materials[0].name = "x"; },
-    [](Scene& s) { s.materials[0].uv_mapped = true; },
     [](Scene& s) { s.materials[0].from.line = 4; },
     [](Scene& s) { s.materials[1].layers.pop_back(); },
     [](Scene& s) { gltf(s).base_color = SignalId{1}; },

@@ -5,6 +5,7 @@
 #include "importers/importer.h"
 #include "tests/povray/povray.h"
 #include "tests/scenes/pov_pictures.h"
+#include "tests/scenes/sample_pictures.h"
 
 #include <cstdlib>
 #include <filesystem>
@@ -24,7 +25,10 @@ constexpr int kWidth = 64, kHeight = 48;
 
 class PovExport : public testing::TestWithParam<PovPicture> {
   protected:
-    void SetUp() override { std::filesystem::create_directories(folder_); }
+    void SetUp() override {
+        std::filesystem::create_directories(folder_);
+        write_sample_pictures(folder_);
+    }
     void TearDown() override { std::filesystem::remove_all(folder_); }
     std::string path(const char* name) const { return (folder_ / name).string(); }
 

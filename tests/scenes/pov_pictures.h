@@ -21,6 +21,8 @@ std::vector<PovPicture> light_pictures();
 std::vector<PovPicture> sampled_pictures();
 std::vector<PovPicture> fog_pictures();
 std::vector<PovPicture> old_cameras();
+/// They show the files of write_sample_pictures().
+std::vector<PovPicture> image_pictures();
 std::vector<PovPicture> other_pictures();
 /// All of them.
 std::vector<PovPicture> pov_pictures();

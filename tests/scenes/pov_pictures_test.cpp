@@ -4,6 +4,7 @@
 #include "importers/importer.h"
 #include "tests/povray/povray.h"
 #include "tests/scenes/pov_pictures.h"
+#include "tests/scenes/sample_pictures.h"
 #include "tracer/render.h"
 
 #include <cmath>
@@ -57,6 +58,7 @@ class PovPictures : public testing::TestWithParam<PovPicture> {};
 TEST_P(PovPictures, AreThoseOfPovRay) {
     if (!povray_is_installed()) GTEST_SKIP() << "povray is not installed";
     const Folder folder;
+    write_sample_pictures(folder / "");
     std::ofstream(folder / "scene.pov") << GetParam().scene << "\n";
     ASSERT_EQ(std::system(fmt::format("cd '{}' && povray +Iscene.pov +Oref.png +W{} +H{} {} -D +WT1 > said.txt 2>&1", folder / "", kWidth, kHeight, GetParam().words).c_str()), 0);
     const auto theirs = read_picture(folder / "ref.png", Encoding::linear);
@@ -77,7 +79,18 @@ TEST_P(PovPictures, AreThoseOfPovRay) {
     EXPECT_LE(differ, kWidth * kHeight / 200) << "pixels that differ by more than one step of 255";
 }
 
+TEST(PovPictureFiles, ABrokenFileIsAnErrorAtItsName) {
+    const Folder folder;
+    std::ofstream(folder / "a.png") << "no picture";
+    std::ofstream(folder / "scene.pov") << "sphere { z*5, 1\npigment { image_map { png \"a.png\" } } }\n";
+    std::string said;
+    EXPECT_FALSE(ours(folder / "scene.pov", folder / "own.png", {}, said));
+    EXPECT_NE(said.find("scene.pov:2:"), std::string::npos) << said;
+    EXPECT_NE(said.find("cannot be read"), std::string::npos) << said;
+}
+
 INSTANTIATE_TEST_SUITE_P(Patterned, PovPictures, testing::ValuesIn(patterned_pictures()), [](const auto& info) { return std::string(info.param.name); });
+INSTANTIATE_TEST_SUITE_P(Images, PovPictures, testing::ValuesIn(image_pictures()), [](const auto& info) { return std::string(info.param.name); });
 INSTANTIATE_TEST_SUITE_P(Fogs, PovPictures, testing::ValuesIn(fog_pictures()), [](const auto& info) { return std::string(info.param.name); });
 INSTANTIATE_TEST_SUITE_P(OldCameras, PovPictures, testing::ValuesIn(old_cameras()), [](const auto& info) { return std::string(info.param.name); });
 INSTANTIATE_TEST_SUITE_P(Lights, PovPictures, testing::ValuesIn(light_pictures()), [](const auto& info) { return std::string(info.param.name); });

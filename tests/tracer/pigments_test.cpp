@@ -128,12 +128,22 @@ TEST(Pigments, PatternsAreInTheSpaceOfTheNodeThatCarriesThem) {
 }
 
 TEST(Pigments, UvMappedPatternsAreLookedUpAtTextureCoordinates) {
-    const PatternSpace space{Transform(), Transform::scale(Vec3(7)), true};
+    const PatternSpace space{Transform(), Transform::scale(Vec3(7))};
     ShadePoint point;
     point.position = {5, 6, 7};
     point.on_shape = test::on_plane(0.25, 0.75);
     point.space = &space;
-    EXPECT_EQ(point.pattern_point(), Vec3(0.25, 0.75, 0));
+    EXPECT_EQ(point.pattern_point(), Vec3(35, 42, 49));
+    EXPECT_EQ(point.uv_place(), Vec3(5, 6, 0)) << "POV-Ray knows no (u, v) of planes";
+    const ShapeGeometry box = Box{};
+    point.on_shape = {find_shape(box), &box, Vec3(1, 0.5, 0.25), 0};
+    const Vec2 on_box = find_shape(box)->surface(box, point.on_shape.point, 0).uv;
+    EXPECT_EQ(point.uv_place(), Vec3(on_box, 0));
+    Mesh mesh;
+    mesh.positions = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, mesh.triangles = {Index3(0u, 1u, 2u)};
+    mesh.uvs.resize(1), mesh.uvs[0].values = {{0.5f, 0.25f}, {0.5f, 0.25f}, {0.5f, 0.25f}};
+    point.mesh = &mesh;
+    EXPECT_EQ(point.uv_place(), Vec3(0.5, 0.75, 0)) << "v upwards";
 }
 
 TEST(Pigments, APatternThatDoesNotExistIsAnErrorWithItsPlace) {

@@ -10,6 +10,7 @@ void take_gamma(Build& build, Cursor& at) {
     RenderSettings& s = build.scene.settings;
     const Place place = at.place();
     s.srgb_coded = at.accept("srgb"_w);
+    build.uncorrected = false;
     s.assumed_gamma = s.srgb_coded ? 1 : at.number("the assumed gamma");
     if (!(s.assumed_gamma > 0)) build.p.fail(place, "the assumed gamma must be greater than 0");
 }
@@ -29,6 +30,7 @@ void begin_settings(Build& build, const Program& program) {
     s.adc_bailout = 1.0 / 255;
     const bool old = !program.version_given || program.version < 3.7 - 1e-9;
     s.srgb_coded = old;               // without assumed_gamma an old scene's numbers are what the file holds: no correction at all
+    build.uncorrected = old;
     s.filter_dims_by_colour = old;
     if (program.version_given && program.version < 3.5 - 1e-9) build.noise = NoiseGenerator::original;
     s.generator = "POV-Ray";

@@ -64,17 +64,54 @@ class Slots {
     std::map<const Block*, uint32_t> known_;
 };
 
-/// What may stand behind the corners of a mesh's triangle; returns its material slot.
-uint32_t take_triangle_modifiers(Cursor& at, Slots& slots) {
-    uint32_t slot = 0;
-    while (!at.done()) {
-        const Block* texture = at.block_at("texture"_w);
-        const Block* named = nullptr;
-        if (texture && texture->items.size() == 1 && texture->items[0].value.kind == Kind::block) named = &texture->items[0].block();
-        if (!texture) at.skip_unmodelled();
-        else at.next(), slot = slots.of(named && named->word == "texture"_w ? *named : *texture);
+/// The texture itself where a block only names it.
+const Block& named(const Block& texture) {
+    const bool only = texture.items.size() == 1 && texture.items[0].value.kind == Kind::block;
+    return only && texture.items[0].block().word == "texture"_w ? texture.items[0].block() : texture;
+}
+
+/// POV-Ray's v grows upwards.
+Vec2f uv_of(const Vec3& v) { return Vec2f(float(v.x), float(1 - v.y)); }
+
+/// `uv_vectors <u, v>, <u, v>, <u, v>` of the last triangle; those without have <0, 0>.
+void take_triangle_uvs(Cursor& at, Mesh& mesh) {
+    if (mesh.uvs.empty()) mesh.uvs.resize(1);
+    mesh.uvs[0].values.resize(mesh.positions.size() - 3, uv_of(Vec3(0)));
+    for (int corner = 0; corner < 3; ++corner) mesh.uvs[0].values.push_back(uv_of(at.vector("texture coordinates")));
+}
+
+std::vector<uint32_t> take_texture_list(Build& build, const Block& block, Slots& slots) {
+    std::vector<uint32_t> out;
+    for (Cursor at(build, block); !at.done(); ) {
+        if (const Block* texture = at.block_at("texture"_w)) out.push_back(slots.of(named(*texture)));
+        at.next();
     }
-    return slot;
+    return out;
+}
+
+/// Sets the slots of the last triangle, one or three.
+void set_slots(Mesh& mesh, const Index3& corners) {
+    const size_t before = mesh.triangles.size() - 1;
+    mesh.slots.push_back(corners.x);
+    const bool mixed = corners != Index3(corners.x);
+    if (!mixed && mesh.corner_slots.empty()) return;
+    for (size_t t = mesh.corner_slots.size() / 3; t < before; ++t) mesh.corner_slots.insert(mesh.corner_slots.end(), 3, mesh.slots[t]);
+    mesh.corner_slots.insert(mesh.corner_slots.end(), {corners.x, corners.y, corners.z});
+}
+
+/// What may stand behind the corners of a mesh's triangle.
+void take_triangle_modifiers(Build& build, Cursor& at, Slots& slots, Mesh& mesh) {
+    Index3 corners(0u);
+    while (!at.done()) {
+        if (const Block* texture = at.block_at("texture"_w)) at.next(), corners = Index3(slots.of(named(*texture)));
+        else if (const Block* list = at.block_at("texture_list"_w)) {
+            const std::vector<uint32_t> three = take_texture_list(build, *list, slots);
+            if (three.size() != 3) build.p.fail(list->place, "the texture_list of a triangle has three textures");
+            at.next(), corners = Index3(three[0], three[1], three[2]);
+        } else if (at.accept("uv_vectors"_w)) take_triangle_uvs(at, mesh);
+        else at.skip_unmodelled();
+    }
+    set_slots(mesh, corners);
 }
 
 /// The vectors behind their number in `vertex_vectors { ... }` and the like.
@@ -97,7 +134,7 @@ Index3 take_indices(Build& build, Cursor& at, size_t count) {
 }
 
 struct Mesh2Parts {
-    const Block *vertices = nullptr, *normals = nullptr, *textures = nullptr, *faces = nullptr, *normal_indices = nullptr;
+    const Block *vertices = nullptr, *normals = nullptr, *uvs = nullptr, *textures = nullptr, *faces = nullptr, *normal_indices = nullptr, *uv_indices = nullptr;
 };
 
 Mesh2Parts take_parts(Cursor& at) {
@@ -108,7 +145,9 @@ Mesh2Parts take_parts(Cursor& at) {
         else if (const Block* t = at.block_at("texture_list"_w)) parts.textures = t;
         else if (const Block* f = at.block_at("face_indices"_w)) parts.faces = f;
         else if (const Block* i = at.block_at("normal_indices"_w)) parts.normal_indices = i;
-        else if (at.at_block("uv_vectors"_w) || at.at_block("uv_indices"_w) || at.at_word("inside_vector"_w)) {
+        else if (const Block* u = at.block_at("uv_vectors"_w)) parts.uvs = u;
+        else if (const Block* k = at.block_at("uv_indices"_w)) parts.uv_indices = k;
+        else if (at.at_word("inside_vector"_w)) {
             at.skip_unmodelled();
             continue;
         } else break;
@@ -117,43 +156,52 @@ Mesh2Parts take_parts(Cursor& at) {
     return parts;
 }
 
-std::vector<uint32_t> take_texture_list(Build& build, const Block& block, Slots& slots) {
-    std::vector<uint32_t> out;
-    for (Cursor at(build, block); !at.done(); ) {
-        if (const Block* texture = at.block_at("texture"_w)) out.push_back(slots.of(*texture));
-        at.next();
-    }
-    return out;
-}
-
-/// The triangles, and the slot of each: one texture index for the whole triangle. (Three of them would be blended over it.)
+/// The triangles, and the slots of each: one texture index for the whole triangle, or three that are mixed over it.
 void take_faces(Build& build, const Block& block, const std::vector<uint32_t>& textures, Mesh& mesh) {
     Cursor at(build, block);
     if (at.at_number()) at.next();
     while (!at.done()) {
         const Place place = at.place();
         mesh.triangles.push_back(take_indices(build, at, mesh.positions.size()));
-        uint32_t slot = 0;
+        Index3 corners(0u);
         for (int n = 0; at.at_number(); ++n) {
             const double index = at.number("the number of a texture");
             if (!(index >= 0 && index < double(textures.size()))) build.p.fail(place, fmt::format("there is no texture {}: the mesh has {}", index, textures.size()));
-            if (n == 0) slot = textures[size_t(index)];
-            if (n == 1) build.p.tally(place, "triangles whose corners have different textures are not modelled yet: the first is taken");
+            if (n == 0) corners = Index3(textures[size_t(index)]);
+            else if (n < 3) corners[n] = textures[size_t(index)];
         }
-        if (!textures.empty()) mesh.slots.push_back(slot);
+        if (!textures.empty()) set_slots(mesh, corners);
     }
 }
 
-void take_normals(Build& build, const Mesh2Parts& parts, Mesh& mesh) {
+/// The indices of an attribute, and whether there are as many as the mesh takes: else nothing is left of it but a warning.
+template <class T> void take_corners(Build& build, const Block* indices, const char* what, const char* instead, Mesh& mesh, Attribute<T>& out, Place place) {
+    if (indices) {
+        Cursor at(build, *indices);
+        if (at.at_number()) at.next();
+        while (!at.done()) {
+            const Index3 i = take_indices(build, at, out.values.size());
+            out.corners.insert(out.corners.end(), {i.x, i.y, i.z});
+        }
+    }
+    const size_t values = out.values.size(), corners = out.corners.size();
+    if (corners ? corners == 3 * mesh.triangles.size() : values == mesh.positions.size()) return;
+    build.p.warn(place, fmt::format("the mesh has another number of {} than of vertices or triangles: {}", what, instead));
+    out = {};
+}
+
+void take_normals(Build& build, const Mesh2Parts& parts, Mesh& mesh, Place place) {
     if (!parts.normals) return;
     for (const Vec3& n : take_vectors(build, *parts.normals)) mesh.normals.values.emplace_back(normalized(n));
-    if (!parts.normal_indices) return;
-    Cursor at(build, *parts.normal_indices);
-    if (at.at_number()) at.next();
-    while (!at.done()) {
-        const Index3 i = take_indices(build, at, mesh.normals.values.size());
-        mesh.normals.corners.insert(mesh.normals.corners.end(), {i.x, i.y, i.z});
-    }
+    if (!mesh.normals.values.empty()) take_corners(build, parts.normal_indices, "normals", "it is drawn flat", mesh, mesh.normals, place);
+}
+
+void take_uvs(Build& build, const Mesh2Parts& parts, Mesh& mesh, Place place) {
+    if (!parts.uvs) return;
+    Attribute<Vec2f> uvs;
+    for (const Vec3& uv : take_vectors(build, *parts.uvs)) uvs.values.push_back(uv_of(uv));
+    if (!uvs.values.empty()) take_corners(build, parts.uv_indices, "texture coordinates", "they are left out", mesh, uvs, place);
+    if (uvs.present()) mesh.uvs.push_back(std::move(uvs));
 }
 
 }  // namespace
@@ -172,7 +220,7 @@ BuiltShape build_mesh(Build& build, Cursor& at) {
         if (smooth && !smooth_seen) {                                // those before it were flat
             Mesh flat = std::move(mesh);
             mesh = Mesh();
-            mesh.slots = std::move(flat.slots);
+            mesh.slots = std::move(flat.slots), mesh.corner_slots = std::move(flat.corner_slots), mesh.uvs = std::move(flat.uvs);
             for (const Index3& t : flat.triangles) {
                 mesh.triangles.push_back(t);
                 for (int i = 0; i < 3; ++i) add_vertex(mesh, flat.exact_positions[t[i]]);
@@ -182,9 +230,10 @@ BuiltShape build_mesh(Build& build, Cursor& at) {
         }
         take_triangle(mesh, corners, smooth);
         if (smooth_seen && !smooth) fill_normals(mesh);
-        mesh.slots.push_back(take_triangle_modifiers(corners, slots));
+        take_triangle_modifiers(build, corners, slots, mesh);
     }
     if (mesh.triangles.empty()) build.p.fail(at.place(), "a mesh needs triangles");
+    if (!mesh.uvs.empty()) mesh.uvs[0].values.resize(mesh.positions.size(), uv_of(Vec3(0)));
     drop_exact_copies(mesh);
     return {std::move(mesh), slots.take()};
 }
@@ -199,12 +248,8 @@ BuiltShape build_mesh2(Build& build, Cursor& at) {
     std::vector<uint32_t> textures;
     if (parts.textures) textures = take_texture_list(build, *parts.textures, slots);
     take_faces(build, *parts.faces, textures, mesh);
-    take_normals(build, parts, mesh);
-    const size_t normals = mesh.normals.values.size(), corners = mesh.normals.corners.size();
-    if ((corners ? corners != 3 * mesh.triangles.size() : normals && normals != mesh.positions.size())) {
-        build.p.warn(place, "the mesh has another number of normals than of vertices or triangles: it is drawn flat");
-        mesh.normals = {};
-    }
+    take_normals(build, parts, mesh, place);
+    take_uvs(build, parts, mesh, place);
     drop_exact_copies(mesh);
     return {std::move(mesh), slots.take()};
 }

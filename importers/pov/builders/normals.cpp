@@ -56,7 +56,7 @@ void read_normal(Build& build, Cursor& at, ReliefSignal& r) {
             const SignalId normal = build_normal(build, *base, default_texture(build, base->defaults).normal);
             r = std::get<ReliefSignal>(build.scene.signals[normal.index].what);
             if (at.at_number()) r.amount = at.number("the depth of a normal");
-        } else if (take_pattern(build, at, r.pattern)) read_behind_pattern(build, at, r);
+        } else if (take_pattern(build, at, r.pattern, &r.amount)) read_behind_pattern(build, at, r);
         else if (const Block* map = at.block_at("normal_map"_w)) at.next(), read_normal_map(build, *map, r.pattern.map);
         else if (const Block* slopes = at.block_at("slope_map"_w)) at.next(), read_slope_map(build, *slopes, r.slopes);
         else if (at.accept("bump_size"_w)) r.amount = at.number("the depth of a normal");

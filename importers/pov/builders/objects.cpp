@@ -24,6 +24,7 @@ struct Draft {
     Transform transform;                  ///< behind the texture; of all, if there is none
     TextureLayers layers;
     Place texture_place;
+    bool uv_mapped = false;               ///< of the texture that follows
     bool parts_textured = false;          ///< a referenced object brings its own
     const Block* bound = nullptr;         ///< bounded_by, which clipped_by may name
     Transform bound_transform;            ///< of the object, where it stands
@@ -57,14 +58,17 @@ bool take_layer(Build& build, Draft& d, Cursor& at) {
     if (!block || (block->word != "pigment"_w && block->word != "normal"_w && block->word != "finish"_w)) return false;
     begin_texture(d, block->place);
     if (d.layers.empty()) d.layers.push_back(default_texture(build, block->defaults));
-    return take_layer_part(build, at, d.layers, d.transform);
+    const bool taken = take_layer_part(build, at, d.layers, d.transform);
+    if (d.uv_mapped) set_uv_mapped(build, d.layers);
+    return taken;
 }
 
 void add_all(TextureLayers& layers, TextureLayers more) { layers.insert(layers.end(), more.begin(), more.end()); }
 
 void add_layers(Build& build, Draft& d, TextureLayers more, Place at) {
     begin_texture(d, at);
-    move_layers(build, more, inverse(d.transform).value_or(Transform()));   // what stood between the layers moves those before it alone
+    if (d.uv_mapped) set_uv_mapped(build, more);
+    move_in_space(build, more, inverse(d.transform).value_or(Transform()));   // what stood between the layers moves those before it alone
     add_all(d.layers, std::move(more));
 }
 
@@ -90,7 +94,10 @@ void add_material(Build& build, Draft& d, const Block& block) {
 bool take_surface(Build& build, Draft& d, Cursor& at) {
     if (build.shapes_alone && !at.done() && (changes_texture(at.peek()) || at.at_block("interior"_w))) return at.next(), true;
     if (take_layer(build, d, at)) return true;
-    if (const Block* texture = at.block_at("texture"_w)) add_layers(build, d, build_texture(build, *texture), texture->place);
+    if (at.at_word("uv_mapping"_w)) {
+        if (!d.layers.empty()) build.p.fail(at.place(), "uv_mapping must stand before the texture");
+        d.uv_mapped = true;
+    } else if (const Block* texture = at.block_at("texture"_w)) add_layers(build, d, build_texture(build, *texture), texture->place);
     else if (const Block* material = at.block_at("material"_w)) add_material(build, d, *material);
     else if (const Block* interior = at.block_at("interior"_w)) d.node.interior = add_interior(build, *interior);
     else return false;

@@ -3,6 +3,7 @@
 
 #include "eval/noise/single.h"
 #include "eval/patterns/registry.h"
+#include "importers/pov/builders/pictures.h"
 #include "importers/pov/builders/pigments.h"
 #include "importers/pov/builders/textures.h"
 #include "importers/pov/builders/warps.h"
@@ -103,18 +104,25 @@ bool take_wave(Cursor& at, PatternSignal& s) {
 
 }  // namespace
 
-bool take_pattern(Build& build, Cursor& at, PatternSignal& s) {
+bool take_pattern(Build& build, Cursor& at, PatternSignal& s, double* depth) {
+    if (at_picture(at)) {
+        const Block& block = *at.any_block();
+        at.next();
+        s.pattern = kWords[block.word], s.parameters.clear(), s.source.reset();
+        s.picture = build_picture(build, block, depth);
+        return true;
+    }
     if (const Block* pigment = at.block_at("pigment_pattern"_w)) {
         at.next();
-        s.pattern = "pigment_pattern", s.parameters.clear();
+        s.pattern = "pigment_pattern", s.parameters.clear(), s.picture.reset();
         s.source = build_pigment(build, *pigment, default_texture(build, pigment->defaults).pigment);
         return true;
     }
     if (at.done() || at.peek().kind != Item::Kind::word) return false;
     const WordId word = at.peek().word;
     const PatternOps* row = find_pattern(kWords[word]);
-    if (row ? row->sourced : word != "magnet"_w) return false;
-    s.parameters.clear(), s.source.reset();
+    if (row ? row->source != SourceKind::none : word != "magnet"_w) return false;
+    s.parameters.clear(), s.source.reset(), s.picture.reset();
     s.noise = build.noise;
     if (!row) return take_magnet(build, at, s);
     at.next();
@@ -126,6 +134,7 @@ bool take_pattern(Build& build, Cursor& at, PatternSignal& s) {
 bool take_pattern_modifier(Build& build, Cursor& at, PatternSignal& s) {
     if (at.at_transform()) move(s, at.transform());
     else if (const Block* warp = at.block_at("warp"_w)) at.next(), s.warps.push_back(build_warp(build, *warp));
+    else if (at.accept("uv_mapping"_w)) s.uv_mapped = true;
     else if (at.accept("frequency"_w)) s.frequency = at.number("the frequency");
     else if (at.accept("phase"_w)) s.phase = at.number("the phase");
     else if (at.accept("noise_generator"_w)) s.noise = NoiseGenerator(at.integer("the noise generator", 1, 3));

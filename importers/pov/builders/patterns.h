@@ -7,8 +7,8 @@
 namespace alidade::pov {
 
 /// Reads the pattern that comes next, its name and the values that belong to the name, into `s`, whose modifiers stay. False, and nothing read, where no
-/// pattern stands that eval/patterns knows.
-bool take_pattern(Build& build, Cursor& at, PatternSignal& s);
+/// pattern stands that eval/patterns knows. `depth`: that of a normal, which a bump_map may bring.
+bool take_pattern(Build& build, Cursor& at, PatternSignal& s, double* depth = nullptr);
 
 /// Reads what changes a pattern: turbulence, warps, waves, its own parameters, transformations. False, and nothing read, where nothing of it stands.
 bool take_pattern_modifier(Build& build, Cursor& at, PatternSignal& s);

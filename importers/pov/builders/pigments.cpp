@@ -4,6 +4,7 @@
 #include "importers/pov/builders/default_maps.h"
 #include "importers/pov/builders/patterns.h"
 #include "importers/pov/builders/textures.h"
+#include "scene/graph.h"
 
 #include <fmt/format.h>
 
@@ -107,7 +108,7 @@ SignalId build_pigment(Build& build, const Block& block, SignalId start, size_t 
     // A modifier without a pattern, and a colour instead of one, leave one colour everywhere.
     if (auto* pattern = std::get_if<PatternSignal>(&pigment.what)) {
         if (pattern->pattern.empty()) pigment = Signal(build.scene.signals[start.index]);
-        else if (pattern->pattern != "average" || pattern->map.empty()) add_default_map(build, *pattern);
+        else if (pattern->pattern != kImageMap && (pattern->pattern != "average" || pattern->map.empty())) add_default_map(build, *pattern);
     }
     pigment.from = build.position(block.place);
     const SignalId id = build.add_signal(std::move(pigment));
@@ -121,6 +122,11 @@ SignalId moved(Build& build, SignalId id, const Transform& transform) {
     else if (auto* relief = std::get_if<ReliefSignal>(&signal.what)) move(relief->pattern, transform);
     else return id;
     return build.add_signal(std::move(signal));
+}
+
+SignalId moved_in_space(Build& build, SignalId id, const Transform& transform) {
+    const PatternSignal* pattern = pattern_of(build.scene.signals[id.index]);
+    return pattern && pattern->uv_mapped ? id : moved(build, id, transform);
 }
 
 }  // namespace alidade::pov

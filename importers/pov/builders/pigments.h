@@ -22,6 +22,9 @@ SignalId add_colour(Build& build, const std::array<double, 5>& c, Place at);
 /// The same signal, moved behind all that it has: another one, unless it is the same everywhere.
 SignalId moved(Build& build, SignalId signal, const Transform& transform);
 
+/// The same, but for what is looked up at (u, v, 0).
+SignalId moved_in_space(Build& build, SignalId signal, const Transform& transform);
+
 /// The pattern that comes next is none that is modelled: says so.
 void tally_pattern(Build& build, const Item& item, const char* what);
 

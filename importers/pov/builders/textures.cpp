@@ -2,6 +2,7 @@
 #include "importers/pov/builders/textures.h"
 
 #include "importers/pov/builders/patterns.h"
+#include "importers/pov/builders/pictures.h"
 #include "importers/pov/builders/pigments.h"
 
 #include <algorithm>
@@ -18,6 +19,7 @@ struct Draft {
     TextureLayers layers;
     PatternSignal pattern;               ///< of the map; without a name as long as there is none
     std::vector<MaterialId> textures;
+    bool uv_mapped = false;
 };
 
 /// A texture of a map, made once however often maps have it.
@@ -68,6 +70,26 @@ void read_tiles(Build& build, const Block& block, Draft& d) {
     std::reverse(d.textures.begin(), d.textures.end());
 }
 
+/// The texture of a pixel's number: counted again and again, but the first number that there is no texture for has the last.
+size_t numbered(size_t number, size_t textures) { return number == textures ? textures - 1 : number % textures; }
+
+/// `material_map { png "file" texture { } ... }`.
+void read_material_map(Build& build, const Block& block, Draft& d) {
+    constexpr size_t kNumbers = 256;
+    Cursor at(build, block);
+    d.pattern.pattern = "image_pattern", d.pattern.parameters.clear();
+    d.pattern.picture = take_picture(build, at);
+    d.pattern.picture->value = PictureValue::palette;
+    d.pattern.map.clear(), d.textures.clear();
+    std::vector<MaterialId> list;
+    while (!at.done()) {
+        if (const Block* texture = at.block_at("texture"_w)) at.next(), list.push_back(part(build, *texture, 0));
+        else at.skip_unmodelled();
+    }
+    if (list.empty()) build.p.fail(block.place, "a material_map needs textures");
+    for (size_t i = 0; i < kNumbers; ++i) add_entry(d, double(i), list[numbered(i, list.size())], default_texture(build, 0).pigment);
+}
+
 /// The pattern of a map, its entries and modifiers; false where none of them stands.
 bool take_map(Build& build, Cursor& at, Draft& d) {
     if (take_pattern(build, at, d.pattern)) {
@@ -76,6 +98,9 @@ bool take_map(Build& build, Cursor& at, Draft& d) {
     } else if (const Block* tiles = at.block_at("tiles"_w)) {
         at.next();
         read_tiles(build, *tiles, d);
+    } else if (const Block* numbers = at.block_at("material_map"_w)) {
+        at.next();
+        read_material_map(build, *numbers, d);
     } else if (const Block* map = at.block_at("texture_map"_w)) {
         at.next();
         read_texture_map(build, *map, d);
@@ -92,18 +117,34 @@ void stand_in(Build& build, const Item& item, Draft& d) {
     d.layers = {grey};
 }
 
+/// Calls f(signal) for the signals of layers that have a place, and replaces them by what it returns.
+template <class F> void replace_signals(TextureLayers& layers, const F& f) {
+    for (auto& layer : layers) {
+        if (auto* map = std::get_if<PovTextureMap>(&layer)) map->pattern = f(map->pattern);
+        auto* finish = std::get_if<PovFinish>(&layer);
+        if (!finish) continue;
+        finish->pigment = f(finish->pigment);
+        if (finish->normal) finish->normal = f(*finish->normal);
+    }
+}
+
+PatternSignal* pattern_in(Signal& signal) {
+    auto* relief = std::get_if<ReliefSignal>(&signal.what);
+    return relief ? &relief->pattern : std::get_if<PatternSignal>(&signal.what);
+}
+
 /// The layers of a `texture` block, without the further textures of a declared one.
 void read_texture(Build& build, Cursor& at, Draft& d) {
     while (!at.done()) {
         if (const Block* base = at.block_at("texture"_w)) at.next(), d.layers = build_texture(build, *base);
         else if (take_layer_part(build, at, d.layers) || take_map(build, at, d)) continue;
         else if (at.at_transform()) move_layers(build, d.layers, at.transform());
-        else if (at.at_word("uv_mapping"_w)) at.skip_unmodelled();
+        else if (at.accept("uv_mapping"_w)) d.uv_mapped = true;
         else if (at.peek().kind == Item::Kind::word || at.any_block()) return at.refuse_misplaced(), stand_in(build, at.peek(), d);
         else at.skip_unmodelled();
     }
-    if (d.textures.empty()) return;
-    d.layers = {PovTextureMap{build.add_signal(std::move(d.pattern), at.place()), std::move(d.textures)}};
+    if (!d.textures.empty()) d.layers = {PovTextureMap{build.add_signal(std::move(d.pattern), at.place()), std::move(d.textures)}};
+    if (d.uv_mapped) set_uv_mapped(build, d.layers);
 }
 
 /// What `#default { ... }` makes of the default texture.
@@ -121,14 +162,21 @@ PovFinish changed_default(Build& build, const Block& block, const PovFinish& bef
 }  // namespace
 
 void move_layers(Build& build, TextureLayers& layers, const Transform& t) {
-    if (t.is_identity()) return;
-    for (auto& layer : layers) {
-        if (auto* map = std::get_if<PovTextureMap>(&layer)) map->pattern = moved(build, map->pattern, t);
-        auto* finish = std::get_if<PovFinish>(&layer);
-        if (!finish) continue;
-        finish->pigment = moved(build, finish->pigment, t);
-        if (finish->normal) finish->normal = moved(build, *finish->normal, t);
-    }
+    if (!t.is_identity()) replace_signals(layers, [&](SignalId id) { return moved(build, id, t); });
+}
+
+void move_in_space(Build& build, TextureLayers& layers, const Transform& t) {
+    if (!t.is_identity()) replace_signals(layers, [&](SignalId id) { return moved_in_space(build, id, t); });
+}
+
+void set_uv_mapped(Build& build, TextureLayers& layers) {
+    replace_signals(layers, [&](SignalId id) {
+        Signal signal = build.scene.signals[id.index];
+        PatternSignal* pattern = pattern_in(signal);
+        if (!pattern || pattern->uv_mapped) return id;
+        pattern->uv_mapped = true;
+        return build.add_signal(std::move(signal));
+    });
 }
 
 bool take_layer_part(Build& build, Cursor& at, TextureLayers& layers, const Transform& since) {
@@ -139,8 +187,8 @@ bool take_layer_part(Build& build, Cursor& at, TextureLayers& layers, const Tran
     at.next();
     if (block->word == "finish"_w) return build_finish(build, *block, *layer), true;
     const Transform back = inverse(since).value_or(Transform());
-    const auto there = [&](SignalId id) { return since.is_identity() ? id : moved(build, id, since); };
-    const auto here = [&](SignalId id) { return since.is_identity() ? id : moved(build, id, back); };
+    const auto there = [&](SignalId id) { return since.is_identity() ? id : moved_in_space(build, id, since); };
+    const auto here = [&](SignalId id) { return since.is_identity() ? id : moved_in_space(build, id, back); };
     if (block->word == "pigment"_w) {
         layer->pigment = here(build_pigment(build, *block, there(layer->pigment)));
     } else {

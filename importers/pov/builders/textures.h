@@ -18,6 +18,10 @@ TextureLayers build_texture(Build& build, const Block& block, size_t skipped = 0
 bool take_layer_part(Build& build, Cursor& at, TextureLayers& layers, const Transform& since = {});
 /// Moves layers behind all that they have.
 void move_layers(Build& build, TextureLayers& layers, const Transform& t);
+/// The same where the object is moved: what is uv_mapped stays with its surface.
+void move_in_space(Build& build, TextureLayers& layers, const Transform& t);
+/// `uv_mapping` before a texture, or in it.
+void set_uv_mapped(Build& build, TextureLayers& layers);
 /// `finish { ... }` over what `layer` has. Source   POV-Ray 3.7 reference, 3.4.3.3 "Finish".
 void build_finish(Build& build, const Block& block, PovFinish& layer);
 

@@ -1,0 +1,128 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "importers/pov/builders/pictures.h"
+
+#include "eval/noise/single.h"
+
+#include <algorithm>
+#include <fmt/format.h>
+
+namespace alidade::pov {
+
+namespace {
+
+/// A word for a format, and the ending that names may leave out. `encoded`: what the file does not say, version 3.7 takes for sRGB. What a file is, is seen by its content.
+struct Format {
+    WordId word;
+    const char* ending;
+    bool encoded = true;
+};
+constexpr Format kFormats[] = {{"png"_w, ".png"}, {"jpeg"_w, ".jpg"}, {"gif"_w, ".gif"}, {"tga"_w, ".tga"}, {"iff"_w, ".iff"}, {"sys"_w, ".bmp"},
+                               {"ppm"_w, ".ppm", false}, {"pgm"_w, ".pgm", false}, {"tiff"_w, ".tif", false}, {"exr"_w, ".exr"}, {"hdr"_w, ".hdr"}};
+
+/// Without a word it is what POV-Ray writes if nothing else is asked for.
+const Format& take_format(Cursor& at) {
+    for (const Format& format : kFormats)
+        if (at.accept(format.word)) return format;
+    return kFormats[0];
+}
+
+ImageId add_image(Build& build, const std::string& name, const Format& format, Place place) {
+    auto found = build.p.finder.find(name);
+    if (!found) found = build.p.finder.find(name + format.ending);
+    if (!found) build.p.fail(place, fmt::format("the picture \"{}\" is not found", name), "pictures are looked for where includes are: below the scene's folder and the include paths");
+    const auto [at, added] = build.images.try_emplace(found->path, ImageId{uint32_t(build.scene.images.size())});
+    if (!added) return at->second;
+    if (found->other_case) build.p.warn(place, fmt::format("the picture \"{}\" is found as {}", name, found->path));
+    Image image;
+    image.name = name, image.path = found->path, image.from = build.position(place);
+    build.scene.images.push_back(std::move(image));
+    return at->second;
+}
+
+/// What the file's numbers mean if the scene does not say.
+void set_usual_code(const Build& build, const Block& block, const Format& format, PatternPicture& out) {
+    const bool is_colour = block.word == "image_map"_w;
+    out.scene_gamma = is_colour && !build.uncorrected;
+    if (!out.scene_gamma) return;
+    const bool old = !build.p.version_given || double(block.version) < 3.7 - 1e-6;
+    out.code = format.encoded && !old ? PictureCode::told_or_srgb : PictureCode::told_or_stored;
+}
+
+void take_gamma(Build& build, Cursor& at, PatternPicture& out) {
+    const Place place = at.place();
+    if (at.accept("srgb"_w)) {
+        out.code = PictureCode::srgb;
+        return;
+    }
+    out.code = PictureCode::power;
+    out.gamma = single(at.number("the gamma of a picture"));
+    if (!(out.gamma > 0)) build.p.fail(place, "the gamma of a picture must be greater than 0");
+}
+
+void take_map(Build& build, Cursor& at, PatternPicture& out) {
+    const Place place = at.place();
+    const double type = at.number("the type of a map");
+    if (type == 0) out.map = PictureMap::planar;
+    else if (type == 1) out.map = PictureMap::spherical;
+    else if (type == 2) out.map = PictureMap::cylindrical;
+    else if (type == 5) out.map = PictureMap::toroidal;
+    else build.p.fail(place, fmt::format("there is no map_type {}", type), "0 is planar, 1 spherical, 2 cylindrical, 5 a torus");
+}
+
+void take_filter(Cursor& at, PatternPicture& out) {
+    const int type = at.integer("the kind of interpolation", 0, 4);
+    static constexpr PictureFilter kKinds[] = {PictureFilter::none, PictureFilter::none, PictureFilter::bilinear, PictureFilter::bicubic, PictureFilter::distance};
+    out.filter = kKinds[type];
+}
+
+/// `filter all F`, `filter N, F`, and the same with transmit.
+void take_clearing(Cursor& at, bool filters, PatternPicture& out) {
+    PatternPicture::Clearing c;
+    if (!at.accept("all"_w)) c.color = at.integer("the number of a colour in a palette", 0, 255);
+    (filters ? c.filter : c.transmit) = single(at.number("how much passes a colour"));
+    out.clearings.push_back(c);
+}
+
+/// What may stand behind the file's name; false where nothing of it stands.
+bool take_modifier(Build& build, Cursor& at, PatternPicture& out, double* depth) {
+    if (at.accept("gamma"_w)) take_gamma(build, at, out);
+    else if (at.accept("premultiplied"_w)) out.premultiplied = at.flag();
+    else if (at.accept("map_type"_w)) take_map(build, at, out);
+    else if (at.accept("interpolate"_w)) take_filter(at, out);
+    else if (at.accept("once"_w)) out.once = true;
+    else if (at.accept("filter"_w)) take_clearing(at, true, out);
+    else if (at.accept("transmit"_w)) take_clearing(at, false, out);
+    else if (at.accept("use_alpha"_w)) out.value = PictureValue::transmission;
+    else if (at.accept("use_index"_w)) out.value = PictureValue::palette;
+    else if (at.accept("use_color"_w) || at.accept("use_colour"_w)) out.value = PictureValue::grey;
+    else if (depth && at.accept("bump_size"_w)) *depth = at.number("the depth of a normal");
+    else return false;
+    return true;
+}
+
+}  // namespace
+
+bool at_picture(const Cursor& at) { return at.at_block("image_map"_w) || at.at_block("image_pattern"_w) || at.at_block("bump_map"_w); }
+
+PatternPicture take_picture(Build& build, Cursor& at, double* depth) {
+    const Block& block = at.block();
+    PatternPicture out;
+    if (at.at_numeric()) at.next();                                  // the old direction, which says nothing any more
+    const Format& format = take_format(at);
+    const Place place = at.place();
+    const bool named = !at.done() && at.peek().kind == Item::Kind::value && at.peek().value.kind == Kind::string;
+    if (!named) build.p.fail(place, fmt::format("the name of a file is expected in {}", kWords[block.word]), "pictures that are made by functions are not modelled yet");
+    out.image = add_image(build, at.next().value.text(), format, place);
+    set_usual_code(build, block, format, out);
+    while (!at.done() && take_modifier(build, at, out, depth)) continue;
+    return out;
+}
+
+PatternPicture build_picture(Build& build, const Block& block, double* depth) {
+    Cursor at(build, block);
+    const PatternPicture out = take_picture(build, at, depth);
+    while (!at.done()) at.skip_unmodelled();
+    return out;
+}
+
+}  // namespace alidade::pov
