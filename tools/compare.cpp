@@ -95,7 +95,7 @@ int compare_one(const CompareWords& words) {
     DiffRequest diff = words.corpus.diff;
     const std::string report = std::exchange(diff.report, "");
     CompareJob job = words.corpus.defaults;
-    job.scene = words.corpus.reading.scene;
+    job.scene = words.corpus.reading.scene, job.objects = !report.empty();
     const SceneComparison compared = compare_scene(words.corpus.reading, job, diff);
     if (diff.json) fmt::print("{}", as_json_text(to_json(compared)));
     else if (compared.comparison.judgement.verdict != Verdict::error) fmt::print("{}", as_lines(compared));

@@ -60,6 +60,8 @@ class Compare(InFolder):
         self.assertEqual(said.returncode, 2, said.stdout)
         page = (self.folder / "report.html").read_text()
         self.assertIn("POV-Ray 3.7", page)
+        for name in ("sphere (ball.pov:3)", "plane (ground.inc:1)"):
+            self.assertIn(name, page, "the inspector names what a pixel shows")
         self.assertTrue((self.folder / "heat.png").exists())
 
     def test_what_cannot_be_compared(self):

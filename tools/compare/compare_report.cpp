@@ -34,7 +34,7 @@ std::vector<std::string> commands_of(const Json& document) {
 ReportPair report_pair(const SceneComparison& compared) {
     const Json document = to_json(compared);
     ReportPair out = report_pair(compared.comparison, compared.job.scene, commands_of(document));
-    out.document = document, out.statistics = statistics_of(document);
+    out.document = document, out.statistics = statistics_of(document), out.objects = compared.objects;
     return out;
 }
 

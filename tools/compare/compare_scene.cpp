@@ -4,6 +4,7 @@
 #include "exporters/exporter.h"
 #include "importers/importer.h"
 #include "scene/queries.h"
+#include "tools/compare/objects.h"
 #include "tools/compare/povray_reference.h"
 #include "tools/compare/program.h"
 #include "tools/output.h"
@@ -49,12 +50,13 @@ tl::expected<Request, std::string> povray_reading(const CompareJob& job) {
     return out;
 }
 
-bool has_random_effects(const CompareJob& job) {
+/// The scene again as our program reads it; nothing where that fails.
+std::optional<Imported> read_as_povray(const CompareJob& job) {
     auto reading = povray_reading(job);
-    if (!reading) return false;
+    if (!reading) return std::nullopt;
     reading->import.frame.image_width = job.width, reading->import.frame.image_height = job.height;
-    const auto imported = import_scene(job.scene, reading->import);
-    return imported && is_random(imported->scene, imported->diagnostics);
+    auto imported = import_scene(job.scene, reading->import);
+    return imported ? std::optional(std::move(*imported)) : std::nullopt;
 }
 
 void fail_with(SceneComparison& out, const RenderFailure& failure) {
@@ -124,6 +126,15 @@ tl::expected<Request, std::string> final_reading(Request reading, const CompareJ
     return reading;
 }
 
+/// None where words of POV-Ray's made the pictures smaller than they were asked for.
+void find_objects(const CompiledScene& scene, const PairOptions& pair, SceneComparison& out) {
+    if (!out.comparison.loaded) return;
+    const int width = out.job.width, height = out.job.height;
+    ReportObjects objects = objects_seen(scene, width, height);
+    if (pair.x0 && *pair.x1 <= width && *pair.y1 <= height) objects = cropped(objects, width, *pair.x0, *pair.y0, *pair.x1, *pair.y1);
+    if (objects.index.size() == out.comparison.loaded->pair.pixels()) out.objects = std::move(objects);
+}
+
 void compare_exported(const Request& given, SceneComparison& out, const Scratch& scratch, const DiffRequest& diff) {
     const auto reading = final_reading(given, out.job);
     if (!reading) return fail_with(out, {false, false, reading.error()});
@@ -149,6 +160,7 @@ void compare_exported(const Request& given, SceneComparison& out, const Scratch&
     if (!test) return fail_with(out, test.error());
     out.test = *test;
     compare_pictures(out, diff);
+    if (out.job.objects) find_objects(*compiled, diff.pair, out);
 }
 
 void compare_with_povray(SceneComparison& out, const Scratch& scratch, const DiffRequest& request) {
@@ -158,8 +170,12 @@ void compare_with_povray(SceneComparison& out, const Scratch& scratch, const Dif
     const auto test = povray_test(out.job, scratch.second.path());
     if (!test) return fail_with(out, test.error());
     out.test = *test;
-    out.noisy = has_random_effects(out.job);
+    auto read = read_as_povray(out.job);
+    out.noisy = read && is_random(read->scene, read->diagnostics);
     compare_pictures(out, request);
+    if (!read || !out.job.objects) return;
+    Diagnostics said;
+    if (const auto compiled = compile(std::move(read->scene), CompileOptions(), said)) find_objects(*compiled, request.pair, out);
 }
 
 }  // namespace

@@ -7,6 +7,7 @@
 #include "tools/compare/seeds.h"
 #include "tools/diff/words.h"
 #include "tools/load.h"
+#include "tools/report/report.h"
 
 #include <memory>
 
@@ -19,6 +20,7 @@ struct SceneComparison {
     bool noisy = false;                         ///< the scene has random effects: area lights, a lens, grainy finishes, or what is not modelled and is random
     bool missing_program = false;
     std::optional<SeedComparison> seeds;        ///< if job.seeds are more than one
+    std::optional<ReportObjects> objects;       ///< if job.objects; of the pixels that are compared
     std::vector<Loss> lost;                     ///< what the exporter could not write for the reference program
     std::optional<Rendered> reference, test;    ///< their pictures live as long as `scratch`
     std::shared_ptr<void> scratch;

@@ -23,6 +23,7 @@ struct CompareJob {
     int seeds = 1;                   ///< pictures of ours, that differ by their random numbers alone; the first is the one that is measured
     Words words;                     ///< POV-Ray's, handed to both programs before ours: +A0.3, +Lfolder, an .ini, Declare=...
     double timeout = 600;            ///< seconds a program
+    bool objects = false;            ///< asks our scene what each pixel shows, for a report
     std::string cache;               ///< the folder of kept references
     std::string results;             ///< a folder of results, or "": like the cache no part of the scene, though it may lie beside it
 };
