@@ -190,8 +190,8 @@ Vec3 Textures::bent(SignalId relief, const PatternFrame& outer, const Vec3& n) c
 }
 
 PatternFrame pattern_frame(const ShadePoint& point) {
-    if (!point.space) return {point.position, Mat3(1.0), Mat3(1.0), point.uv_place()};
-    return {point.pattern_point(), glm::transpose(point.space->to_world.linear), glm::transpose(point.space->from_world.linear), point.uv_place()};
+    if (!point.space) return {point.position, Mat3(1.0), Mat3(1.0), &point};
+    return {point.pattern_point(), glm::transpose(point.space->to_world.linear), glm::transpose(point.space->from_world.linear), &point};
 }
 
 }  // namespace alidade

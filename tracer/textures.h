@@ -19,10 +19,10 @@ namespace alidade {
 struct PatternFrame {
     Vec3 at{0};
     Mat3 normal_in{1.0}, normal_out{1.0};
-    Vec3 uv{0};   ///< where those are looked up that follow the surface
+    const ShadePoint* surface = nullptr;   ///< whose (u, v) those are looked up at that follow it
 
     /// The normals of what follows the surface are those of the world.
-    PatternFrame on_surface() const { return {uv, Mat3(1.0), Mat3(1.0), uv}; }
+    PatternFrame on_surface() const { return {surface ? surface->uv_place() : Vec3(0), Mat3(1.0), Mat3(1.0), surface}; }
 };
 
 /// The frame of a point's own material.
@@ -79,7 +79,7 @@ template <class F> void Textures::for_each_share(SignalId signal, const PatternF
     const Pattern& pattern = patterns_[resource_of_[signal.index]];
     const PatternSignal& own = std::get<PatternSignal>(signals_[signal.index].what);
     const PatternFrame outer = own.uv_mapped ? frame.on_surface() : frame;
-    const PatternFrame inner{pattern.place(outer.at), pattern.normal_in() * outer.normal_in, outer.normal_out * pattern.normal_out(), frame.uv};
+    const PatternFrame inner{pattern.place(outer.at), pattern.normal_in() * outer.normal_in, outer.normal_out * pattern.normal_out(), frame.surface};
     alidade::for_each_share(own.map, pattern, inner.at, [&](uint32_t entry, double share) { f(entry, share, inner); });
 }
 

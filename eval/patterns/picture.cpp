@@ -92,7 +92,7 @@ void SpacePicture::decode(StoredPicture& stored, const RenderSettings& settings)
         const float a = alpha < 0 ? 1.0f : p.values[pixel + size_t(alpha)];
         for (int c = 0; c < colors; ++c) {
             float& v = p.values[pixel + size_t(c)];
-            v = stored.levels ? codes[size_t(std::lround(double(v) * stored.levels))] : float(decoded(double(v)));
+            v = stored.levels ? codes[size_t(std::lround(std::clamp(double(v), 0.0, 1.0) * stored.levels))] : float(decoded(double(v)));
             if (how_.premultiplied && a > 0) v /= a;
         }
     }

@@ -157,11 +157,21 @@ bool ImageWriter::alpha_pattern(const ImageSignal& image) {
 void ImageWriter::picture_code(const std::string& word, const PatternPicture& p) {
     const bool colours = word == kImageMap, linear = colours && !p.scene_gamma && p.code != PictureCode::stored;
     losses_.add("pictures decoded by the words of a scene that corrects nothing", linear, "other colours");
+    // What the scene's own gamma decodes is encoded by it again.
+    const bool untouched = colours && (p.code == PictureCode::stored || (p.code == PictureCode::told_or_stored && tells_nothing(p.image)));
     if (p.code == PictureCode::power) sdl_.line("gamma", p.gamma);
-    else if (p.code == PictureCode::srgb || (colours && p.code == PictureCode::stored)) sdl_.line("gamma srgb");   // which assumed_gamma srgb undoes
+    else if (p.code == PictureCode::srgb || (untouched && scene_.settings.srgb_coded)) sdl_.line("gamma srgb");
+    else if (untouched) sdl_.line("gamma", scene_.settings.assumed_gamma);
 }
 
-bool ImageWriter::pattern(const std::string& word, const PatternPicture& p) {
+/// POV-Ray warns of such files in old scenes.
+bool ImageWriter::tells_nothing(ImageId id) {
+    const std::string* bytes = encoded(id);
+    const auto stored = bytes ? decode_stored_picture(as_bytes(*bytes)) : tl::unexpected(std::string());
+    return stored && stored->levels != 0 && !stored->srgb && stored->gamma == 0;
+}
+
+bool ImageWriter::pattern(const std::string& word, const PatternPicture& p, const std::function<void()>& more) {
     const std::string* bytes = encoded(p.image);
     if (!bytes) return false;
     const std::string name = files_.add_picture(scene_.images[p.image.index], *bytes);
@@ -175,12 +185,13 @@ bool ImageWriter::pattern(const std::string& word, const PatternPicture& p) {
     if (p.filter != PictureFilter::none) sdl_.line("interpolate", kFilters[size_t(p.filter)]);
     if (p.once) sdl_.line("once");
     if (p.value == PictureValue::transmission) sdl_.line("use_alpha");
-    if (p.value == PictureValue::palette) sdl_.line("use_index");
+    if (p.value == PictureValue::palette && !more) sdl_.line("use_index");
     for (const PatternPicture::Clearing& c : p.clearings) {
         const std::string which = c.color ? fmt::format("{},", *c.color) : "all";
         if (c.filter != 0) sdl_.line("filter", which, c.filter);
         if (c.transmit != 0) sdl_.line("transmit", which, c.transmit);
     }
+    if (more) more();
     sdl_.end();
     return true;
 }

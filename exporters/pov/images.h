@@ -6,6 +6,7 @@
 #include "exporters/pov/sdl.h"
 #include "exporters/surfaces.h"
 
+#include <functional>
 #include <map>
 
 namespace alidade::pov_export {
@@ -31,8 +32,8 @@ class ImageWriter {
     bool has_alpha(const ImageSignal& image);
     /// The mean of one channel, of the stored numbers; 1 if the picture cannot be read.
     double mean(const ImageSignal& image, int channel);
-    /// The block `word { }` of a picture in space: image_map, image_pattern or bump_map. False, and nothing written, if it cannot be read.
-    bool pattern(const std::string& word, const PatternPicture& picture);
+    /// The block `word { }` of a picture in space: image_map, image_pattern, bump_map or material_map, which `more` ends. False, and nothing written, if it cannot be read.
+    bool pattern(const std::string& word, const PatternPicture& picture, const std::function<void()>& more = nullptr);
     /// `image_map { }` of a picture that is no texture, around a sphere. False if it cannot be read.
     bool sky(ImageId image);
 
@@ -51,6 +52,7 @@ class ImageWriter {
     const File& file(const ImageSignal& image, const Vec4& tint, PictureAlpha alpha);
     File make_file(const ImageSignal& image, const Vec4& tint, PictureAlpha alpha);
     void picture(const char* word, const File& file, const ImageSignal& image, const char* more, double transmit);
+    bool tells_nothing(ImageId id);
     void picture_code(const std::string& word, const PatternPicture& p);
     void tell_wraps(const ImageSignal& image);
 

@@ -71,11 +71,23 @@ void TextureWriter::layer(const PovFinish& f) {
     sdl_.end();
 }
 
+/// A texture for each number that a pixel can have.
+void TextureWriter::material_map(const PovTextureMap& m, const PatternSignal& pattern) {
+    if (pattern.uv_mapped) sdl_.line("uv_mapping");
+    const auto textures = [&] {
+        for (const MaterialId id : m.textures) use(id);
+    };
+    if (images_.pattern("material_map", *pattern.picture, textures)) patterns_.pattern_modifiers(pattern);
+    else use(m.textures.front());
+}
+
 void TextureWriter::layer(const PovTextureMap& m) {
     const auto* pattern = pattern_of(scene_.signals[m.pattern.index]);
     sdl_.begin("texture");
     if (!pattern) {
         use(m.textures.front());
+    } else if (pattern->picture && pattern->picture->value == PictureValue::palette) {
+        material_map(m, *pattern);
     } else {
         patterns_.pattern_head(*pattern);
         const bool list = PatternWriter::list_length(*pattern) != 0;

@@ -31,6 +31,7 @@ class TextureWriter {
     void declare_one(MaterialId id);
     void layer(const PovFinish& f);
     void layer(const PovTextureMap& m);
+    void material_map(const PovTextureMap& m, const PatternSignal& pattern);
     void layer(const GltfPbr&) {}
 
     const Scene& scene_;
