@@ -75,7 +75,8 @@ class SolidQuery::Parts final : public CsgParts {
         placed.to_world = mesh ? at.to_world * Transform::translate(mesh->origin) : at.to_world;
         const auto to_local = inverse(placed.to_world);
         if (!to_local) return kNoId;
-        placed.to_local = *to_local, placed.path = at.path;
+        placed.to_local = *to_local, placed.node = at.node;
+        placed.inherited = inherited_material(out_.scene_, {at.path.begin(), at.path.end() - 1}, 0);
         placed.triangles = mesh ? &meshes_.of(*shape) : nullptr;
         placed.ops = mesh ? nullptr : find_shape(out_.scene_.shapes[shape->index].geometry);
         out_.shapes_.push_back(std::move(placed));
@@ -189,7 +190,11 @@ void SolidQuery::all(const Ray& ray, std::vector<FoundSurface>& out) const {
     for (const Hit& hit : hits) out.push_back(surface(ray, hit));
 }
 
-std::optional<MaterialId> SolidQuery::material(const FoundSurface& at) const { return inherited_material(scene_, shapes_[at.leaf].path, at.slot); }
+std::optional<MaterialId> SolidQuery::material(const FoundSurface& at) const {
+    const PlacedShape& placed = shapes_[at.leaf];
+    const auto own = inherited_material(scene_, {placed.node}, at.slot);
+    return own ? own : placed.inherited;
+}
 
 bool SolidQuery::inside(const Vec3& point, uint64_t& work) const { return tree_ && tree_->inside(point, Leaves(*this, work)); }
 

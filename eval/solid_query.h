@@ -78,7 +78,8 @@ class SolidQuery {
         const Accelerator* triangles = nullptr;   ///< null for closed forms
         const ShapeOps* ops = nullptr;            ///< null for meshes
         bool inverted = false;
-        std::vector<NodeId> path;                 ///< from the root
+        NodeId node;
+        std::optional<MaterialId> inherited;      ///< what its parents give it
     };
 
     FoundSurface surface(const Ray& ray, const Hit& hit) const;

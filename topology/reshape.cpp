@@ -45,8 +45,10 @@ class Reshaping {
         if (!mesh || mesh->triangles.empty()) return;
         const bool had_normals = mesh->normals.present(), had_tangents = mesh->tangents.present();
         bool subdivided = false, decimated = false;
-        if (options_.subdivide > 0) subdivided = replace(shape, *mesh, topology::subdivide(*mesh, options_.subdivide), "subdivided");
-        if (options_.decimate < 1) decimated = decimate(shape, *mesh);
+        const bool mixed = !mesh->corner_slots.empty();
+        if (mixed && (options_.subdivide > 0 || options_.decimate < 1)) said_.warning(shape.from, fmt::format("the mesh \"{}\" is not reshaped: it mixes textures over its triangles", shape.name));
+        if (options_.subdivide > 0 && !mixed) subdivided = replace(shape, *mesh, topology::subdivide(*mesh, options_.subdivide), "subdivided");
+        if (options_.decimate < 1 && !mixed) decimated = decimate(shape, *mesh);
         if (!mesh->normals.present() && mesh->morphs.empty()) give_normals(*mesh, subdivided, decimated && had_normals);
         if (had_normals && (subdivided || decimated)) lost_normals_.add(shape.from);
         if (had_tangents && (subdivided || decimated)) lost_tangents_.add(shape.from);

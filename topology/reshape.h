@@ -22,7 +22,7 @@ struct ReshapeOptions {
 
 /// Subdivides, then decimates, then makes normals, of every mesh. A mesh that cannot be treated stays as it is, with a warning. Meshes that have lost
 /// their normals get new ones: with the crease angle if one is given; else smooth everywhere after subdivision, and, if they had any, with creases
-/// beyond 60 degrees after decimation. Morphed meshes are left alone. An error, and nothing done, if subdivision would make too many triangles.
+/// beyond 60 degrees after decimation. Morphed meshes, and those that mix textures over triangles, are left alone. An error, and nothing done, if subdivision would make too many triangles.
 void reshape(Scene& scene, const ReshapeOptions& options, Diagnostics& said);
 
 }  // namespace alidade

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/float_mode.h"
+#include "core/image_colors.h"
 #include "core/parallel.h"
 #include "eval/csg_expression.h"
 #include "scene/queries.h"
@@ -228,7 +229,7 @@ void make_sky(CompiledScene& out, const CompileOptions& options, Diagnostics& sa
     if (options.environment) {
         out.sky = std::make_unique<Sky>(*options.environment, true);
     } else if (!options.environment_file.empty()) {
-        auto picture = read_picture(options.environment_file, Encoding::automatic);
+        auto picture = read_picture(options.environment_file, Encoding::automatic).and_then(colors_alone);
         if (picture) out.sky = std::make_unique<Sky>(std::move(*picture), 1);
         else said.error({}, fmt::format("environment '{}' cannot be read: {}", options.environment_file, picture.error()));
     } else if (air.environment) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tracer/textures.h"
 
+#include "core/image_colors.h"
 #include "core/parallel.h"
 
 #include <fmt/format.h>
@@ -15,7 +16,7 @@ using PictureKey = std::pair<uint32_t, bool>;   // image, srgb
 tl::expected<Picture, std::string> decode(const Image& image, bool srgb) {
     // A float file holds linear values whatever the material says of it.
     const Encoding encoding = srgb ? Encoding::automatic : Encoding::linear;
-    return image.bytes.empty() ? read_picture(image.path, encoding) : decode_picture(image.bytes, encoding);
+    return (image.bytes.empty() ? read_picture(image.path, encoding) : decode_picture(image.bytes, encoding)).and_then(colors_alone);
 }
 
 /// A texture coordinate brought near [0, 1), where it is the same under the wrap mode: what is left fits an int, however large the number was.

@@ -1,16 +1,42 @@
 // SPDX-License-Identifier: Apache-2.0
 /// The sRGB curve, and the way from linear floats to 8-bit codes.
+#include "core/image_colors.h"
+
 #include "core/image/codec.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <fmt/format.h>
 
 namespace alidade {
 
 // Both directions: IEC 61966-2-1:1999.
 double srgb_to_linear(double encoded) { return encoded <= 0.04045 ? encoded / 12.92 : std::pow((encoded + 0.055) / 1.055, 2.4); }
 double linear_to_srgb(double linear) { return linear <= 0.0031308 ? linear * 12.92 : 1.055 * std::pow(linear, 1 / 2.4) - 0.055; }
+
+std::vector<int> color_channels(const Picture& picture) {
+    const image::ColorChannels found = image::color_channels(picture);
+    std::vector<int> all(found.index, found.index + found.count);
+    if (found.count > 0 && found.alpha >= 0) all.push_back(found.alpha);
+    return all;
+}
+
+Picture select_channels(const Picture& picture, const std::vector<int>& from, std::vector<std::string> names) {
+    Picture out(picture.width, picture.height, std::move(names));
+    size_t at = 0;
+    for (size_t p = 0; p < size_t(picture.width) * size_t(picture.height); ++p)
+        for (const int c : from) out.values[at++] = picture.values[p * size_t(picture.channels) + size_t(c)];
+    return out;
+}
+
+tl::expected<Picture, std::string> colors_alone(Picture picture) {
+    const std::vector<int> from = color_channels(picture);
+    if (from.empty()) return tl::unexpected(fmt::format("it has no channels R, G, B or Y: its channels are {}", fmt::join(picture.names, ", ")));
+    std::vector<std::string> names;
+    for (const int c : from) names.push_back(picture.names[size_t(c)]);
+    return names == picture.names ? std::move(picture) : select_channels(picture, from, std::move(names));
+}
 
 namespace image {
 namespace {

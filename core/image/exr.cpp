@@ -123,34 +123,36 @@ Result<Picture> decode_part(Imf::MultiPartInputFile& file, int number, size_t be
     return data == display ? std::move(picture) : crop(picture, data, display);
 }
 
-/// The channels of two pictures of one size.
-Picture joined(const Picture& a, const Picture& b) {
-    std::vector<std::string> names = a.names;
-    names.insert(names.end(), b.names.begin(), b.names.end());
-    Picture out(a.width, a.height, std::move(names));
+/// The channels of pictures of one size, which are gone afterwards.
+Picture joined(std::vector<Picture> parts) {
+    if (parts.size() == 1) return std::move(parts[0]);
+    std::vector<std::string> names;
+    for (const Picture& part : parts) names.insert(names.end(), part.names.begin(), part.names.end());
+    Picture out(parts[0].width, parts[0].height, std::move(names));
     float* to = out.values.data();
-    for (size_t p = 0; p < size_t(a.width) * size_t(a.height); ++p) {
-        to = std::copy_n(&a.values[p * size_t(a.channels)], a.channels, to);
-        to = std::copy_n(&b.values[p * size_t(b.channels)], b.channels, to);
-    }
+    for (size_t p = 0; p < size_t(out.width) * size_t(out.height); ++p)
+        for (const Picture& part : parts) to = std::copy_n(&part.values[p * size_t(part.channels)], part.channels, to);
     return out;
 }
+
+std::string part_name(const Imf::Header& header, int number) { return header.hasName() ? header.name() : fmt::format("part{}", number); }
 
 Result<Stored> decode(std::span<const std::byte> bytes) {
     MemoryInput input(bytes);
     Imf::MultiPartInputFile file(input, 0);
     if (is_deep(file.header(0))) return tl::unexpected(std::string("deep EXR pictures are not supported"));
-    auto picture = decode_part(file, 0, 0, bytes.size());
-    for (int i = 1; picture && i < file.parts(); ++i) {
+    std::vector<Picture> parts;
+    size_t channels = 0;
+    for (int i = 0; i < file.parts(); ++i) {
         if (is_deep(file.header(i))) continue;
-        auto part = decode_part(file, i, picture->names.size(), bytes.size());
+        auto part = decode_part(file, i, channels, bytes.size());
         if (!part) return tl::unexpected(part.error());
-        if (part->width != picture->width || part->height != picture->height) continue;
-        for (std::string& name : part->names) name = (file.header(i).hasName() ? file.header(i).name() : fmt::format("part{}", i)) + "." + name;
-        picture = joined(*picture, *part);
+        if (i > 0 && (part->width != parts[0].width || part->height != parts[0].height)) continue;
+        for (std::string& name : part->names) name = i == 0 ? name : part_name(file.header(i), i) + "." + name;
+        channels += part->names.size();
+        parts.push_back(std::move(*part));
     }
-    if (!picture) return tl::unexpected(picture.error());
-    return Stored{std::move(*picture), 0};
+    return Stored{joined(std::move(parts)), 0};
 }
 
 Bytes encode(const Picture& picture) {

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "eval/patterns/picture.h"
 
+#include "core/image_colors.h"
+
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
@@ -55,6 +57,9 @@ double fraction(double x) { return x - std::floor(x); }
 tl::expected<SpacePicture, std::string> SpacePicture::make(const PatternPicture& how, const Image& image, const RenderSettings& settings) {
     auto stored = image.bytes.empty() ? read_stored_picture(image.path) : decode_stored_picture(image.bytes);
     if (!stored) return tl::unexpected(stored.error());
+    auto colors = colors_alone(std::move(stored->picture));
+    if (!colors) return tl::unexpected(std::move(colors.error()));
+    stored->picture = std::move(*colors);
     SpacePicture out;
     out.how_ = how;
     out.truncated_ = stored->levels == 255 && stored->picture.channels == 1;

@@ -33,8 +33,11 @@ class Filling {
   public:
     Filling(const std::vector<std::vector<Vec2>>& loops, const std::function<bool(int, int)>& inside) : loops_(loops), inside_(inside) {}
 
-    Filled make() {
+    std::optional<Filled> make() {
         find_heights();
+        size_t lines = 0;
+        for (const Edge& e : edges_) lines += e.high - e.low;
+        if (lines > kMostSplitLines) return std::nullopt;
         find_points();
         for (size_t k = 0; k + 1 < heights_.size(); ++k) fill_slab(k);
         find_rim();

@@ -21,10 +21,10 @@ struct Filled {
     std::vector<RimEdge> rim;
 };
 
-inline constexpr size_t kMostFilledPoints = 20'000;
+inline constexpr size_t kMostFilledPoints = 20'000, kMostSplitLines = 2'000'000;
 
 /// Fills what `inside(winding, crossings)` says of places around which the lines wind that often, and that so many of them surround. Lines may cross. Nothing if they
-/// have more than kMostFilledPoints points.
+/// have more than kMostFilledPoints points, or would be split into more than kMostSplitLines at each other's heights.
 ///
 /// Method   trapezoids between all heights at which a line turns or two of them cross; those of neighbouring heights share all points, so that the mesh is as closed
 ///          as its lines, and walls that stand on its rim fit to it.

@@ -107,7 +107,13 @@ class SceneMesher {
 
     /// A shape alone, in its own space.
     TriangleList contour_shape(ShapeId id, const Transform& to_world) {
-        losses_.add("quadrics and polynomials", 1, fmt::format("meshes of {} cells along their longest side", segments_));
+        const ShapeGeometry& geometry = scene_.shapes[id.index].geometry;
+        if (std::holds_alternative<Polygon>(geometry)) {
+            losses_.add("polygons of too many corners", 1, "nothing");   // a face without an inside has no crossings of two signs
+            return {};
+        }
+        const bool text = std::holds_alternative<Extrusion>(geometry);
+        losses_.add(text ? "texts of too many corners" : "quadrics and polynomials", 1, fmt::format("meshes of {} cells along their longest side", segments_));
         Scene alone;
         alone.shapes.push_back(scene_.shapes[id.index]);
         alone.nodes.emplace_back().what = ShapeId{0};

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "exporters/pov/images.h"
 
-#include "core/image/codec.h"
+#include "core/image_colors.h"
 
 #include <fmt/format.h>
 
@@ -32,9 +32,13 @@ bool png_has_alpha(const std::string& bytes) {
     return bytes.size() > kColourType && ((bytes[kColourType] & 4) != 0 || bytes.find("tRNS") != std::string::npos);
 }
 
+tl::expected<Picture, std::string> decoded(const std::string& bytes, Encoding encoding) {
+    return decode_picture(as_bytes(bytes), encoding).and_then(colors_alone);
+}
+
 /// The picture times `tint`, as a PNG file. What is above 1 is cut off.
 tl::expected<std::string, std::string> tinted(const std::string& bytes, const Vec4& tint, PictureAlpha alpha, bool srgb) {
-    auto picture = decode_picture(as_bytes(bytes), srgb ? Encoding::automatic : Encoding::linear);
+    const auto picture = decoded(bytes, srgb ? Encoding::automatic : Encoding::linear);
     if (!picture) return tl::unexpected(picture.error());
     const bool keeps = alpha == PictureAlpha::kept;
     Picture out(picture->width, picture->height, keeps ? std::vector<std::string>{"R", "G", "B", "A"} : std::vector<std::string>{"R", "G", "B"});
@@ -45,10 +49,10 @@ tl::expected<std::string, std::string> tinted(const std::string& bytes, const Ve
             float* to = out.at(x, y);
             const bool has = picture->channels == 2 || picture->channels >= 4;
             const double a = (has ? double(from[grey ? 1 : 3]) : 1) * tint.w;
-            for (int c = 0; c < 3; ++c) to[c] = float(double(from[grey ? 0 : c]) * tint[c] * (keeps && a > 0 ? a : 1));   // encode_png wants it premultiplied
+            for (int c = 0; c < 3; ++c) to[c] = float(double(from[grey ? 0 : c]) * tint[c] * (keeps && a > 0 ? a : 1));   // encode_picture wants it premultiplied
             if (keeps) to[3] = float(a);
         }
-    const auto encoded = image::encode_png(out);
+    const auto encoded = encode_picture(out, ".png");
     if (!encoded) return tl::unexpected(encoded.error());
     return std::string(reinterpret_cast<const char*>(encoded->data()), encoded->size());
 }
@@ -74,7 +78,7 @@ double ImageWriter::mean(const ImageSignal& image, int channel) {
     const auto [at, added] = means_.try_emplace({image.image.index, channel}, 1);
     if (!added) return at->second;
     const std::string* bytes = encoded(image.image);
-    const auto picture = bytes ? decode_picture(as_bytes(*bytes), Encoding::linear) : tl::unexpected(std::string());
+    const auto picture = bytes ? decoded(*bytes, Encoding::linear) : tl::unexpected(std::string());
     if (!picture || picture->values.empty()) return 1;
     const int c = picture->channels < 3 ? 0 : std::clamp(channel, 0, picture->channels - 1);
     double sum = 0;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "importers/mesh/mtl_material.h"
 
-#include "core/image.h"
+#include "core/image_colors.h"
 #include "importers/local_path.h"
 
 #include <fmt/format.h>
@@ -113,9 +113,9 @@ void MaterialBuilder::set_highlight(GltfPbr& pbr, const MtlMaterial& mtl) {
 
 /// Most directions of a normal map are near (0, 0, 1), which is stored as (0.5, 0.5, 1); a height map is gray.
 bool MaterialBuilder::is_normal_map(const MtlMap& map, const std::string& path) {
-    const auto picture = read_picture(path, Encoding::linear);
+    const auto picture = read_picture(path, Encoding::linear).and_then(colors_alone);
     if (!picture) {
-        said_.warning(map.from, picture.error());
+        said_.warning(map.from, fmt::format("the normal map \"{}\" is left out: {}", map.file, picture.error()));
         return false;
     }
     Vec3 sum(0);

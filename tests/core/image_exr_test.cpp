@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 /// EXR files as other programs write them: half and integer channels, tiles, several parts, windows that differ, every lossless compression.
-#include "core/image.h"
+#include "core/image_colors.h"
 
 #include <ImfArray.h>
 #include <ImfChannelList.h>
@@ -141,6 +141,28 @@ TEST_F(ExrFiles, FurtherPartsComeAfterTheFirst) {
         }
     }
     expect_pixels(layout, {"second.R", "second.G", "second.B", "second.A", "second.Z", "second.extra"});
+}
+
+/// Depth, layers and further parts are no alpha.
+TEST(Colors, AreTakenByTheirNames) {
+    const auto alone = [](std::vector<std::string> names) {
+        Picture picture(1, 1, std::move(names));
+        for (size_t i = 0; i < picture.values.size(); ++i) picture.values[i] = float(i);
+        return colors_alone(std::move(picture));
+    };
+    for (const auto& [has, names, values] : {std::tuple<std::vector<std::string>, std::vector<std::string>, std::vector<float>>{{"R", "G", "B", "Z"}, {"R", "G", "B"}, {0, 1, 2}},
+                                             {{"B", "G", "R", "A"}, {"R", "G", "B", "A"}, {2, 1, 0, 3}},
+                                             {{"Y", "Z"}, {"Y"}, {0}},
+                                             {{"Z", "A", "Y", "back.R"}, {"Y", "A"}, {2, 1}},
+                                             {{"R", "G", "B", "back.R", "back.A"}, {"R", "G", "B"}, {0, 1, 2}}}) {
+        const auto picture = alone(has);
+        ASSERT_TRUE(picture);
+        EXPECT_EQ(picture->names, names);
+        EXPECT_EQ(picture->values, values);
+    }
+    const auto none = alone({"depth.Z", "A"});
+    ASSERT_FALSE(none);
+    EXPECT_EQ(none.error(), "it has no channels R, G, B or Y: its channels are depth.Z, A");
 }
 
 TEST_F(ExrFiles, SubsampledChannelsAreRefusedByName) {

@@ -2,13 +2,13 @@
 /// The files that an export leaves: their names, and that nothing of the user's is lost.
 #include "exporters/exporter.h"
 #include "importers/importer.h"
+#include "tests/core/folder_test.h"
 #include "tests/exporters/samples.h"
 
 #include <filesystem>
 #include <fmt/format.h>
 #include <fstream>
 #include <gmock/gmock.h>
-#include <unistd.h>
 
 namespace alidade::test {
 namespace {
@@ -20,19 +20,8 @@ using testing::UnorderedElementsAre;
 
 constexpr std::string_view kPng = "\x89PNG\r\n\x1a\nnot decoded by anyone";
 
-class Files : public testing::Test {
+class Files : public FolderTest {
   protected:
-    void SetUp() override {
-        folder_ = fs::path(testing::TempDir()) / fmt::format("files_{}_{}", testing::UnitTest::GetInstance()->current_test_info()->name(), ::getpid());
-        fs::create_directories(folder_);
-    }
-    void TearDown() override { fs::remove_all(folder_); }
-    std::string at(const std::string& name) const { return (folder_ / name).string(); }
-    void put(const std::string& name, std::string_view bytes) const { std::ofstream(at(name), std::ios::binary) << bytes; }
-    std::string text(const std::string& name) const {
-        std::ifstream in(at(name), std::ios::binary);
-        return std::string(std::istreambuf_iterator<char>(in), {});
-    }
     std::vector<std::string> there() const {
         std::vector<std::string> names;
         for (const auto& file : fs::directory_iterator(folder_)) names.push_back(file.path().filename().string());
@@ -58,8 +47,6 @@ class Files : public testing::Test {
         }
         return scene;
     }
-
-    fs::path folder_;
 };
 
 TEST_F(Files, PicturesStandBesideByteByByte) {

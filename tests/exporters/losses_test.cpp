@@ -3,6 +3,7 @@
 #include "exporters/exporter.h"
 #include "importers/importer.h"
 #include "scene/queries.h"
+#include "tests/core/folder_test.h"
 #include "tests/exporters/samples.h"
 #include "tests/scene/sample_scene.h"
 
@@ -10,7 +11,6 @@
 #include <fmt/format.h>
 #include <fstream>
 #include <gmock/gmock.h>
-#include <unistd.h>
 
 namespace alidade::test {
 namespace {
@@ -19,14 +19,8 @@ namespace fs = std::filesystem;
 using testing::HasSubstr;
 using testing::Not;
 
-class Losing : public testing::Test {
+class Losing : public FolderTest {
   protected:
-    void SetUp() override {
-        folder_ = fs::path(testing::TempDir()) / fmt::format("losing_{}_{}", testing::UnitTest::GetInstance()->current_test_info()->name(), ::getpid());
-        fs::create_directories(folder_);
-    }
-    void TearDown() override { fs::remove_all(folder_); }
-
     /// "what: count" of each loss, a line each.
     std::string losses(const Scene& scene, const std::string& name) {
         const auto exported = export_scene(scene, (folder_ / name).string());
@@ -36,17 +30,11 @@ class Losing : public testing::Test {
             for (const Loss& loss : exported->losses) out += fmt::format("{}: {}\n", loss.what, loss.count);
         return out;
     }
-    std::string text(const std::string& name) {
-        std::ifstream in(folder_ / name, std::ios::binary);
-        return std::string(std::istreambuf_iterator<char>(in), {});
-    }
     bool reads(const std::string& name) {
         const auto read = import_scene((folder_ / name).string());
         EXPECT_TRUE(read) << name << ": " << (read ? "" : read.error().text());
         return bool(read);
     }
-
-    fs::path folder_;
 };
 
 /// Everything that a scene can hold, in every format: it is written, can be read, and what is gone is said.

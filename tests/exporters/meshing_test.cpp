@@ -325,6 +325,15 @@ TEST(Filling, TanglesAreFilledWhereTheyShould) {
 }
 
 /// Walls on the rim close a face only if its neighbours share all points with it.
+/// Each line of a zigzag is split at the heights of all its corners.
+TEST(Filling, WhatWouldBecomeTooManyLinesIsRefused) {
+    std::vector<Vec2> zigzag;
+    for (int i = 0; i < 2500; ++i) zigzag.emplace_back(i, i % 2 ? 1 + 1e-4 * i : -1e-4 * i);
+    EXPECT_FALSE(meshing::fill({zigzag}, odd));
+    zigzag.resize(500);
+    EXPECT_TRUE(meshing::fill({zigzag}, odd));
+}
+
 TEST(Filling, TheRimGoesRound) {
     Draw draw(4);
     for (int round = 0; round < 30; ++round) {

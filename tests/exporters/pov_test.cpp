@@ -3,6 +3,7 @@
 #include "exporters/exporter.h"
 #include "importers/importer.h"
 #include "scene/queries.h"
+#include "tests/core/folder_test.h"
 #include "tests/exporters/samples.h"
 #include "tests/scene/sample_scene.h"
 
@@ -11,7 +12,6 @@
 #include <fstream>
 #include <gmock/gmock.h>
 #include <sstream>
-#include <unistd.h>
 
 namespace alidade::test {
 namespace {
@@ -20,25 +20,16 @@ namespace fs = std::filesystem;
 using testing::HasSubstr;
 using testing::Not;
 
-class PovFile : public testing::Test {
+class PovFile : public FolderTest {
   protected:
-    void SetUp() override {
-        folder_ = fs::path(testing::TempDir()) / fmt::format("pov_{}_{}", testing::UnitTest::GetInstance()->current_test_info()->name(), ::getpid());
-        fs::create_directories(folder_);
-    }
-    void TearDown() override { fs::remove_all(folder_); }
-
-    std::string text(const Scene& scene) {
+    std::string exported(const Scene& scene) {
         const std::string path = (folder_ / "scene.pov").string();
         const auto done = export_scene(scene, path);
         EXPECT_TRUE(done) << (done ? "" : done.error());
         lost_.clear();
         if (done)
             for (const Loss& loss : done->losses) lost_ += loss.what + "\n";
-        std::ifstream in(path);
-        std::stringstream all;
-        all << in.rdbuf();
-        return all.str();
+        return text("scene.pov");
     }
 
     Scene again() {
@@ -49,7 +40,6 @@ class PovFile : public testing::Test {
         return std::move(read->scene);
     }
 
-    fs::path folder_;
     std::string lost_;
 };
 
@@ -88,7 +78,7 @@ TEST_F(PovFile, EveryKindOfShapeComesBack) {
         ++kinds;
         if (std::holds_alternative<Mesh>(geometry)) geometry = std::get<Mesh>(triangle_scene().shapes[0].geometry);
         const Scene scene = scene_of(geometry);
-        const std::string written = text(scene);
+        const std::string written = exported(scene);
         EXPECT_THAT(lost_, Not(HasSubstr("extent"))) << geometry.index();
         if (std::holds_alternative<Extrusion>(geometry)) {   // letters become prisms, which are not read yet
             EXPECT_THAT(written, HasSubstr("prism {"));
@@ -105,7 +95,7 @@ TEST_F(PovFile, EveryKindOfShapeComesBack) {
 }
 
 TEST_F(PovFile, ASceneOfEverythingIsRead) {
-    EXPECT_THAT(text(sample_scene()), HasSubstr("clipped_by"));
+    EXPECT_THAT(exported(sample_scene()), HasSubstr("clipped_by"));
     for (const char* what : {"animations", "skins", "morph targets"}) EXPECT_THAT(lost_, HasSubstr(what));
     EXPECT_THAT(lost_, Not(HasSubstr("solid geometry")));
     again();
@@ -118,7 +108,7 @@ TEST_F(PovFile, WhatIsShownOftenIsWrittenOnce) {
         scene.nodes[i].to_parent = Transform::translate({double(i), 0, 0});
         scene.roots.push_back({i});
     }
-    const std::string written = text(scene);
+    const std::string written = exported(scene);
     EXPECT_EQ(written.find("mesh2"), written.rfind("mesh2"));
     EXPECT_EQ(again().shapes.size(), 1u);
 }
@@ -132,7 +122,7 @@ TEST_F(PovFile, DeepAndBushyGraphsStaySmall) {
         scene.nodes.push_back(twice);
     }
     scene.roots = {NodeId{30}};
-    EXPECT_LT(text(scene).size(), 10'000u);
+    EXPECT_LT(exported(scene).size(), 10'000u);
     Scene chain = triangle_scene();
     for (uint32_t i = 0; i < 100'000; ++i) {
         Node link;
@@ -140,7 +130,7 @@ TEST_F(PovFile, DeepAndBushyGraphsStaySmall) {
         chain.nodes.push_back(link);
     }
     chain.roots = {NodeId{100'000}};
-    EXPECT_LT(text(chain).size(), 20'000'000u);
+    EXPECT_LT(exported(chain).size(), 20'000'000u);
 }
 
 TEST_F(PovFile, WhatIsBrokenIsLeftOutAndTold) {
@@ -154,7 +144,7 @@ TEST_F(PovFile, WhatIsBrokenIsLeftOutAndTold) {
     line.what = ShapeId{1};
     scene.nodes.push_back(line);
     scene.roots.push_back({2});
-    EXPECT_THAT(text(scene), Not(HasSubstr("cylinder")));
+    EXPECT_THAT(exported(scene), Not(HasSubstr("cylinder")));
     EXPECT_THAT(lost_, HasSubstr("flat"));
     EXPECT_THAT(lost_, HasSubstr("without extent"));
     EXPECT_EQ(again().shapes.size(), 1u);
@@ -163,7 +153,7 @@ TEST_F(PovFile, WhatIsBrokenIsLeftOutAndTold) {
 TEST_F(PovFile, NamesCannotEndAComment) {
     Scene scene = triangle_scene();
     scene.nodes[0].name = "a\nsphere { 0, 1 }\r*/ \"#include";
-    const std::string written = text(scene);
+    const std::string written = exported(scene);
     EXPECT_THAT(written, Not(HasSubstr("sphere {")));
     EXPECT_THAT(written, Not(HasSubstr("#include \"")));
     EXPECT_EQ(again().shapes.size(), 1u);

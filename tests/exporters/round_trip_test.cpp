@@ -3,6 +3,7 @@
 #include "exporters/exporter.h"
 #include "importers/importer.h"
 #include "scene/queries.h"
+#include "tests/core/folder_test.h"
 #include "tests/exporters/canonical.h"
 #include "tests/exporters/samples.h"
 
@@ -11,22 +12,14 @@
 #include <fstream>
 #include <gtest/gtest.h>
 #include <sstream>
-#include <unistd.h>
 
 namespace alidade::test {
 namespace {
 
 namespace fs = std::filesystem;
 
-/// A folder of its own, for the time of a test.
-class RoundTrip : public testing::Test {
+class RoundTrip : public FolderTest {
   protected:
-    void SetUp() override {
-        folder_ = fs::path(testing::TempDir()) / fmt::format("round_trip_{}_{}", testing::UnitTest::GetInstance()->current_test_info()->name(), ::getpid());
-        fs::create_directories(folder_);
-    }
-    void TearDown() override { fs::remove_all(folder_); }
-
     /// The sample, written and read again.
     Scene again(const Sample& sample, const std::string& ending) {
         const std::string path = (folder_ / (sample.name + ending)).string();
@@ -38,8 +31,6 @@ class RoundTrip : public testing::Test {
         EXPECT_TRUE(read) << sample.name << ending << ": " << (read ? "" : read.error().text());
         return read ? std::move(read->scene) : Scene();
     }
-
-    fs::path folder_;
 };
 
 std::vector<std::string> endings(const ExporterEntry& entry) {

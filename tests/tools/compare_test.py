@@ -174,7 +174,7 @@ class Compare(InFolder):
                 self.assertIsNone(running.poll())
                 time.sleep(0.02)
             time.sleep(0.3)
-            children = subprocess.run(["ps", "-o", "pid=", "--ppid", str(running.pid)], capture_output=True, text=True).stdout.split()
+            children = [child for task in pathlib.Path(f"/proc/{running.pid}/task").iterdir() for child in (task / "children").read_text().split()]
             running.send_signal(end)
             self.assertEqual((running.wait(10), running.stderr.read()), (2, "alidade: interrupted\n"))
             running.stderr.close()

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 /// What two files have to say to each other before anything is measured: channels, parts, alpha, what is no number.
+#include "tests/core/folder_test.h"
 #include "tools/diff/words.h"
 
 #include <ImfChannelList.h>
@@ -12,7 +13,6 @@
 
 #include <filesystem>
 #include <gmock/gmock.h>
-#include <unistd.h>
 
 namespace alidade::test {
 namespace {
@@ -23,14 +23,8 @@ using testing::HasSubstr;
 
 constexpr float kNan = std::numeric_limits<float>::quiet_NaN(), kInfinite = std::numeric_limits<float>::infinity();
 
-class LoadPair : public testing::Test {
+class LoadPair : public FolderTest {
   protected:
-    void SetUp() override {
-        folder_ = fs::path(testing::TempDir()) / fmt::format("load_pair_{}_{}", testing::UnitTest::GetInstance()->current_test_info()->name(), ::getpid());
-        fs::create_directories(folder_);
-    }
-    void TearDown() override { fs::remove_all(folder_); }
-
     /// Channels with these values everywhere, but `odd` of them at one pixel.
     Picture picture(const std::vector<std::string>& names, const std::vector<float>& values, const std::vector<float>& odd = {}) {
         Picture out(32, 24, names);
@@ -50,8 +44,6 @@ class LoadPair : public testing::Test {
         set_default_rules(request.rules, "exact");
         return compare_files(reference, test, request);
     }
-
-    fs::path folder_;
 };
 
 /// EXR sorts a layer's channels by name: A, B, G, R.

@@ -84,6 +84,18 @@ TEST(Reshape, TooManyTrianglesAreRefusedBeforeTheyAreMade) {
     EXPECT_EQ(dump(scene), before);
 }
 
+TEST(Reshape, MixedTexturesStay) {
+    Mesh mixed = cube();
+    mixed.corner_slots.assign(3 * mixed.triangles.size(), 0);
+    Scene scene = scene_of({mixed});
+    const std::string before = dump(scene);
+    for (const ReshapeOptions& options : {ReshapeOptions{1, 1, {}}, ReshapeOptions{0, 0.5, {}}}) {
+        const Diagnostics said = reshaped(scene, options);
+        EXPECT_THAT(said.text(), HasSubstr("mixes textures over its triangles"));
+        EXPECT_EQ(dump(scene), before);
+    }
+}
+
 TEST(Reshape, WhatDecimationCannotReachIsSaid) {
     Scene scene = scene_of({octahedron()});
     const Diagnostics said = reshaped(scene, {0, 1e-3, {}});

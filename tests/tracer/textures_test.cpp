@@ -16,14 +16,19 @@ std::vector<std::byte> pgm(int width, int height, const std::vector<int>& levels
     return {begin, begin + text.size()};
 }
 
+struct File {
+    std::vector<std::byte> bytes;
+};
+
 /// A 2 x 1 image: 0 on the left, 1 on the right.
 struct Lookup {
     SceneBuilder b;
     std::unique_ptr<Textures> textures;
     ShadePoint point;
 
-    explicit Lookup(ImageSignal signal, std::vector<int> levels = {0, 255}) {
-        b.scene.images.push_back({"step", "", pgm(int(levels.size()), 1, levels), {}});
+    explicit Lookup(ImageSignal signal, std::vector<int> levels = {0, 255}) : Lookup(std::move(signal), File{pgm(int(levels.size()), 1, levels)}) {}
+    Lookup(ImageSignal signal, File file) {
+        b.scene.images.push_back({"step", "", std::move(file.bytes), {}});
         b.scene.signals.push_back({signal, {}});
         Diagnostics said;
         textures = std::make_unique<Textures>(b.scene, std::vector<SignalId>{{0}}, 1, said);
@@ -45,6 +50,15 @@ TEST(Textures, LinearFilterBetweenTexelCentres) {
     EXPECT_NEAR(look.at(0.625), 0.75, 1e-12);
     EXPECT_EQ(look.at(-3), 0);
     EXPECT_EQ(look.at(3), 1);
+}
+
+/// A depth is no alpha.
+TEST(Textures, OnlyColoursOfAnExrCount) {
+    Picture picture(1, 1, {"R", "G", "B", "Z"});
+    picture.values = {0.25F, 0.5F, 0.75F, 100};
+    Lookup look(ImageSignal(), File{*encode_picture(picture, ".exr")});
+    look.at(0.5);
+    EXPECT_EQ(look.textures->evaluate({0}, look.point), Vec4(0.25, 0.5, 0.75, 1));
 }
 
 TEST(Textures, WrapModes) {

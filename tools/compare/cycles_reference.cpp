@@ -85,15 +85,7 @@ tl::expected<Rendered, RenderFailure> cycles_reference(const CompareJob& job, co
 }
 
 const std::string& blender_version() {
-    static const std::string version = [] {
-        if (find_program("blender").empty()) return std::string();
-        const auto run = run_program({"blender", "--version"}, ".", 60);
-        constexpr std::string_view kName = "Blender ";
-        const size_t name = run ? run->output.find(kName) : std::string::npos;
-        if (name == std::string::npos) return std::string("unknown");
-        const size_t from = name + kName.size();
-        return run->output.substr(from, run->output.find_first_of(" \n", from) - from);
-    }();
+    static const std::string version = program_version("blender", "Blender", 60);
     return version;
 }
 

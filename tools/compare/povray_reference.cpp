@@ -191,15 +191,7 @@ tl::expected<Rendered, RenderFailure> povray_test(const CompareJob& job, const s
 }
 
 const std::string& povray_version() {
-    static const std::string version = [] {
-        if (find_program("povray").empty()) return std::string();
-        const auto run = run_program({"povray", "--version"}, ".", 20);
-        constexpr std::string_view kName = "POV-Ray ";
-        const size_t name = run ? run->output.find(kName) : std::string::npos;
-        if (name == std::string::npos) return std::string("unknown");
-        const size_t from = name + kName.size();
-        return run->output.substr(from, run->output.find_first_of(" \n", from) - from);
-    }();
+    static const std::string version = program_version("povray", "POV-Ray", 20);
     return version;
 }
 

@@ -166,6 +166,15 @@ std::string find_program(const std::string& name) {
     return {};
 }
 
+std::string program_version(const std::string& name, const std::string& title, double timeout_seconds) {
+    if (find_program(name).empty()) return {};
+    const auto run = run_program({name, "--version"}, ".", timeout_seconds);
+    const size_t at = run ? run->output.find(title + " ") : std::string::npos;
+    if (at == std::string::npos) return "unknown";
+    const size_t from = at + title.size() + 1;
+    return run->output.substr(from, run->output.find_first_of(" \n", from) - from);
+}
+
 std::string own_program() { return fs::read_symlink("/proc/self/exe").string(); }
 
 void clean_up_on_signal() {

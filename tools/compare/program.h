@@ -23,6 +23,8 @@ std::string complaint(const std::string& output);
 
 /// Where PATH has a program of this name, or "".
 std::string find_program(const std::string& name);
+/// What `name --version` says after `title`; "" if it is not installed, "unknown" if it says nothing of the kind within `timeout_seconds`.
+std::string program_version(const std::string& name, const std::string& title, double timeout_seconds);
 /// This program's own file.
 std::string own_program();
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tools/diff/load_pair.h"
 
+#include "core/image_colors.h"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -26,24 +28,6 @@ struct Side {
 int channel_at(const Picture& picture, const std::string& name) {
     const auto found = std::find(picture.names.begin(), picture.names.end(), name);
     return found == picture.names.end() ? -1 : int(found - picture.names.begin());
-}
-
-/// The channels of `picture` at `from`, under new names.
-Picture select(const Picture& picture, const std::vector<int>& from, std::vector<std::string> names) {
-    Picture out(picture.width, picture.height, std::move(names));
-    size_t at = 0;
-    for (size_t p = 0; p < size_t(picture.width) * size_t(picture.height); ++p)
-        for (const int c : from) out.values[at++] = picture.values[p * size_t(picture.channels) + size_t(c)];
-    return out;
-}
-
-/// Which channels are the colours: R, G, B or Y, then A.
-std::vector<int> color_channels(const Picture& picture) {
-    std::vector<int> found{channel_at(picture, "R"), channel_at(picture, "G"), channel_at(picture, "B")};
-    if (std::min({found[0], found[1], found[2]}) < 0) found = {channel_at(picture, "Y")};
-    if (found[0] < 0) return {};
-    if (const int alpha = channel_at(picture, "A"); alpha >= 0) found.push_back(alpha);
-    return found;
 }
 
 /// The channels of a layer: R, G, B (files sort them as B, G, R) and A, X, Y, Z, or as the file has them.
@@ -80,7 +64,7 @@ tl::expected<Side, NoPair> read_side(const std::string& path, const std::string&
     if (from.size() <= 2) names = {"Y", "A"};
     else names = {"R", "G", "B", "A"};
     names.resize(from.size());
-    return Side{select(stored->picture, from, names), stored->levels, stored->gamma, stored->levels == 0, stored->picture.names.size() - from.size()};
+    return Side{select_channels(stored->picture, from, names), stored->levels, stored->gamma, stored->levels == 0, stored->picture.names.size() - from.size()};
 }
 
 bool has_alpha(const Picture& picture) { return picture.names.back() == "A"; }
@@ -89,7 +73,7 @@ void drop_last_channel(Picture& picture) {
     std::vector<int> from;
     for (int c = 0; c + 1 < picture.channels; ++c) from.push_back(c);
     std::vector<std::string> names(picture.names.begin(), picture.names.end() - 1);
-    picture = select(picture, from, std::move(names));
+    picture = select_channels(picture, from, std::move(names));
 }
 
 /// Which pixels are compared: 1 or 0.
@@ -127,7 +111,7 @@ void make_gray(Picture& picture) {
     for (auto pixel = picture.values.begin(); pixel != picture.values.end(); pixel += picture.channels)
         for (int c = 1; c < 3 && std::isfinite(*pixel); ++c)
             if (!std::isfinite(pixel[c])) *pixel = pixel[c];
-    picture = picture.channels == 4 ? select(picture, {0, 3}, {"Y", "A"}) : select(picture, {0}, {"Y"});
+    picture = picture.channels == 4 ? select_channels(picture, {0, 3}, {"Y", "A"}) : select_channels(picture, {0}, {"Y"});
 }
 
 tl::expected<void, NoPair> match_alpha(Side& reference, Side& test, const Counts& counts, const std::string (&paths)[2], std::vector<std::string>& notes) {
