@@ -1,0 +1,1 @@
+../../../importers/pov/values.pov
