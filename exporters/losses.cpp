@@ -34,10 +34,13 @@ void add_common_losses(const Scene& scene, Losses& losses) {
     for (const Node& node : scene.nodes) add_node_losses(node, losses);
     for (const ShapeEntry& shape : scene.shapes)
         if (const auto* mesh = std::get_if<Mesh>(&shape.geometry)) losses.add("meshes that mix textures over triangles", !mesh->corner_slots.empty(), "the first corner's");
+    for (const Light& light : scene.lights) losses.add("lights that are projected through an object", light.projected_through.has_value(), "lights that nothing limits");
+    for (const Camera& camera : scene.cameras) losses.add("normals of cameras", camera.normal.has_value());
     const Atmosphere& a = scene.atmosphere;
     losses.add("environments", size_t(a.environment.has_value()) + a.environment_image.has_value());
     losses.add("backgrounds", !is_black(a.background));
     losses.add("fogs", a.fogs.size());
+    losses.add("rainbows", a.rainbows.size());
     losses.add("sky spheres", a.sky.has_value());
     losses.add("media", a.media.size());
 }

@@ -3,7 +3,9 @@
 
 #include "core/source.h"
 #include "core/vec.h"
+#include "scene/ids.h"
 
+#include <optional>
 #include <string>
 
 namespace alidade {
@@ -30,6 +32,7 @@ struct Camera {
     double aperture = 0;         ///< diameter of the lens; 0: pinhole
     Vec3 focal_point{0, 0, -1};  ///< in focus
     int blur_samples = 0;
+    std::optional<SignalId> normal;   ///< a ReliefSignal that bends the rays (POV-Ray)
     SourcePos from;
 };
 

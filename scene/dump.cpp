@@ -38,7 +38,7 @@ void dump_camera(std::string& out, size_t i, const Camera& c) {
     Line(out, fmt::format("camera {}", i)).always("projection", c.projection).field("name", c.name).field("location", c.location)
         .field("direction", c.direction, usual.direction).field("right", c.right, usual.right).field("up", c.up, usual.up).field("fit", c.fit)
         .field("angle", c.angle).field("vertical_angle", c.vertical_angle).field("cylinder", c.cylinder, usual.cylinder).field("aperture", c.aperture).field("focal_point", c.focal_point, usual.focal_point)
-        .field("blur_samples", c.blur_samples).field("from", c.from);
+        .field("blur_samples", c.blur_samples).field("normal", c.normal).field("from", c.from);
 }
 
 void dump_animation(std::string& out, size_t i, const Animation& animation) {
@@ -57,6 +57,10 @@ void dump_atmosphere(std::string& out, const Atmosphere& a) {
             .field("turbulence", f.turbulence.amount).field("octaves", f.turbulence.octaves, usual.turbulence.octaves).field("omega", f.turbulence.omega, usual.turbulence.omega)
             .field("lambda", f.turbulence.lambda, usual.turbulence.lambda).field("turbulence_depth", f.turbulence_depth, usual.turbulence_depth)
             .field("noise", f.noise, usual.noise).field("color", f.color).field("filter", f.filter).field("transmit", f.transmit).field("up", f.up, usual.up);
+    const Rainbow none;
+    for (const Rainbow& r : a.rainbows)
+        Line(out, "  rainbow").field("direction", r.direction, none.direction).field("up", r.up, none.up).field("angle", r.angle).field("width", r.width).field("distance", r.distance)
+            .field("arc_angle", r.arc_angle, none.arc_angle).field("falloff_angle", r.falloff_angle, none.falloff_angle).field("colors", r.colors);
     if (a.sky) Line(out, "  sky").always("pigments", a.sky->pigments).field("emission", a.sky->emission, Color(1)).field("transform", a.sky->transform);
     dump_media(out, a.media);
 }

@@ -67,7 +67,8 @@ struct Light {
     bool parallel = false;   ///< POV's `parallel`: light goes along -z of the node, from the plane through it
     bool shadowless = false, media_interaction = true;
     double clearance = 0;    ///< nothing nearer to the light than this hides it (POV-Ray: 0.001)
-    std::optional<NodeId> looks_like, projected_through;
+    std::optional<NodeId> looks_like;
+    std::optional<NodeId> projected_through;   ///< POV: in the space of the light's node; light comes through its first surface alone, and nothing behind that hides it
     SourcePos from;
 };
 

@@ -178,7 +178,7 @@ class Collector {
     void atmosphere() {
         const Atmosphere& a = scene_.atmosphere;
         if (a.environment || a.environment_image || a.sky) need(Requirement::environment, {});
-        for (size_t i = 0; i < a.fogs.size(); ++i) need(Requirement::fog, {});
+        for (size_t i = 0; i < a.fogs.size() + a.rainbows.size(); ++i) need(Requirement::fog, {});
         for (size_t i = 0; i < a.media.size(); ++i) need(Requirement::media, {});
     }
 
@@ -222,6 +222,10 @@ void Collector::reach_signals() {
     for (size_t i = 0; i < scene_.interiors.size(); ++i)
         if (reached_.interiors[i]) of_media(scene_.interiors[i].media);
     of_media(scene_.atmosphere.media);
+    for (size_t i = 0; i < scene_.cameras.size(); ++i)
+        if (reached_.cameras[i] && scene_.cameras[i].normal) reach(*scene_.cameras[i].normal);
+    for (const Rainbow& bow : scene_.atmosphere.rainbows)
+        if (bow.colors) reach(*bow.colors);
     if (scene_.atmosphere.sky)
         for (const SignalId pigment : scene_.atmosphere.sky->pigments) reach(pigment);
     while (!open.empty()) {

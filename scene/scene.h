@@ -57,6 +57,18 @@ struct Fog {
     Vec3 up{0, 1, 0};
 };
 
+/// POV-Ray's rainbow: a bow of colours around the point opposite of the sun.
+struct Rainbow {
+    static constexpr double kWhole = 360 * 180 / kPi;   ///< degrees; what POV-Ray takes where nothing is said
+    Vec3 direction{0, 0, 1};            ///< of the sun's light
+    Vec3 up{0, 1, 0};                   ///< where the middle of the bow is
+    double angle = 0, width = 0;        ///< degrees: the middle of its colours, from `direction`, and how far they reach from the first to the last
+    double arc_angle = kWhole;          ///< degrees, around `direction`: what is seen of the bow
+    double falloff_angle = kWhole;      ///< beyond it, it fades towards the ends of the arc
+    double distance = 0;                ///< as a fog's; 0: it hides all
+    std::optional<SignalId> colors;     ///< a pattern, looked up at <0 .. 1, 0, 0>
+};
+
 /// POV-Ray's sky_sphere: pigments looked up in the direction of a ray, the last in front.
 struct SkySphere {
     std::vector<SignalId> pigments;
@@ -71,8 +83,12 @@ struct Atmosphere {
     std::optional<ImageId> environment_image;   ///< equirectangular
     double environment_strength = 1;
     std::vector<Fog> fogs;
+    std::vector<Rainbow> rainbows;
     std::optional<SkySphere> sky;
     std::vector<Interior::Medium> media;
+
+    /// Is there anything between surfaces that is neither in a solid nor a medium?
+    bool is_hazy() const { return !fogs.empty() || !rainbows.empty(); }
 };
 
 enum class LightUnits { radiometric, photometric };   ///< photometric: candela and lux, 683 lm/W

@@ -48,9 +48,13 @@ void check_media_references(Validation& v, const std::vector<Interior::Medium>& 
         for (const SignalId id : medium.density) v.in_range(id, v.scene.signals, from, who, "signal");
 }
 
-void check_atmosphere_references(Validation& v) {
+void check_surroundings_references(Validation& v) {
     const Atmosphere& a = v.scene.atmosphere;
     if (a.environment_image) v.in_range(*a.environment_image, v.scene.images, {}, label("the environment"), "image");
+    for (size_t i = 0; i < v.scene.cameras.size(); ++i)
+        if (const Camera& c = v.scene.cameras[i]; c.normal) v.in_range(*c.normal, v.scene.signals, c.from, label("camera", i, c.name), "signal");
+    for (const Rainbow& r : a.rainbows)
+        if (r.colors) v.in_range(*r.colors, v.scene.signals, {}, label("a rainbow"), "signal");
     if (a.sky)
         for (const SignalId id : a.sky->pigments) v.in_range(id, v.scene.signals, {}, label("the sky"), "signal");
     check_media_references(v, a.media, {}, label("the atmosphere"));
@@ -75,7 +79,7 @@ void check_references(Validation& v) {
     for (size_t i = 0; i < s.animations.size(); ++i)
         for (const Channel& channel : s.animations[i].channels)
             v.in_range(channel.target, s.nodes, {}, label("animation", i, s.animations[i].name), "node");
-    check_atmosphere_references(v);
+    check_surroundings_references(v);
 }
 
 }  // namespace alidade

@@ -76,6 +76,9 @@ void check_atmosphere(Validation& v) {
             !is_finite(t.amount) || !std::isfinite(t.omega) || !std::isfinite(t.lambda))
             v.error({}, "a fog has a number that is not finite");
     }
+    for (const Rainbow& r : a.rainbows)
+        if (!is_finite(r.direction) || !is_finite(r.up) || !is_finite(Vec3(r.angle, r.width, r.distance)) || !is_finite(Vec3(r.arc_angle, r.falloff_angle, 0)))
+            v.error({}, "a rainbow has a number that is not finite");
     if (a.sky && (!a.sky->transform.is_finite() || !is_finite(a.sky->emission))) v.error({}, "the sky has a number that is not finite");
     check_media(v, a.media, {}, label("the atmosphere"));
     const RenderSettings& r = v.scene.settings;

@@ -11,6 +11,7 @@
 #include "tracer/materials.h"
 #include "tracer/normal_maps.h"
 #include "tracer/pov_sky.h"
+#include "tracer/projector.h"
 #include "tracer/start_inside.h"
 #include "tracer/textures.h"
 #include "tracer/unrendered.h"
@@ -153,6 +154,15 @@ class Placer : private CsgParts {
     void place_light(const Visit& visit, LightId id) {
         out_.lights.emplace_back(out_.scene.lights[id.index], visit.to_world);
         out_.lights.back().id = id;
+        if (const auto& object = out_.lights.back().light.projected_through) project(visit, *object);
+    }
+
+    void project(const Visit& visit, NodeId object) {
+        const Node& node = out_.scene.nodes[object.index];
+        auto projector = std::make_unique<Projector>(out_.scene, object, visit.to_world * node.to_parent);
+        if (!projector->complete()) said_.error(node.from, "the object that a light is projected through has too many parts");
+        out_.projectors.resize(out_.lights.size());
+        out_.projectors.back() = std::move(projector);
     }
 
     uint32_t geometry(ShapeId shape) {

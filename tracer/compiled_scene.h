@@ -12,6 +12,7 @@
 
 namespace alidade {
 
+class Projector;
 class Textures;
 
 /// Something that can be hit, in its own space: a mesh with an accelerator over its triangles, or a closed-form shape. Stored once, however many
@@ -97,6 +98,7 @@ struct CompiledScene {
     std::unique_ptr<Textures> textures;
     std::vector<PlacedLight> lights;
     std::vector<std::vector<bool>> lit_by; ///< which lights shine, by Instance::light_set; empty: all on all
+    std::vector<std::unique_ptr<Projector>> projectors;   ///< by light, null for most; empty: none has one
     std::vector<PlacedCamera> cameras;     ///< at least one
     std::vector<uint32_t> around_cameras;  ///< where there is fog: the instances, and behind them in number the solids, that a camera may stand in
     Transform sky_from_world;              ///< into the space of the sky's pigments

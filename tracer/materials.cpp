@@ -91,15 +91,6 @@ std::vector<SignalId> read_signals(const Scene& scene, const Material& m) {
     return out;
 }
 
-/// What POV-Ray's finishes have that is left out.
-void report_finish(const Material& m, Diagnostics& said) {
-    for (const auto& layer : m.layers) {
-        const auto* f = std::get_if<PovFinish>(&layer);
-        if (!f) continue;
-        if (f->reflection_exponent != 1) said.warning(m.from, fmt::format("material '{}': the exponent of a reflection is not rendered yet: it is left out", m.name));
-    }
-}
-
 /// False, and an error, if the tracer cannot render the material.
 bool check_supported(const Scene& scene, uint32_t material, const std::vector<SignalId>& signals, Diagnostics& said) {
     const Material& m = scene.materials[material];
@@ -179,7 +170,7 @@ SlotMaterial MaterialTable::slot(std::optional<MaterialId> material, std::option
     const auto* pbr = m.layers.empty() ? nullptr : std::get_if<GltfPbr>(&m.layers[0]);
     const auto* top = m.layers.empty() ? nullptr : std::get_if<PovFinish>(&m.layers.back());
     // POV-Ray's interiors tell how an opaque surface mirrors, too; and a camera may stand in one that keeps fog out.
-    const bool filled = interior || (top && top->ior) || !out_.scene.atmosphere.fogs.empty();
+    const bool filled = interior || (top && top->ior) || out_.scene.atmosphere.is_hazy();
     if (pbr ? is_zero(out_.scene, pbr->transmission) : !filled && !lets_light_through(out_.scene, out.material)) return out;
     const auto [at, added] = interior_of_.try_emplace({out.material, interior ? interior->index : kNoId, hollow}, 0);
     if (added) at->second = add_interior(m, interior, hollow);
@@ -222,10 +213,13 @@ void compile_materials(CompiledScene& out, const CompileOptions& options, Featur
         if (!check_supported(out.scene, i, own, said)) continue;
         const std::string who = fmt::format("material '{}'", m.name);
         for (const auto& layer : m.layers) reasons.need(std::visit([&](const auto& surface) { return features_of(out.scene, surface); }, layer), who);
-        report_finish(m, said);
         if (const auto* pbr = std::get_if<GltfPbr>(&m.layers[0])) out.glows = out.glows || (pbr->emissive && !is_zero(out.scene, pbr->emissive)) || pbr->unlit;
         signals.insert(signals.end(), own.begin(), own.end());
     }
+    for (const PlacedCamera& placed : out.cameras)
+        if (placed.camera.normal) collect_signals(out.scene, *placed.camera.normal, signals);
+    for (const Rainbow& bow : out.scene.atmosphere.rainbows)
+        if (bow.colors) collect_signals(out.scene, *bow.colors, signals);
     if (const auto& sky = out.scene.atmosphere.sky)
         for (const SignalId pigment : sky->pigments) collect_signals(out.scene, pigment, signals);
     for (const Geometry& g : out.geometries)

@@ -64,6 +64,43 @@ Color pov_sky(const CompiledScene& scene, const Vec3& direction) {
     return scene.scene.settings.filter_dims_by_colour ? mixed_sky(scene, sky, at) : filtered_sky(scene, sky, at);
 }
 
+namespace {
+
+/// How much of a rainbow is seen at its place around the axis: less and less between the falloff and the end of the arc.
+double share_of_arc(const Rainbow& bow, const Vec3& axis, const Vec3& direction) {
+    const Vec3 right = normalized(cross(axis, normalized(bow.up)));
+    const double x = dot(direction, right), y = dot(direction, cross(right, axis)), l = std::hypot(x, y);
+    if (!(l > 0)) return 1;
+    const double away = std::acos(std::clamp(y / l, -1.0, 1.0)), end = bow.arc_angle * kPi / 360, full = std::min(bow.falloff_angle * kPi / 360, end);
+    if (away > end) return 0;
+    if (away <= full) return 1;
+    const double u = (away - full) / (end - full);
+    return 1 - u * u * (3 - 2 * u);
+}
+
+/// One rainbow; nothing where it is not.
+std::optional<Haze> rainbow(const CompiledScene& scene, const Rainbow& bow, const Vec3& direction, double distance) {
+    if (!bow.colors || !(bow.width != 0)) return std::nullopt;
+    const Vec3 axis = normalized(bow.direction);
+    const double width = bow.width * kPi / 180, at = (std::acos(std::clamp(dot(axis, direction), -1.0, 1.0)) - bow.angle * kPi / 180) / width + 0.5;
+    if (!(at >= 0 && at < 1)) return std::nullopt;
+    const double share = share_of_arc(bow, axis, direction);
+    if (share <= 0) return std::nullopt;
+    const PigmentColor c = scene.textures->pigment(*bow.colors, Vec3(at, 0, 0));
+    const double passes = bow.distance != 0 ? std::exp(-distance / bow.distance) : 0, left = std::max(passes, 1 - share * (1 - c.transmit)), filter = c.filter * (1 - left);
+    return Haze{c.color * (1 - left), (Color(1 - filter) + c.color * filter) * left};
+}
+
+Haze rainbows(const CompiledScene& scene, const Vec3& direction, double distance) {
+    Haze sum{Color(0), Color(0)};
+    int seen = 0;
+    for (const Rainbow& bow : scene.scene.atmosphere.rainbows)
+        if (const auto one = rainbow(scene, bow, direction, distance)) sum.added += one->added, sum.kept += one->kept, ++seen;
+    return seen ? Haze{sum.added / double(seen), sum.kept / double(seen)} : Haze();
+}
+
+}  // namespace
+
 Haze haze(const CompiledScene& scene, const Vec3& origin, const Vec3& direction, double distance) {
     Haze out;
     distance = std::min(distance, kFarAway);
@@ -75,7 +112,8 @@ Haze haze(const CompiledScene& scene, const Vec3& origin, const Vec3& direction,
         out.added += fog.color * (1 - left);
         out.kept *= (Color(1 - fog.filter) + fog.color * fog.filter) * left;
     }
-    return out;
+    const Haze bows = rainbows(scene, direction, distance);
+    return {out.added + out.kept * bows.added, out.kept * bows.kept};
 }
 
 }  // namespace alidade

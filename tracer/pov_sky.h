@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// What stands around a POV-Ray scene: its sky_sphere, and the fog on the way.
+/// What stands around a POV-Ray scene: its sky_sphere, and the rainbows and fogs on the way.
 #pragma once
 
 #include "tracer/compiled_scene.h"
@@ -10,13 +10,14 @@ namespace alidade {
 /// Source   POV-Ray 3.7 reference, 3.4.5.5 "Sky Sphere"; by experiment: scenes before version 3.7 mix several pigments in another way.
 Color pov_sky(const CompiledScene& scene, const Vec3& direction);
 
-/// What is seen through fog: `added` + `kept` times what lies behind it.
+/// What is seen through rainbows and fogs: `added` + `kept` times what lies behind it.
 struct Haze {
     Color added{0}, kept{1};
 };
 
-/// All fogs along a ray of the unit direction `direction` over `distance`, which may be infinite.
-/// Source   POV-Ray 3.7 reference, 3.4.5.3 "Fog"; by experiment: the colour of a fog is not dimmed by those in front of it.
+/// All rainbows, behind all fogs, along a ray of the unit direction `direction` over `distance`, which may be infinite.
+/// Source   POV-Ray 3.7 reference, 3.4.5.3 "Fog"; by experiment: the colour of a fog is not dimmed by those in front of it;
+/// of rainbows that meet, the mean is seen.
 Haze haze(const CompiledScene& scene, const Vec3& origin, const Vec3& direction, double distance);
 
 }  // namespace alidade

@@ -207,7 +207,9 @@ Vec3 PovSurface::mirrored(const Vec3& normal, const Vec3& facing) const {
     return normalized(r);
 }
 
-/// One ray for all layers of a texture that have the normal of the layer `first`. A layer's share is not dimmed by those above it, but whether it is followed depends on them.
+bool reflect_alike(const PovLayer& a, const PovLayer& b) { return a.normal == b.normal && a.finish->reflection_exponent == b.finish->reflection_exponent; }
+
+/// One ray for all layers of a texture that have the normal and the exponent of the layer `first`. A layer's share is not dimmed by those above it, but whether it is followed depends on them.
 void PovSurface::add_reflection(const CompiledScene& scene, const PovTexture& texture, size_t first, const RayState& state, double relative_ior, const Vec3& facing, Secondaries& out) const {
     const Vec3& normal = layers_[first].normal;
     const double cosine = -dot(dir_, normal);
@@ -215,7 +217,7 @@ void PovSurface::add_reflection(const CompiledScene& scene, const PovTexture& te
     double importance = 0;
     for (size_t i = first; i < texture.end; ++i) {
         const PovLayer& l = layers_[i];
-        if (l.normal != normal) continue;
+        if (!reflect_alike(l, layers_[first])) continue;
         const Color plain = reflectivity(l, cosine, relative_ior), r = l.finish->irid != 0 ? plain * film(*l.finish, cosine, cosine) : plain;
         const Color most = l.finish->reflection_fresnel ? plain : glm::max(l.finish->reflection_max, l.finish->reflection_min);
         const double own = std::min(1.0, std::abs(pov_grey(l.above))) * max_component(most);
@@ -224,7 +226,7 @@ void PovSurface::add_reflection(const CompiledScene& scene, const PovTexture& te
         importance = std::max(importance, own);
     }
     if (is_black(weight)) return;
-    out.push_back({mirrored(normal, facing), weight * texture.share, RayKind::reflection, state.inside, importance, false});
+    out.push_back({mirrored(normal, facing), weight * texture.share, RayKind::reflection, state.inside, importance, false, 1 / layers_[first].finish->reflection_exponent});
 }
 
 /// `totally`: the normal by which light is mirrored already, whatever the layers say; null: none.
@@ -232,7 +234,7 @@ void PovSurface::add_reflections(const CompiledScene& scene, const PovTexture& t
     for (size_t i = texture.begin; i < texture.end; ++i) {
         const Vec3& normal = layers_[i].normal;
         const auto begin = layers_.begin() + std::ptrdiff_t(texture.begin), here = layers_.begin() + std::ptrdiff_t(i);
-        const bool seen = std::any_of(begin, here, [&](const PovLayer& l) { return l.normal == normal; });
+        const bool seen = std::any_of(begin, here, [&](const PovLayer& l) { return reflect_alike(l, layers_[i]); });
         if (!seen && !(totally && *totally == normal)) add_reflection(scene, texture, i, state, relative_ior, facing, out);
     }
 }

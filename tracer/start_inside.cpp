@@ -33,7 +33,7 @@ bool holds(const CompiledScene& scene, uint32_t id, const Vec3& point) {
 }  // namespace
 
 void find_what_is_around_cameras(CompiledScene& scene) {
-    if (scene.scene.atmosphere.fogs.empty()) return;
+    if (!scene.scene.atmosphere.is_hazy()) return;
     Bounds around;
     for (const PlacedCamera& placed : scene.cameras) around.extend(origins(placed.camera));
     const auto look = [&](uint32_t id, const Bounds& bounds) {

@@ -91,7 +91,7 @@ Camera chosen_camera(const Scene& scene, Losses& losses) {
     return first ? *first : framing_camera(world_bounds(scene));
 }
 
-void write_camera(const Camera& c, const RenderSettings& settings, Sdl& sdl) {
+void write_camera(const Camera& c, const RenderSettings& settings, Sdl& sdl, PatternWriter& patterns) {
     sdl.comment(c.name);
     sdl.begin("camera");
     if (c.projection == Projection::cylindrical) sdl.line("cylinder", c.cylinder);
@@ -104,6 +104,7 @@ void write_camera(const Camera& c, const RenderSettings& settings, Sdl& sdl) {
         else sdl.line("angle", c.angle);
     } else if (!is_flat(c)) sdl.line("angle", c.angle);
     write_lens(c, settings, sdl);
+    if (c.normal) patterns.normal_block(*c.normal);
     sdl.end();
 }
 

@@ -129,7 +129,13 @@ void NodeWriter::lone_light(const Light& light, const Transform& to_parent) {
         c_.sdl.end();
     };
     follow("looks_like", light.looks_like);
-    follow("projected_through", light.projected_through);
+    if (light.projected_through && !facts_.is_empty(*light.projected_through)) {
+        c_.sdl.begin("projected_through {", "union");
+        object(*light.projected_through);
+        c_.sdl.line(to_parent);
+        c_.sdl.end();
+        c_.sdl.line("}");
+    }
     c_.sdl.end();
 }
 

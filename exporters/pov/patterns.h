@@ -17,6 +17,8 @@ class PatternWriter {
     void declare(const std::vector<SignalId>& roots);
     /// What stands in `pigment { }`: a colour, or the name of what was declared.
     void pigment(SignalId id);
+    /// `color_map { }` or `pigment_map { }` of a pattern.
+    void pigment_map(const PatternSignal& s);
     /// `pigment { }` itself.
     void pigment_block(SignalId id);
     /// `normal { }`.
@@ -31,7 +33,6 @@ class PatternWriter {
   private:
     void declare_one(SignalId id);
     void pigment_pattern(const PatternSignal& s);
-    void pigment_map(const PatternSignal& s);
     void relief(const ReliefSignal& r);
     void picture(const PatternSignal& s);
     void parameters(const PatternSignal& s);

@@ -24,13 +24,15 @@ class Document {
     std::string text() {
         write_settings(scene_, sdl_);
         const Camera camera = chosen_camera(scene_, losses_);
-        write_camera(camera, scene_.settings, sdl_);
         const bool lacks_light = scene_.settings.default_light && !is_lit();
         std::optional<Color> sky;
         if (const Atmosphere& air = scene_.atmosphere; air.environment) sky = *air.environment * air.environment_strength;
         if (lacks_light) sky = kDefaultSky;
         if (sky) textures_.set_sky(*sky);
-        textures_.declare(facts_.used_materials(), pigments_of_surroundings(scene_));
+        std::vector<SignalId> others = pigments_of_surroundings(scene_);
+        if (camera.normal) others.push_back(*camera.normal);
+        textures_.declare(facts_.used_materials(), others);
+        write_camera(camera, scene_.settings, sdl_, textures_.patterns());
         if (facts_.needs_default()) textures_.declare_default();
         write_surroundings(scene_, sky, sdl_, textures_, images_, losses_);
         if (lacks_light) lights_.write_default_sun(camera);

@@ -27,6 +27,19 @@ void write_fog(const Fog& fog, Sdl& sdl) {
     sdl.end();
 }
 
+void write_rainbow(const Scene& scene, const Rainbow& bow, Sdl& sdl, TextureWriter& textures, Losses& losses) {
+    const auto* colors = bow.colors ? std::get_if<PatternSignal>(&scene.signals[bow.colors->index].what) : nullptr;
+    losses.add("rainbows whose colours are no map of colours", bow.colors && !colors, "nothing");
+    if (!colors) return;
+    sdl.begin("rainbow");
+    sdl.line("direction", bow.direction, "up", bow.up);
+    sdl.line("angle", bow.angle, "width", bow.width, "distance", bow.distance);
+    if (bow.arc_angle != Rainbow::kWhole) sdl.line("arc_angle", bow.arc_angle);
+    if (bow.falloff_angle != Rainbow::kWhole) sdl.line("falloff_angle", bow.falloff_angle);
+    textures.patterns().pigment_map(*colors);
+    sdl.end();
+}
+
 /// POV-Ray takes columns from +x towards +z; the scene's picture has +x in its middle.
 void write_environment_picture(const Scene& scene, Sdl& sdl, ImageWriter& images) {
     const Atmosphere& a = scene.atmosphere;
@@ -59,6 +72,8 @@ void write_settings(const Scene& scene, Sdl& sdl) {
 std::vector<SignalId> pigments_of_surroundings(const Scene& scene) {
     std::vector<SignalId> out;
     if (scene.atmosphere.sky) out = scene.atmosphere.sky->pigments;
+    for (const Rainbow& bow : scene.atmosphere.rainbows)
+        if (bow.colors) out.push_back(*bow.colors);
     const auto add = [&](const std::vector<Interior::Medium>& media) {
         for (const Interior::Medium& m : media) out.insert(out.end(), m.density.begin(), m.density.end());
     };
@@ -76,6 +91,7 @@ void write_surroundings(const Scene& scene, const std::optional<Color>& sky, Sdl
     if (a.environment_image) write_environment_picture(scene, sdl, images);
     else if (a.sky) write_sky(*a.sky, sdl, textures);
     for (const Fog& fog : a.fogs) write_fog(fog, sdl);
+    for (const Rainbow& bow : a.rainbows) write_rainbow(scene, bow, sdl, textures, losses);
     for (const Interior::Medium& medium : a.media) textures.medium(medium);
 }
 

@@ -176,13 +176,25 @@ TEST_F(PovBuilders, SettingsDependOnTheVersion) {
 }
 
 TEST_F(PovBuilders, WhatIsNotModelledIsSaidOnceWithItsCount) {
-    const std::string text = "#version 3.7;\n#for(I, 1, 3) isosurface { function { x } } #end\nrainbow { angle 3 }\nsphere { 0, 1 photons { target } pigment { aoi } cutaway_textures }";
+    const std::string text = "#version 3.7;\n#for(I, 1, 3) isosurface { function { x } } #end\nmedia { emission 3 }\nsphere { 0, 1 photons { target } pigment { aoi } cutaway_textures }";
     const std::string messages = said(text);
     EXPECT_THAT(messages, HasSubstr("s.pov:2:15: warning: isosurface is not modelled yet: it is left out (3 times)"));
-    EXPECT_THAT(messages, HasSubstr("rainbow is not modelled yet"));
+    EXPECT_THAT(messages, HasSubstr("media is not modelled yet"));
     EXPECT_THAT(messages, HasSubstr("the pattern aoi of a pigment is not modelled yet: middle grey stands for it"));
     EXPECT_THAT(messages, HasSubstr("cutaway_textures in sphere is not modelled yet"));
     EXPECT_EQ(scene(text).shapes.size(), 1u) << "the rest is there";
+}
+
+TEST_F(PovBuilders, WhatIsWrongWithARainbowOrAProjectorIsSaid) {
+    EXPECT_THAT(said("rainbow { angle 3 width 2 }"), HasSubstr("s.pov:1:1: error: a rainbow needs the direction of the sun's light"));
+    EXPECT_THAT(said("rainbow { direction y up 2*y width 2 }"), HasSubstr("error: the rainbow's up is the direction of its light"));
+    EXPECT_THAT(said("rainbow { direction z falloff_angle 50 arc_angle 40 }"), HasSubstr("error: the falloff_angle of a rainbow is larger than its arc_angle"));
+    EXPECT_THAT(said("camera { fisheye normal { bumps } }"), HasSubstr("the normal of a camera that is neither perspective nor orthographic is not modelled yet"));
+    const std::string through = "projected_through { sphere { 0, 1 } } ";
+    EXPECT_THAT(said("light_source { y*9, rgb 1 " + through + through + "}"), HasSubstr("error: a light has one projected_through alone"));
+    const Scene none = scene("rainbow { direction z angle 40 distance 3 } camera { normal { bump_size 2 } }");
+    EXPECT_TRUE(none.atmosphere.rainbows.empty()) << "it has no width";
+    EXPECT_FALSE(none.cameras[0].normal);
 }
 
 TEST_F(PovBuilders, WhatIsWrongWithAPictureIsAnErrorAtItsPlace) {

@@ -29,6 +29,7 @@ ShadowGrid& grid(Scene& s) {
 }
 ReliefSignal& relief(Scene& s) { return std::get<ReliefSignal>(s.signals[6].what); }
 Fog& fog(Scene& s) { return s.atmosphere.fogs[0]; }
+Rainbow& rainbow(Scene& s) { return s.atmosphere.rainbows[0]; }
 Interior::Medium& medium(Scene& s) { return s.interiors[0].media[0]; }
 Channel& channel(Scene& s) { return s.animations[0].channels[0]; }
 
@@ -319,6 +320,7 @@ const Change kOtherChanges[] = {
     [](Scene& s) { s.cameras[0].aperture = 1; },
     [](Scene& s) { s.cameras[0].focal_point.x = 1; },
     [](Scene& s) { s.cameras[0].blur_samples = 1; },
+    [](Scene& s) { s.cameras[0].normal = SignalId{6}; },
     [](Scene& s) { s.cameras[0].from.line = 4; },
     [](Scene& s) { s.skins[0].name = "x"; },
     [](Scene& s) { s.skins[0].joints.push_back(NodeId{1}); },
@@ -348,6 +350,14 @@ const Change kOtherChanges[] = {
     [](Scene& s) { fog(s).filter = 1; },
     [](Scene& s) { fog(s).transmit = 1; },
     [](Scene& s) { fog(s).up.x = 1; },
+    [](Scene& s) { rainbow(s).direction.x = 1; },
+    [](Scene& s) { rainbow(s).up.x = 1; },
+    [](Scene& s) { rainbow(s).angle = 1; },
+    [](Scene& s) { rainbow(s).width = 1; },
+    [](Scene& s) { rainbow(s).arc_angle = 1; },
+    [](Scene& s) { rainbow(s).falloff_angle = 1; },
+    [](Scene& s) { rainbow(s).distance = 1; },
+    [](Scene& s) { rainbow(s).colors = SignalId{0}; },
     [](Scene& s) { s.atmosphere.sky.reset(); },
     [](Scene& s) { s.atmosphere.sky->pigments.clear(); },
     [](Scene& s) { s.atmosphere.sky->emission.x = 0.5; },

@@ -115,6 +115,7 @@ Scene sample_scene() {
     s.cameras.resize(1);
     add_motion(s);
     s.atmosphere.fogs.resize(1);
+    s.atmosphere.rainbows.resize(1);
     s.atmosphere.sky = SkySphere{{SignalId{4}}, Color(1), Transform()};
     s.atmosphere.media.resize(1);
     return s;

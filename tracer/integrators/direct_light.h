@@ -3,6 +3,7 @@
 #pragma once
 
 #include "tracer/integrators/shadow_grid.h"
+#include "tracer/projector.h"
 #include "tracer/shade.h"
 
 namespace alidade {
@@ -24,6 +25,14 @@ template <bool kFilters> [[gnu::always_inline]] inline Color visible(Tracing& tr
         if (tracing.scene.filters_light) return filtered_light(tracing, ray, state.inside);
     }
     return tracing.scene.top->occluded(ray, tracing.stats.work) ? Color(0) : Color(1);
+}
+
+/// How far the way to the light `index` goes, of `distance` in the unit direction `direction`: the whole, or to what it is projected through; nothing where the light
+/// does not come.
+inline std::optional<double> way_to_light(const Tracing& tracing, const ShadePoint& point, size_t index, const Vec3& direction, double distance) {
+    const auto& projectors = tracing.scene.projectors;
+    if (index >= projectors.size() || !projectors[index]) return distance;
+    return projectors[index]->reach(spawn_ray(point, direction, distance));
 }
 
 template <unsigned F> class DirectLight {
@@ -74,8 +83,10 @@ template <unsigned F> class DirectLight {
         if (light.light.shadow_grid) return from_grid(i, arriving);
         if (is_black(arriving.irradiance)) return Color(0);
         const Color scattered = surface_.scatter(arriving.direction, !light.light.shadowless) * arriving.irradiance;
-        if (is_black(scattered) || light.light.shadowless) return scattered;
-        return scattered * through(arriving.direction, arriving.distance - light.light.clearance);
+        if (is_black(scattered)) return scattered;
+        const auto way = way_to_light(tracing_, point_, i, arriving.direction, arriving.distance - light.light.clearance);
+        if (!way) return Color(0);
+        return light.light.shadowless ? scattered : scattered * through(arriving.direction, *way);
     }
 
     // Out of line, as above.

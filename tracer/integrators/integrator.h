@@ -24,6 +24,7 @@ struct FirstHit {
 struct PendingRay {
     Ray ray;
     RayState state;
+    double exponent = 1;   ///< Secondary::exponent
 };
 
 /// One thread's view of a render.

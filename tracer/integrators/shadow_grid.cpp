@@ -56,7 +56,8 @@ Color through_grid(Tracing& tracing, const ShadePoint& point, const RayState& st
         const Vec2 jitter = grid.jitter ? key.pair(uint64_t(u) * uint64_t(grid.size2) + uint64_t(v)) - Vec2(0.5) : Vec2(0);
         const Vec3 to_light = points.towards(point.position, arriving, points.offset(u + jitter.x, v + jitter.y));
         const double distance = length(to_light);
-        return full * visible<true>(tracing, point, state, to_light / distance, distance - light.light.clearance);
+        const auto way = way_to_light(tracing, point, index, to_light / distance, distance - light.light.clearance);
+        return way ? full * visible<true>(tracing, point, state, to_light / distance, *way) : Color(0);
     })();
 }
 

@@ -28,15 +28,28 @@ template <unsigned F> struct Whitted {
     double length_so_far = 0;   // of the camera ray and its straight continuations through alpha
 
     static Color radiance(Tracing& tracing, const Ray& ray, const RayState& state, FirstHit& first) {
-        Whitted whitted{tracing, first};
         PendingRay next{ray, state};
-        if (!tracing.scene.scene.atmosphere.fogs.empty()) next.state.inside = start_inside(tracing.scene, ray.origin);
+        if (tracing.scene.scene.atmosphere.is_hazy()) next.state.inside = start_inside(tracing.scene, ray.origin);
+        return everything_from(tracing, next, first);
+    }
+
+    static Color everything_from(Tracing& tracing, PendingRay next, FirstHit& first) {
+        Whitted whitted{tracing, first};
+        const size_t others = tracing.pending.size();
         for (;;) {
-            whitted.trace(next.ray, next.state);
-            if (tracing.pending.empty()) return whitted.sum;
+            if (next.exponent == 1) whitted.trace(next.ray, next.state);
+            else whitted.add_power(next);
+            if (tracing.pending.size() == others) return whitted.sum;
             next = tracing.pending.back();
             tracing.pending.pop_back();
         }
+    }
+
+    /// What arrives along the ray and all that follow from it, to the power of the reflection.
+    [[gnu::noinline]] void add_power(const PendingRay& reflected) {
+        PendingRay alone = reflected;
+        alone.state.weight = Color(1), alone.exponent = 1;
+        sum += reflected.state.weight * glm::pow(glm::max(everything_from(tracing, alone, first), Color(0)), Color(reflected.exponent));
     }
 
     /// Goes on straight through alpha, however many layers; mirrors and glass are followed by new rays.
@@ -45,7 +58,7 @@ template <unsigned F> struct Whitted {
         for (;;) {
             Hit hit;
             const bool found = tracing.scene.top->intersect(ray, hit, tracing.stats.work);
-            if (!tracing.scene.scene.atmosphere.fogs.empty() && fog_reaches(tracing.scene, state.inside)) pass_fogs(ray, found ? hit.t * length(ray.dir) : kInf, state);
+            if (tracing.scene.scene.atmosphere.is_hazy() && fog_reaches(tracing.scene, state.inside)) pass_haze(ray, found ? hit.t * length(ray.dir) : kInf, state);
             if (!found) {
                 sum += state.weight * tracing.scene.sky->radiance(normalized(ray.dir));
                 return;
@@ -69,11 +82,11 @@ template <unsigned F> struct Whitted {
         }
     }
 
-    // Out of line: scenes without fog pay for a comparison alone.
-    [[gnu::noinline]] void pass_fogs(const Ray& ray, double distance, RayState& state) {
-        const Haze fog = haze(tracing.scene, ray.origin, normalized(ray.dir), distance);
-        sum += state.weight * fog.added;
-        state.weight *= fog.kept;
+    // Out of line: scenes without fog or rainbow pay for a comparison alone.
+    [[gnu::noinline]] void pass_haze(const Ray& ray, double distance, RayState& state) {
+        const Haze on_the_way = haze(tracing.scene, ray.origin, normalized(ray.dir), distance);
+        sum += state.weight * on_the_way.added;
+        state.weight *= on_the_way.kept;
     }
 
     /// A surface on the camera ray itself.
@@ -101,7 +114,7 @@ template <unsigned F> struct Whitted {
             ray.mask = mask_of(s.kind);
             ray.time = state.time;
             ++tracing.stats.secondary_rays;
-            tracing.pending.push_back({ray, next});
+            tracing.pending.push_back({ray, next, s.exponent});
         }
     }
 };

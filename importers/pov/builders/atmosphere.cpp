@@ -38,6 +38,33 @@ void take_fog(Build& build, const Block& block, Fog& fog) {
     }
 }
 
+SignalId add_bow_colours(Build& build, const Block& map, Place place) {
+    PatternSignal colours;
+    colours.pattern = "gradient", colours.parameters = {1, 0, 0};
+    colours.map = read_colour_map(build, map);
+    return build.add_signal(colours, place);
+}
+
+/// `falloff` is checked at the end: arc_angle may stand behind it.
+void take_rainbow(Build& build, const Block& block, Rainbow& bow, std::optional<double>& falloff) {
+    const Nested nested(build.p, block.place);
+    for (Cursor at(build, block); !at.done();) {
+        const Place place = at.place();
+        const Block* map = at.block_at("color_map"_w);
+        if (!map) map = at.block_at("colour_map"_w);
+        if (map) at.next(), bow.colors = add_bow_colours(build, *map, place);
+        else if (const Block* base = at.block_at("rainbow"_w)) at.next(), take_rainbow(build, *base, bow, falloff);
+        else if (at.accept("direction"_w)) bow.direction = at.vector("the direction of the sun's light");
+        else if (at.accept("up"_w)) bow.up = at.vector("the direction of up");
+        else if (at.accept("angle"_w)) bow.angle = at.number("the angle of a rainbow");
+        else if (at.accept("width"_w)) bow.width = at.number("the width of a rainbow");
+        else if (at.accept("distance"_w)) bow.distance = at.number("the distance of a rainbow");
+        else if (at.accept("arc_angle"_w)) bow.arc_angle = at.number("the angle of the arc");
+        else if (at.accept("falloff_angle"_w)) falloff = at.number("the angle where the arc begins to fade");
+        else at.skip_unmodelled();
+    }
+}
+
 }  // namespace
 
 void read_background(Build& build, const Block& block) {
@@ -51,6 +78,18 @@ void read_sky_sphere(Build& build, const Block& block) {
     SkySphere sky;
     take_sky(build, block, sky);
     build.scene.atmosphere.sky = sky;
+}
+
+void read_rainbow(Build& build, const Block& block) {
+    Rainbow bow;
+    bow.direction = Vec3(0);
+    std::optional<double> falloff;
+    take_rainbow(build, block, bow, falloff);
+    if (length(bow.direction) == 0) build.p.fail(block.place, "a rainbow needs the direction of the sun's light");
+    if (length(cross(bow.direction, bow.up)) == 0) build.p.fail(block.place, "the rainbow's up is the direction of its light, or has no length");
+    if (falloff && *falloff > bow.arc_angle) build.p.fail(block.place, "the falloff_angle of a rainbow is larger than its arc_angle");
+    if (falloff) bow.falloff_angle = *falloff;
+    if (bow.colors && bow.width != 0) build.scene.atmosphere.rainbows.push_back(bow);
 }
 
 void read_fog(Build& build, const Block& block) {

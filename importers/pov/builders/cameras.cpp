@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "importers/pov/builders/cameras.h"
 
+#include "importers/pov/builders/pigments.h"
+
 #include <cmath>
 #include <utility>
 
@@ -147,6 +149,7 @@ void read_words(Build& build, const Block& block, CameraWords& words) {
         const Place place = at.place();
         const Block* other = at.block_at("camera"_w);
         if (other) at.next(), read_words(build, *other, words);
+        else if (const Block* normal = at.block_at("normal"_w)) at.next(), words.camera.normal = build_normal(build, *normal, words.camera.normal);
         else if (at.at_transform()) words.transform = at.transform() * words.transform;
         else if (!take_word(build, words, at)) at.skip_unmodelled();
         if (in_order) arrange(build, place, !other || other->version < 3.5F, words);
@@ -162,6 +165,11 @@ Camera build_camera(Build& build, const Block& block) {
     arrange(build, block.place, false, words);
     Camera& c = words.camera;
     if (!is_flat(c)) set_angles(words, c);
+    if (c.normal && is_flat(build, *c.normal)) c.normal.reset();
+    if (c.normal && !is_flat(c)) {
+        build.p.tally(block.place, "the normal of a camera that is neither perspective nor orthographic is not modelled yet: it is left out");
+        c.normal.reset();
+    }
     c.from = build.position(block.place);
     c.fit = Fit::stretch;
     build.scene.settings.lens_noise = c.aperture > 0 ? std::optional(words.noise) : std::nullopt;

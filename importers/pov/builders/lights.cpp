@@ -21,6 +21,7 @@ struct LightWords {
     ShadowGrid grid;             ///< of an area light: its words may stand before `area_light`
     Transform transform;
     const Block* looks_like = nullptr;
+    const Block* projected_through = nullptr;
 };
 
 bool take_cone_word(LightWords& w, Cursor& at) {
@@ -76,7 +77,10 @@ void read_light(Build& build, const Block& block, LightWords& w) {
     while (!at.done()) {
         if (at.at_transform()) w.transform = at.transform() * w.transform;
         else if (const Block* like = at.block_at("looks_like"_w)) at.next(), w.looks_like = like;
-        else if (take_cone_word(w, at) || take_area_word(w, at) || take_light_word(w, at)) continue;
+        else if (const Block* through = at.block_at("projected_through"_w)) {
+            if (w.projected_through) build.p.fail(through->place, "a light has one projected_through alone");
+            at.next(), w.projected_through = through;
+        } else if (take_cone_word(w, at) || take_area_word(w, at) || take_light_word(w, at)) continue;
         else if (at.at_word("media_attenuation"_w)) at.skip();
         else at.skip_unmodelled();
     }
@@ -93,23 +97,34 @@ Transform facing(const Vec3& location, const Vec3& axis) {
     return t;
 }
 
-/// The object that shows where the light is: it throws no shadow, and stands around the light. It follows the light's transformations.
-void add_looks(Build& build, const LightWords& w, Node& group) {
-    for (Cursor at(build, *w.looks_like); !at.done();) {
+/// The objects of a block, placed by `to_parent`.
+Node build_objects(Build& build, const Block& block, const Transform& to_parent) {
+    Node out;
+    out.to_parent = to_parent;
+    for (Cursor at(build, block); !at.done();) {
         const Block* object = at.any_block();
         if (!object || !is_object(object->word)) {
             at.skip_unmodelled();
             continue;
         }
         at.next();
-        const auto built = build_object(build, *object);
-        if (!built) continue;
-        Node moved;
-        moved.to_parent = w.transform * Transform::translate(w.location);
-        moved.flags.shadow = false;
-        moved.children.push_back(built->node);
-        group.children.push_back(build.add_node(std::move(moved)));
+        if (const auto built = build_object(build, *object)) out.children.push_back(built->node);
     }
+    return out;
+}
+
+/// The object that shows where the light is: it throws no shadow, and stands around the light. It follows the light's transformations.
+void add_looks(Build& build, const LightWords& w, Node& group) {
+    Node looks = build_objects(build, *w.looks_like, w.transform * Transform::translate(w.location));
+    looks.flags.shadow = false;
+    if (!looks.children.empty()) group.children.push_back(build.add_node(std::move(looks)));
+}
+
+/// What the light is projected through follows its transformations, too; it is kept in the space of the light's node, `placed`.
+void add_projector(Build& build, const LightWords& w, const Transform& placed, Light& light) {
+    const auto into_node = inverse(placed);
+    if (!w.projected_through || !into_node) return;
+    light.projected_through = build.add_node(build_objects(build, *w.projected_through, *into_node * w.transform));
 }
 
 /// What `spotlight` and `cylinder` make of radius, falloff and tightness, in whatever order the words stand.
@@ -152,6 +167,7 @@ NodeId build_light(Build& build, const Block& block) {
     w.light.clearance = 0.001;
     if (w.fade.power > 0 && std::abs(w.fade.distance) > 1e-10) w.light.fade = w.fade;
     w.light.from = build.position(block.place);
+    add_projector(build, w, node.to_parent, w.light);
     build.scene.lights.push_back(w.light);
     node.what = LightId{uint32_t(build.scene.lights.size() - 1)};
     node.from = w.light.from;

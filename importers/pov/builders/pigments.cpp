@@ -93,6 +93,12 @@ void tally_pattern(Build& build, const Item& item, const char* what) {
     build.p.tally(item.place, fmt::format("the pattern {} of a {} is not modelled yet: middle grey stands for it", word, what));
 }
 
+std::vector<MapEntry> read_colour_map(Build& build, const Block& block) {
+    std::vector<MapEntry> map;
+    for_each_entry(build, block, [&](const Block& entry) { read_colour_entry(build, entry, map); });
+    return map;
+}
+
 SignalId add_colour(Build& build, const std::array<double, 5>& c, Place at) {
     return build.add_signal(ConstantSignal{Vec4(c[0], c[1], c[2], 1), c[3], c[4]}, at);
 }

@@ -16,6 +16,9 @@ SignalId build_normal(Build& build, const Block& block, std::optional<SignalId> 
 /// Has it no pattern?
 bool is_flat(const Build& build, SignalId normal);
 
+/// The entries of a color_map.
+std::vector<MapEntry> read_colour_map(Build& build, const Block& block);
+
 /// A colour: red, green, blue, filter, transmit.
 SignalId add_colour(Build& build, const std::array<double, 5>& c, Place at);
 

@@ -44,6 +44,7 @@ void build_item(Build& build, const Item& item, std::optional<Camera>& camera) {
         case "background"_w: return read_background(build, block);
         case "sky_sphere"_w: return read_sky_sphere(build, block);
         case "fog"_w: return read_fog(build, block);
+        case "rainbow"_w: return read_rainbow(build, block);
         default: break;
     }
     if (is_object(block.word)) return add_root(build, block);

@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: Apache-2.0
+/// Rainbows, bent camera rays, powers of reflections, projected light.
+#include "tests/scenes/pov_pictures.h"
+
+namespace alidade::test {
+
+namespace {
+
+const std::string kHead = "#version 3.7; global_settings { assumed_gamma 1 } background { rgb <.3,.5,.7> }\n";
+const std::string kSun = "light_source { <10,20,-15> rgb <1,.9,.8> }\n";
+const std::string kFloor = "plane { y, -1 pigment { checker rgb 1 rgb <1,0,0> } }\n";
+
+/// Looks at the point opposite of the sun, above a floor with a ball that mirrors it.
+std::string rainbow(const std::string& bows) {
+    return kHead + kSun + kFloor + "camera { location <0,2,-6> look_at <0,2,0> angle 95 } sphere { <1,.5,1>, 1 hollow pigment { rgb .2 } finish { reflection .8 } } sphere { <-2,0,-1>, 1 pigment { rgbt 1 } interior { ior 1.3 } }\n" + bows;
+}
+
+std::string bent(const std::string& camera) {
+    return kHead + kSun + kFloor + "camera { " + camera + " } sphere { <1,.5,1>, 1 pigment { rgb <.2,1,.3> } } box { <-2,-1,-1>, <-1,1,0> pigment { rgb <.2,.3,1> } }\n";
+}
+
+std::string projected(const std::string& light) {
+    return kHead + kFloor + "camera { location <0,4,-7> look_at 0 angle 50 } light_source { " + light + " } sphere { <.5,0,0>, .5 pigment { rgb <.2,1,.3> } finish { phong 1 } } sphere { <-.8,1,.3>, .3 pigment { rgbf <1,1,.2,.7> } } "
+           "plane { -z, -4 pigment { rgb .8 } }\n";
+}
+
+}  // namespace
+
+std::vector<PovPicture> effect_pictures() {
+    const std::string colours = "color_map { [0 rgbt <.6,0,1,.9>] [.3 rgbft <0,.4,1,.2,.4>] [.6 rgbt <1,1,0,.3>] [1 rgbf <1,0,0,.5>] } ";
+    const std::string mirrors = kHead + kSun + kFloor + "camera { location <0,2,-6> look_at <0,.5,0> angle 50 } ";
+    return {
+        {"RainbowAboveMirrorsAndGlass", rainbow("rainbow { direction <.1,-.2,1> angle 40 width 12 distance 30 " + colours + "}")},
+        {"RainbowsThatMeet", rainbow("rainbow { direction <.1,-.2,1> angle 35 width 12 distance 30 " + colours + "} rainbow { direction <.1,-.2,2> angle 42 width 9 distance 1e4 color_map { [0 rgb x] [1 rgbt y+.5] } }")},
+        {"ArcOfARainbow", rainbow("rainbow { direction <.3,-.2,1> angle 35 width 15 distance 1e3 up <.3,1,.1> arc_angle 150 falloff_angle 70 " + colours + "}")},
+        {"RainbowFaintFromItsMiddle", rainbow("#declare R = rainbow { direction <.3,-.2,1> angle 35 width 15 distance 1e3 falloff_angle 20 " + colours + "} rainbow { R width 20 } fog { distance 40 rgb <.8,.9,1> }")},
+        {"PowersOfReflections", mirrors + "sphere { <-1.1,0,0>, 1 pigment { rgb 0 } finish { reflection { .8 exponent .5 } } } sphere { <1.1,0,0>, 1 pigment { rgb <.1,.1,0> } finish { reflection { <1,.5,.2>, 1 exponent 2 } } } "
+                                             "box { <-1,-1,2>, <1,2,3> texture { pigment { rgb 0 } finish { reflection { .5 exponent 2 } } } texture { pigment { rgbt 1 } finish { reflection { .25 exponent .5 } } } rotate y*20 }"},
+        {"BentRays", bent("location <0,2,-6> look_at <0,.5,0> angle 50 normal { bumps .2 scale .1 }")},
+        {"BentRaysOfADeclaredNormal", "#declare N = normal { gradient x .1 sine_wave frequency 7 phase .2 }\n" + bent("location <0,2,-6> look_at <0,.5,0> right 2*x normal { N rotate z*30 }")},
+        {"BentParallelRays", bent("orthographic location <0,2,-6> look_at <0,.5,0> right 6*x up 4.5*y normal { ripples .1 scale .2 }")},
+        {"ProjectedLight", projected("<2,6,-3> rgb 1 projected_through { union { disc { <1,3,-1.5>, y, .8, .3 } box { <-.5,2.9,-1>, <.2,3,.5> } } }")},
+        {"ProjectedLightMoves", projected("<0,6,0> rgb 1 projected_through { sphere { <0,3,0>, .7 } } spotlight point_at 0 radius 30 falloff 40 rotate z*15 translate x")},
+        {"ProjectedShadowlessLight", projected("<2,6,-3> rgb 1 shadowless projected_through { text { ttf \"cyrvetic.ttf\" \"Ab\" .2, 0 rotate x*90 scale 1.5 translate <0,3,-1.5> } }")},
+        {"ProjectedParallelLight", projected("<1,6,0> rgb 1 parallel point_at 0 projected_through { torus { 1, .3 translate y*2.5 } }")},
+        {"ProjectedAreaLight", projected("<1,6,0> rgb 1 area_light x, z, 3, 3 projected_through { cylinder { <.5,3,-.5>, <.5,3.1,-.5>, .9 } }")},
+    };
+}
+
+}  // namespace alidade::test
