@@ -26,9 +26,9 @@ double reach_of(const LocalRay& ray, const Bounds& box) {
 /// The local interval in which the ray is in the box, padded; empty on a miss.
 void clip_to_box(LocalRay& ray, const Bounds& box, double tmin, double tmax) {
     ray.reach = is_flat(ray.dir) ? reach_of(ray, box) : 0;
-    const SlabRay<double> slab(ray.origin, ray.dir, ray.reach);
+    ray.slab = SlabRay<double>(ray.origin, ray.dir, ray.reach);
     double near = -std::numeric_limits<double>::max(), far = std::numeric_limits<double>::max();
-    slab.clip(box, near, far);
+    ray.slab.clip(box, near, far);
     if (near <= far) {
         ray.tmin = std::max(tmin, padded_down(near)), ray.tmax = std::min(tmax, padded_up(far));
     } else {

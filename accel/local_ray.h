@@ -24,6 +24,8 @@ struct LocalRay {
     double tmin = 0, tmax = -1;         ///< local interval that holds all hits; empty if the ray misses the bounds
     double reach = 0;                   ///< bounds |t| in it, where the ray is so flat to an axis that a SlabRay asks for it
 
+    SlabRay<double> slab;               ///< of (origin, dir), if the ray enters the bounds
+
     bool enters_box() const { return tmin <= tmax; }
     double caller_t(double t) const { return shift * to_caller + t * to_caller; }
     /// Not less than any local t whose caller_t is at most `caller`, and the same from below.

@@ -32,6 +32,7 @@ inline double padded_down(double x, double pad = kSlabPad * kUnitRoundoff<double
 /// any hit at t inside it, however deep boxes are nested: all pads are relative to the ray and to the box's own planes, not to the scene.
 template <class R> class SlabRay {
   public:
+    SlabRay() {}   // no ray yet
     /// `reach` bounds |t| of all points of interest; it does not matter where the ray is not flat.
     SlabRay(const Vec3& origin, const Vec3& dir, double reach) {
         for (int a = 0; a < 3; ++a) {

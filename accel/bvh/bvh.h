@@ -28,7 +28,7 @@ template <class Leaf> class Bvh {
     /// Nearer child first. A box is skipped only if its padded entry is beyond the padded limit: at an equal t there may be a lower id inside.
     template <class Query> void traverse(const LocalRay& ray, Query& query, WorkCounters& work) const {
         Waiting stack[kBvhDepth];
-        const PairRay slab(SlabRay<R>(ray.origin, ray.dir, ray.reach));
+        const PairRay slab(slab_of(ray));
         const R start = SlabRay<R>::start(ray.tmin);
         R limit = SlabRay<R>::limit(query.limit());
         Waiting current{root_, start};
@@ -99,6 +99,10 @@ template <class Leaf> class Bvh {
         bool negative_[3];
     };
 
+    static SlabRay<R> slab_of(const LocalRay& ray) {
+        if constexpr (std::is_same_v<R, double>) return ray.slab;
+        else return SlabRay<R>(ray.origin, ray.dir, ray.reach);
+    }
     static Child child(const BvhNode<R>& node) {
         return node.leaf() ? Child{node.first, node.count} : Child{node.first / 2, 0};   // children stand at an odd place and the next one
     }
