@@ -85,10 +85,48 @@ TEST(Narrow, BoundedPolynomials) {
         EXPECT_LT(box.extent()[axis], torus.extent()[axis] + 2);
     }
     EXPECT_FALSE(narrowed(f, true, all).finite()) << "outside of it there is no end";
+    Polynomial drop = f;   // x^4 - x^2 + y^2 + z^2 <= 0: the highest powers are not of the same degree
+    std::fill(drop.coefficients.begin(), drop.coefficients.end(), 0.0);
+    const auto d = [&](int i, int j, int k) -> double& { return drop.coefficients[test::power_index(4, i, j, k)]; };
+    d(4, 0, 0) = d(0, 2, 0) = d(0, 0, 2) = 1, d(2, 0, 0) = -1;
+    const Bounds around = narrowed(drop, false, all);
+    for (int axis = 0; axis < 3; ++axis) {
+        EXPECT_GE(around.max[axis], axis == 0 ? 1 : 0.5);
+        EXPECT_LT(around.max[axis], axis == 0 ? 1.25 : 0.75);
+    }
     c(0, 0, 0) = 1e4;
     EXPECT_TRUE(narrowed(f, false, all).empty()) << "nowhere";
     c(1, 3, 0) = 0.1;
     EXPECT_FALSE(narrowed(f, false, all).finite()) << "the highest terms may be negative, for all that is looked at";
+}
+
+/// Random polynomials of order 2, 4 and 6 that do not go on for ever, by either of the two rules: no point inside is lost.
+TEST(Narrow, BoundedPolynomialsLoseNothing) {
+    test::Draw draw(3);
+    int inside = 0;
+    for (int round = 0; round < 300; ++round) {
+        Polynomial f;
+        f.order = 2 + 2 * int(draw.below(3)), f.coefficients.assign(Polynomial::terms(f.order), 0.0);
+        const bool apart = draw.below(2) == 0;   // what is not along one axis is never negative; otherwise it is of a lower degree
+        for (int i = 0; i <= f.order; ++i)
+            for (int j = 0; i + j <= f.order; ++j)
+                for (int k = 0; i + j + k <= f.order; ++k) {
+                    const bool even = i % 2 == 0 && j % 2 == 0 && k % 2 == 0, pure = std::max({i, j, k}) == i + j + k, highest = i + j + k == f.order;
+                    double& c = f.coefficients[test::power_index(f.order, i, j, k)];
+                    if (highest && pure) c = draw(0.1, 2);
+                    else if (apart ? !pure : highest) c = even ? draw(0, 1) : 0;
+                    else c = draw(-2, 1);
+                }
+        const Bounds box = narrowed(f, false, {Vec3(-kInf), Vec3(kInf)});
+        EXPECT_TRUE(box.finite() || box.empty()) << round;
+        for (int i = 0; i < 1000; ++i) {
+            const Vec3 p = draw.vector(4);
+            if (!find_shape(f)->inside(f, p)) continue;
+            ++inside;
+            ASSERT_TRUE(box.contains(p)) << round;
+        }
+    }
+    EXPECT_GT(inside, 10000);
 }
 
 CsgExpression leaf(uint32_t id) {
