@@ -59,6 +59,14 @@ bool is_hollow(const Scene& scene, const std::vector<NodeId>& path, size_t carri
     return false;
 }
 
+/// Of the shape: its own, or what is found by looking where it can be, which takes too long to do it for each ray.
+Bounds bounds_of(const ShapeOps& ops, const ShapeGeometry& shape) {
+    const Bounds own = ops.bounds(shape);
+    if (own.finite() || !ops.narrow) return own;
+    const Bounds narrow = ops.narrow(shape, false, own);
+    return narrow.empty() || narrow.finite() ? narrow : own;
+}
+
 /// Walks the graph once and fills a CompiledScene with instances, lights and cameras.
 class Placer : private CsgParts {
   public:
@@ -174,7 +182,7 @@ class Placer : private CsgParts {
         g.source = &out_.scene.shapes[shape.index].geometry;
         g.mesh = std::get_if<Mesh>(g.source);
         g.ops = g.mesh ? nullptr : find_shape(*g.source);
-        if (!g.mesh) g.bounds = g.ops->bounds(*g.source);
+        if (!g.mesh) g.bounds = bounds_of(*g.ops, *g.source);
         out_.geometries.push_back(std::move(g));
         return index;
     }

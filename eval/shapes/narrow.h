@@ -12,4 +12,8 @@ namespace alidade {
 /// Method   along an axis f is a quadratic whose coefficients are intervals over the other two; the farthest of their roots bounds the side.
 Bounds narrowed(const Quadric& f, bool outside, const Bounds& box);
 
+/// The same for a polynomial: of a finite box the parts are left, as boxes of a lattice, where intervals do not rule the points out. A box without end stays as
+/// it is, unless the terms of the highest degree say how far the points can be.
+Bounds narrowed(const Polynomial& f, bool outside, const Bounds& box);
+
 }  // namespace alidade

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "eval/shapes/approach.h"
 #include "eval/shapes/implicit.h"
+#include "eval/shapes/narrow.h"
+#include "eval/shapes/polynomial_horner.h"
 #include "eval/shapes/polynomial_roots.h"
 
 namespace alidade {
@@ -8,36 +10,6 @@ namespace alidade {
 namespace {
 
 static_assert(Polynomial::kMostOrder <= kMostRoots);
-
-bool is_complete(const Polynomial& f) {
-    return f.order >= 1 && f.order <= Polynomial::kMostOrder && f.coefficients.size() == Polynomial::terms(f.order);
-}
-
-/// How many of the first `most` are 0: Horner's rule begins behind them. Most coefficients of most polynomials are.
-int leading_zeros(const double* c, int most) {
-    int count = 0;
-    while (count < most && c[count] == 0) ++count;
-    return count;
-}
-
-/// f by Horner's rule in x, of polynomials in y, of polynomials in z: the order in which the coefficients stand. A Sum begins as 0, and takes sums and
-/// coefficients; `times(sum, axis)` multiplies one by a coordinate. At most 2 roundings a power in a row.
-template <class Sum, class Times> Sum horner(const Polynomial& f, const Times& times) {
-    const double* c = f.coefficients.data();
-    Sum in_x;
-    for (int i = f.order; i >= 0; --i) {
-        Sum in_y;
-        for (int j = f.order - i; j >= 0; --j) {
-            Sum in_z;
-            const int zeros = leading_zeros(c, f.order - i - j + 1);
-            c += zeros;
-            for (int k = f.order - i - j - zeros; k >= 0; --k) times(in_z, 2), in_z.add(*c++);
-            times(in_y, 1), in_y.add(in_z);
-        }
-        times(in_x, 0), in_x.add(in_y);
-    }
-    return in_x;
-}
 
 struct Jet : ImplicitValue {
     void times(double x, int axis) {
@@ -176,8 +148,10 @@ bool polynomial_inside(const ShapeGeometry& geometry, const Vec3& point) {
     return is_complete(f) && evaluate(f, point).value <= 0;
 }
 
+Bounds polynomial_narrow(const ShapeGeometry& geometry, bool outside, const Bounds& box) { return narrowed(std::get<Polynomial>(geometry), outside, box); }
+
 }  // namespace
 
-const ShapeOps kPolynomialOps = {"polynomial", "where a polynomial in x, y and z is negative", kind_of<Polynomial>(), polynomial_bounds, polynomial_crossings, polynomial_error, polynomial_surface, polynomial_inside, always_solid, nullptr, true};
+const ShapeOps kPolynomialOps = {"polynomial", "where a polynomial in x, y and z is negative", kind_of<Polynomial>(), polynomial_bounds, polynomial_crossings, polynomial_error, polynomial_surface, polynomial_inside, always_solid, polynomial_narrow, true};
 
 }  // namespace alidade

@@ -10,12 +10,19 @@ namespace {
 /// f by Horner's rule: x (A x + D y + E z + G) + y (B y + F z + H) + z (C z + I) + J. Five roundings in a row.
 constexpr int kRoundings = 8;
 
-ImplicitValue evaluate(const Quadric& q, const Vec3& p) {
+/// The magnitude is left out: crossings do not ask for it, and take most of their time here.
+inline ImplicitValue value_and_gradient(const Quadric& q, const Vec3& p) {
     const Vec3 &s = q.squares, &m = q.products, &l = q.linear;
-    const Vec3 row(s.x * p.x + m.x * p.y + m.y * p.z + l.x, s.y * p.y + m.z * p.z + l.y, s.z * p.z + l.z), a = glm::abs(p);
+    const Vec3 row(s.x * p.x + m.x * p.y + m.y * p.z + l.x, s.y * p.y + m.z * p.z + l.y, s.z * p.z + l.z);
     ImplicitValue f;
     f.value = p.x * row.x + p.y * row.y + p.z * row.z + q.constant;
     f.gradient = Vec3(row.x + s.x * p.x, row.y + s.y * p.y + m.x * p.x, row.z + s.z * p.z + m.y * p.x + m.z * p.y);
+    return f;
+}
+
+ImplicitValue evaluate(const Quadric& q, const Vec3& p) {
+    const Vec3 &s = q.squares, &m = q.products, &l = q.linear, a = glm::abs(p);
+    ImplicitValue f = value_and_gradient(q, p);
     f.magnitude = dot(a * a, glm::abs(s)) + std::abs(m.x) * a.x * a.y + std::abs(m.y) * a.x * a.z + std::abs(m.z) * a.y * a.z + dot(a, glm::abs(l)) + std::abs(q.constant);
     return f;
 }
@@ -29,7 +36,7 @@ struct OnLine {
     bool is_line = false;   ///< what is left of `square` is rounding
 
     OnLine(const Quadric& q, const Vec3& p, const Vec3& u) {
-        const ImplicitValue at = evaluate(q, p);
+        const ImplicitValue at = value_and_gradient(q, p);
         const Vec3 products(u.x * u.y, u.x * u.z, u.y * u.z);
         square = dot(q.squares, u * u) + dot(q.products, products);
         half = 0.5 * dot(at.gradient, u);
@@ -64,7 +71,7 @@ struct Line {
         const OnLine there(q, p + shift * u, u);   // where f has its extreme: nothing is left to cancel
         const bool nearer = shift != 0 && std::abs(there.constant) < std::abs(here.constant);
         const int count = (nearer ? there : here).roots(out);
-        for (int i = 0; i < count; ++i) out[i] = polished([&](const Vec3& x) { return along(evaluate(q, x), u); }, p, u, nearer ? shift + out[i] : out[i]);
+        for (int i = 0; i < count; ++i) out[i] = polished([&](const Vec3& x) { return along(value_and_gradient(q, x), u); }, p, u, nearer ? shift + out[i] : out[i]);
         if (count == 2 && out[1] < out[0]) std::swap(out[0], out[1]);
         return count;
     }
@@ -97,10 +104,10 @@ ErrorBound quadric_error(const ShapeGeometry& geometry, const Ray& ray, double t
 }
 
 SurfacePoint quadric_surface(const ShapeGeometry& geometry, const Vec3& point, uint32_t) {
-    return flat_mapped(normalized(evaluate(std::get<Quadric>(geometry), point).gradient), point);
+    return flat_mapped(normalized(value_and_gradient(std::get<Quadric>(geometry), point).gradient), point);
 }
 
-bool quadric_inside(const ShapeGeometry& geometry, const Vec3& point) { return evaluate(std::get<Quadric>(geometry), point).value <= 0; }
+bool quadric_inside(const ShapeGeometry& geometry, const Vec3& point) { return value_and_gradient(std::get<Quadric>(geometry), point).value <= 0; }
 
 Bounds quadric_narrow(const ShapeGeometry& geometry, bool outside, const Bounds& box) { return narrowed(std::get<Quadric>(geometry), outside, box); }
 
