@@ -18,17 +18,16 @@ double falloff(const Light& light, double distance) {
 }
 
 /// KHR_lights_punctual, "Inner and Outer Cone Angles".
-double cone(const SpotLight& spot, double cos_axis) {
-    const double outer = std::cos(spot.outer_angle), inner = std::cos(spot.inner_angle);
-    const double x = std::clamp((cos_axis - outer) / std::max(1e-3, inner - outer), 0.0, 1.0);
+double cone(const PlacedLight& light, double cos_axis) {
+    const double x = std::clamp((cos_axis - light.cos_outer) / std::max(1e-3, light.cos_inner - light.cos_outer), 0.0, 1.0);
     return x * x;
 }
 
 /// POV-Ray's spotlight: the brightness at the cosine `c` of the angle from its axis.
-double cone(const ConeLight& spot, double c) {
+double cone(const PlacedLight& light, const ConeLight& spot, double c) {
     if (c <= 0) return 0;
     double k = spot.tightness == 0 ? 1 : std::pow(c, spot.tightness);
-    const double inner = std::cos(spot.radius), outer = std::cos(spot.falloff);
+    const double inner = light.cos_inner, outer = light.cos_outer;
     if (inner > 0 && c < inner) {
         const double u = outer < inner ? std::clamp((c - outer) / (inner - outer), 0.0, 1.0) : 0;
         k *= smooth_step(u);
@@ -84,6 +83,11 @@ Illumination from_sphere(const PlacedLight& light, const AreaLight& area, const 
 
 }  // namespace
 
+PlacedLight::PlacedLight(Light l, const Transform& t) : light(std::move(l)), to_world(t), position(t.translation), axis(normalized(t.vector(Vec3(0, 0, -1)))) {
+    if (const auto* spot = std::get_if<SpotLight>(&light.kind)) cos_inner = std::cos(spot->inner_angle), cos_outer = std::cos(spot->outer_angle);
+    if (const auto* spot = std::get_if<ConeLight>(&light.kind)) cos_inner = std::cos(spot->radius), cos_outer = std::cos(spot->falloff);
+}
+
 Illumination illuminate(const PlacedLight& light, const Vec3& point, const Vec2& square) {
     if (std::holds_alternative<DirectionalLight>(light.light.kind)) return {-light.axis, kInf, light.light.intensity};
     if (const auto* area = std::get_if<AreaLight>(&light.light.kind))
@@ -94,8 +98,8 @@ Illumination illuminate(const PlacedLight& light, const Vec3& point, const Vec2&
     if (light.light.parallel || std::holds_alternative<CylinderLight>(light.light.kind)) return along_axis(light, to_light);
     const Vec3 direction = to_light / distance;
     double k = falloff(light.light, distance);
-    if (const auto* spot = std::get_if<SpotLight>(&light.light.kind)) k *= cone(*spot, -dot(direction, light.axis));
-    if (const auto* spot = std::get_if<ConeLight>(&light.light.kind)) k *= cone(*spot, -dot(direction, light.axis));
+    if (std::holds_alternative<SpotLight>(light.light.kind)) k *= cone(light, -dot(direction, light.axis));
+    if (const auto* spot = std::get_if<ConeLight>(&light.light.kind)) k *= cone(light, *spot, -dot(direction, light.axis));
     return {direction, distance, light.light.intensity * k};
 }
 

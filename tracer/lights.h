@@ -19,11 +19,11 @@ struct PlacedLight {
     Transform to_world;
     Vec3 position{0};
     Vec3 axis{0, 0, -1};   ///< unit, where it points
+    double cos_inner = 1, cos_outer = 1;   ///< of the angles of a cone, from its axis
     LightId id;
 
     PlacedLight() = default;
-    PlacedLight(Light l, const Transform& t)
-        : light(std::move(l)), to_world(t), position(t.translation), axis(normalized(t.vector(Vec3(0, 0, -1)))) {}
+    PlacedLight(Light l, const Transform& t);
     /// Has it an extent, so that many of its points have to be asked?
     bool sampled() const { return std::holds_alternative<AreaLight>(light.kind); }
 };

@@ -47,12 +47,20 @@ Color reflectivity(const PovLayer& layer, double cosine, double relative_ior) {
     return (f.reflection_max * toward_max + f.reflection_min * (1 - toward_max)) * metallic(layer.color, f.reflection_metallic, cosine);
 }
 
+bool is_mirror(const PovFinish& f) { return f.reflection_fresnel || !is_black(f.reflection_max) || !is_black(f.reflection_min); }
+
+/// Is what passes bright enough to be followed?
+bool passes(const Color& through, const RenderSettings& settings) { return std::min(1.0, std::abs(pov_grey(through))) > settings.adc_bailout; }
+
 /// Of what lies behind the surface, over that in front: as if the object stood in air.
 double relative_ior(const CompiledScene& scene, const ShadePoint& point) {
     const uint32_t interior = slot_at(scene, point).interior;
     const double own = interior == kNoId ? 1 : scene.interiors[interior].ior;
     return point.front ? own : 1 / own;
 }
+
+/// Does one ray serve both?
+bool reflect_alike(const PovLayer& a, const PovLayer& b) { return a.normal == b.normal && a.finish->reflection_exponent == b.finish->reflection_exponent; }
 
 }  // namespace
 
@@ -120,8 +128,10 @@ void PovSurface::add_layers(const CompiledScene& scene, const ShadePoint& point,
             texture.through *= glm::min(left, Color(1));
         }
         layers_.push_back(layer);
-        if (std::min(1.0, std::abs(pov_grey(texture.through))) <= settings.adc_bailout) break;
+        sends_on_ = sends_on_ || is_mirror(*layer.finish);
+        if (!passes(texture.through, settings)) break;
     }
+    sends_on_ = sends_on_ || passes(texture.through, settings);
     texture.end = layers_.size();
     textures_.push_back(texture);
 }
@@ -207,8 +217,6 @@ Vec3 PovSurface::mirrored(const Vec3& normal, const Vec3& facing) const {
     return normalized(r);
 }
 
-bool reflect_alike(const PovLayer& a, const PovLayer& b) { return a.normal == b.normal && a.finish->reflection_exponent == b.finish->reflection_exponent; }
-
 /// One ray for all layers of a texture that have the normal and the exponent of the layer `first`. A layer's share is not dimmed by those above it, but whether it is followed depends on them.
 void PovSurface::add_reflection(const CompiledScene& scene, const PovTexture& texture, size_t first, const RayState& state, double relative_ior, const Vec3& facing, Secondaries& out) const {
     const Vec3& normal = layers_[first].normal;
@@ -217,7 +225,7 @@ void PovSurface::add_reflection(const CompiledScene& scene, const PovTexture& te
     double importance = 0;
     for (size_t i = first; i < texture.end; ++i) {
         const PovLayer& l = layers_[i];
-        if (!reflect_alike(l, layers_[first])) continue;
+        if (!is_mirror(*l.finish) || !reflect_alike(l, layers_[first])) continue;
         const Color plain = reflectivity(l, cosine, relative_ior), r = l.finish->irid != 0 ? plain * film(*l.finish, cosine, cosine) : plain;
         const Color most = l.finish->reflection_fresnel ? plain : glm::max(l.finish->reflection_max, l.finish->reflection_min);
         const double own = std::min(1.0, std::abs(pov_grey(l.above))) * max_component(most);
@@ -243,7 +251,7 @@ void PovSurface::add_texture(const CompiledScene& scene, const PovTexture& textu
     const Vec3& normal = layers_[texture.begin].normal;
     const Color& through = texture.through;
     bool total = false;
-    if (std::min(1.0, std::abs(pov_grey(through))) > scene.scene.settings.adc_bailout) {
+    if (passes(through, scene.scene.settings)) {
         const double c = -dot(dir_, normal), t = 1 + p.ratio * p.ratio * (c * c - 1);
         const Color weight = p.faded * through * (texture.share * p.refraction);
         const double importance = std::max({std::abs(through.x), std::abs(through.y), std::abs(through.z)});

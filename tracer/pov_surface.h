@@ -4,7 +4,7 @@
 #pragma once
 
 #include "core/short_list.h"
-#include "tracer/surface.h"
+#include "tracer/secondary.h"
 #include "tracer/textures.h"
 
 namespace alidade {
@@ -33,6 +33,8 @@ class PovSurface {
     Color emitted(const Color& ambient_light) const;
     /// Light from the unit direction `wi`, diffuse and in highlights.
     Color scatter(const Vec3& wi, bool highlights) const;
+    /// Can there be any mirror or transmitted ray?
+    bool sends_on() const { return sends_on_; }
     /// The mirrors and the transmitted rays. `facing` is the geometric normal on the side of the eye.
     void secondary(const CompiledScene& scene, const ShadePoint& point, const RayState& state, const Vec3& facing, Secondaries& out) const;
     /// Of the layer on top of the first texture.
@@ -58,7 +60,7 @@ class PovSurface {
 
     Vec3 dir_, normal_, position_;
     Color irid_wavelength_{1};
-    bool double_illuminate_ = false;
+    bool double_illuminate_ = false, sends_on_ = false;
 };
 
 /// What the layers of a material let through at a point: what shadow rays in the unit direction `dir` multiply by.

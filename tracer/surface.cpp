@@ -26,8 +26,8 @@ Surface shade_pov(const CompiledScene& scene, const ShadePoint& point, const Vec
     s.point_ = &point;
     s.wo_ = -dir;
     s.normal_ = dot(point.shading_normal, dir) > 0 ? -point.shading_normal : point.shading_normal;
-    s.pov_ = std::make_shared<const PovSurface>(scene, point, dir, s.normal_);
-    s.mirrors_or_refracts_ = true;
+    s.pov_.emplace(scene, point, dir, s.normal_);
+    s.mirrors_or_refracts_ = s.pov_->sends_on();
     s.albedo_ = s.pov_->albedo();
     s.normal_ = s.pov_->top().normal;
     s.emitted_ = s.pov_->emitted(scene.scene.settings.ambient_light);

@@ -2,27 +2,12 @@
 /// A hit, shaded: the only face of a material that an integrator sees.
 #pragma once
 
-#include "tracer/ray_state.h"
+#include "tracer/pov_surface.h"
 #include "tracer/shade_point.h"
 
-#include <memory>
-#include <vector>
+#include <optional>
 
 namespace alidade {
-
-/// A discrete direction in which a surface sends light on, and what it multiplies it by.
-struct Secondary {
-    Vec3 dir{0};
-    Color weight{0};
-    RayKind kind = RayKind::reflection;
-    InteriorStack inside;   ///< of the new ray
-    double importance = -1; ///< the new ray's, as a factor of the old one's; below 0: the new ray's weight is its importance
-    bool straight = false;  ///< it goes on as it came, and is no deeper
-    double exponent = 1;    ///< to which its radiance is raised before it is weighted
-};
-
-/// A mirror ray, a refracted ray and a mirror ray of the coat; of POV-Ray's texture maps and layers there can be more. (What passes straight through alpha is no ray of its own: the integrator goes on.)
-using Secondaries = std::vector<Secondary>;
 
 /// KHR_materials_clearcoat at a point: a clear layer of index 1.5 that takes `weight` of the light, its factor times Schlick's Fresnel term at the eye's
 /// angle, and leaves the rest to what is under it.
@@ -32,8 +17,6 @@ struct Coat {
     double mirror = 0;   ///< of the light that it takes, how much the mirror ray stands for
     Vec3 normal{0, 0, 1};
 };
-
-class PovSurface;
 
 /// glTF 2.0 metal-rough at a point (specification, appendix B): a diffuse and a microfacet lobe; where roughness is low, a mirror ray; with transmission,
 /// refraction by Snell's law; over all of it, a clear coat. Or POV-Ray's layers (pov_surface.h).
@@ -77,7 +60,7 @@ class Surface {
     double alpha_ = 1, mirror_ = 0, coverage_ = 1, ior_ = 1.5, f90_ = 1;
     Coat coat_;
     bool unlit_ = false, mirrors_or_refracts_ = false;
-    std::shared_ptr<const PovSurface> pov_;   ///< takes the place of all the rest but the normal
+    std::optional<PovSurface> pov_;   ///< takes the place of all the rest but the normal
 };
 
 /// The surface at `point`, seen along the unit direction `dir`; defined in tracer/shade.h, which callers include. `point` must outlive it.

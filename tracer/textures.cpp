@@ -166,6 +166,7 @@ Vec4 Textures::evaluate(SignalId signal, const ShadePoint& point) const {
 }
 
 PigmentColor Textures::pigment(SignalId signal, const ShadePoint& point, const Vec3& at) const {
+    if (const auto* constant = std::get_if<ConstantSignal>(&signals_[signal.index].what)) return {Color(constant->value), constant->filter, constant->transmit};
     const Value v = value(signal, point, at);
     return {Color(v.rgba), v.filter, v.transmit};
 }

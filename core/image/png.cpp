@@ -150,6 +150,8 @@ Result<Bytes> encode_png(const Picture& picture) {
     out.width = png_uint_32(picture.width);
     out.height = png_uint_32(picture.height);
     out.format = (colors.count == 3 ? PNG_FORMAT_FLAG_COLOR : 0u) | (with_alpha ? PNG_FORMAT_FLAG_ALPHA : 0u);
+    // Without it, the smallest file of a few choices is looked for: a fifth smaller, eight times as slow, and longer than many a picture takes to render.
+    out.flags = PNG_IMAGE_FLAG_FAST;
     png_alloc_size_t size = PNG_IMAGE_PNG_SIZE_MAX(out);
     Bytes bytes(size);
     const int done = png_image_write_to_memory(&out, bytes.data(), &size, 0, codes.data(), 0, nullptr);

@@ -6,14 +6,14 @@
 
 namespace alidade {
 
-double cell_random(unsigned index) {
+std::span<const double, 32768> cell_randoms() {
     static const std::vector<double> numbers = [] {
         std::vector<double> all(32768);
         std::mt19937 twister;   // its default seed, 5489
         for (double& n : all) n = double(twister()) / 4294967296.0;
         return all;
     }();
-    return numbers[index % 32768];
+    return std::span<const double, 32768>(numbers);
 }
 
 }  // namespace alidade

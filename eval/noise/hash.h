@@ -6,7 +6,12 @@
 #include <cmath>
 #include <cstdint>
 #include <limits>
+#include <span>
 #include <utility>
+
+#ifdef __SSE2__
+#include <emmintrin.h>
+#endif
 
 namespace alidade {
 
@@ -43,10 +48,19 @@ inline unsigned cell_hash(int64_t x, int64_t y, int64_t z) {
     return kLatticeHash[kLatticeHash[kLatticeHash[unsigned(x & 4095)] ^ unsigned(y & 4095)] ^ unsigned(z & 4095)];
 }
 
+/// 32768 numbers, uniform in [0, 1). Those of a cell begin at its hash.
+std::span<const double, 32768> cell_randoms();
+
 /// Uniform in [0, 1), the same for the same index; repeats after 32768.
-double cell_random(unsigned index);
+inline double cell_random(unsigned index) { return cell_randoms()[index % 32768]; }
 
 /// A coordinate without its fraction, towards zero. What fits no 32 bits, and a NaN, becomes the least int: so POV-Ray's own cells are on x86.
-inline int32_t truncated(double x) { return x > -2147483649.0 && x < 2147483648.0 ? int32_t(x) : std::numeric_limits<int32_t>::min(); }
+inline int32_t truncated(double x) {
+#ifdef __SSE2__
+    return _mm_cvttsd_si32(_mm_set_sd(x));   // the instruction itself has no branch
+#else
+    return x > -2147483649.0 && x < 2147483648.0 ? int32_t(x) : std::numeric_limits<int32_t>::min();
+#endif
+}
 
 }  // namespace alidade

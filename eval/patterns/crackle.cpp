@@ -37,21 +37,47 @@ int64_t cell_below(double x) {
     return std::abs(whole) < 9e18 ? int64_t(whole) : 0;
 }
 
-/// One random point in each of the 81 cells around: offsets up to 2, of which at most one is 2.
+/// The cells next to a coordinate's own along one axis, from 2 below to 2 above.
+struct Row {
+    double origin[5], gap[5];   ///< where the cell begins; from the coordinate to the cell, 0 where it lies inside
+    unsigned index[5];
+
+    explicit Row(double x) {
+        const int64_t own = cell_below(x);
+        for (int i = 0; i < 5; ++i) {
+            origin[i] = double(own + i - 2);
+            gap[i] = std::max({0.0, origin[i] - x, x - (origin[i] + 1)});
+            index[i] = unsigned((own + i - 2) & 4095);
+        }
+    }
+};
+
+/// One random point in each of the 81 cells around: offsets up to 2, of which at most one is 2. The near cells come first, because a cell that lies
+/// farther away than the third point so far has nothing to add.
 Nearest nearest_points(const Vec3& p, double metric) {
+    static constexpr int kFromTheMiddle[] = {2, 1, 3, 0, 4};
+    const auto random = cell_randoms();
+    const Row x(p.x), y(p.y), z(p.z);
     Nearest nearest;
-    const int64_t x = cell_below(p.x), y = cell_below(p.y), z = cell_below(p.z);
-    for (int i = -2; i <= 2; ++i)
-        for (int j = -2; j <= 2; ++j) {
-            const int edges = (std::abs(i) == 2) + (std::abs(j) == 2);
-            if (edges > 1) continue;
-            const int reach = edges ? 1 : 2;
-            for (int k = -reach; k <= reach; ++k) {
-                const unsigned h = cell_hash(x + i, y + j, z + k);
-                const Vec3 at(double(x + i) + cell_random(h), double(y + j) + cell_random(h + 1), double(z + k) + cell_random(h + 2));
+    const auto beyond = [&](double dx, double dy, double dz) {
+        constexpr double kRounding = 1 - 1e-9;   // a power is not monotonic to its last digit
+        return metric > 0 && raised({dx, dy, dz}, metric) * kRounding > nearest.distance[2];
+    };
+    for (const int i : kFromTheMiddle) {
+        if (beyond(x.gap[i], 0, 0)) continue;
+        const unsigned in_x = kLatticeHash[x.index[i]];
+        for (const int j : kFromTheMiddle) {
+            const int edges = (i % 4 == 0) + (j % 4 == 0);
+            if (edges > 1 || beyond(x.gap[i], y.gap[j], 0)) continue;
+            const unsigned in_y = kLatticeHash[in_x ^ y.index[j]];
+            for (const int k : kFromTheMiddle) {
+                if (edges + (k % 4 == 0) > 1 || beyond(x.gap[i], y.gap[j], z.gap[k])) continue;
+                const unsigned h = kLatticeHash[in_y ^ z.index[k]];
+                const Vec3 at(x.origin[i] + random[h], y.origin[j] + random[h + 1], z.origin[k] + random[h + 2]);
                 nearest.add(raised(at - p, metric), at);
             }
         }
+    }
     return nearest;
 }
 

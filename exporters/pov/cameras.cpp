@@ -66,7 +66,7 @@ void write_lens(const Camera& c, const RenderSettings& settings, Sdl& sdl) {
     if (!(c.aperture > 0)) return;
     constexpr int kSamples = 37;
     const LensNoise noise = settings.lens_noise.value_or(LensNoise());
-    sdl.line("aperture", c.aperture, "focal_point", c.focal_point);
+    sdl.line("aperture", c.aperture * 2, "focal_point", c.focal_point);   // POV-Ray's lens is half as wide
     const int most = c.blur_samples > 0 ? c.blur_samples : kSamples;
     if (noise.fewest > 0) sdl.line("blur_samples", noise.fewest, ",", most);
     else sdl.line("blur_samples", most);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 /// Each row of the pattern registry against POV-Ray: its own run where it is installed, and what it printed once where that is at hand.
+#include "eval/noise/hash.h"
 #include "eval/patterns/pattern.h"
 
 #include "pattern_cases.h"
@@ -48,6 +49,26 @@ std::string declared(const PatternCase& c, size_t index) {
 bool same(double a, double b, double allowed) { return std::fabs(a - b) <= allowed || (std::isnan(a) && std::isnan(b)); }
 
 }  // namespace
+
+/// Without a cell left out: crackle's nearest point of all 81 around.
+Vec3 nearest_of_all(const Vec3& p, double metric) {
+    Vec3 nearest(0);
+    double least = kInf;
+    for (int i = 0; i < 125; ++i) {
+        const Vec3 from_own(i % 5 - 2, i / 5 % 5 - 2, i / 25 - 2), cell = glm::floor(p - kBlockEpsilon) + from_own;
+        if ((std::abs(from_own.x) == 2) + (std::abs(from_own.y) == 2) + (std::abs(from_own.z) == 2) > 1) continue;
+        const unsigned h = cell_hash(int64_t(cell.x), int64_t(cell.y), int64_t(cell.z));
+        const Vec3 at = cell + Vec3(cell_random(h), cell_random(h + 1), cell_random(h + 2)), away = glm::abs(at - p);
+        const double distance = std::pow(away.x, metric) + std::pow(away.y, metric) + std::pow(away.z, metric);
+        if (distance < least) least = distance, nearest = at;
+    }
+    return nearest;
+}
+
+TEST(Patterns, CrackleLeavesOutOnlyCellsThatAreTooFar) {
+    for (const double metric : {1.0, 2.0, 3.0, 0.5})
+        for (const Vec3& p : pattern_points(5000, 11)) ASSERT_EQ(pattern::nearest_point(p, metric), nearest_of_all(p, metric)) << metric << ": " << p.x << " " << p.y << " " << p.z;
+}
 
 TEST(Patterns, EveryRowHasACase) {
     std::set<std::string> tested = {"average", "facets"};   // have no number: pictures beside POV-Ray's

@@ -79,6 +79,35 @@ TEST_P(PovPictures, AreThoseOfPovRay) {
     EXPECT_LE(differ, kWidth * kHeight / 200) << "pixels that differ by more than one step of 255";
 }
 
+/// The mean square distance of the light from the picture's centre, in pixels.
+double spread(const Picture& picture) {
+    double light = 0, sum = 0;
+    for (int y = 0; y < kHeight; ++y)
+        for (int x = 0; x < kWidth; ++x) {
+            const double v = picture.at(x, y)[0], dx = x + 0.5 - kWidth / 2.0, dy = y + 0.5 - kHeight / 2.0;
+            light += v, sum += v * (dx * dx + dy * dy);
+        }
+    return sum / light;
+}
+
+/// A ball far out of focus becomes a disc. POV-Ray's points of the lens are not ours, so that the pictures are alike in their moments only.
+TEST(PovLenses, AreAsWideAsPovRays) {
+    if (!povray_is_installed()) GTEST_SKIP() << "povray is not installed";
+    const Folder folder;
+    for (const double aperture : {0.4, 0.8}) {
+        std::ofstream(folder / "scene.pov") << "#version 3.7;\nglobal_settings { assumed_gamma 1 }\ncamera { location -10*z look_at 0 angle 35 focal_point -7*z blur_samples 300 variance 0 aperture "
+                                            << aperture << " }\nsphere { 0, 0.2 pigment { rgb 3 } finish { ambient 1 diffuse 0 } }\n";
+        ASSERT_EQ(std::system(fmt::format("cd '{}' && povray +Iscene.pov +Oref.png +W{} +H{} -A -D +WT1 > said.txt 2>&1", folder / "", kWidth, kHeight).c_str()), 0);
+        const auto theirs = read_picture(folder / "ref.png", Encoding::automatic);
+        std::string said;
+        const auto own = ours(folder / "scene.pov", folder / "own.png", {}, said);
+        ASSERT_TRUE(theirs && own) << said;
+        const auto own_linear = read_picture(folder / "own.png", Encoding::automatic);
+        ASSERT_TRUE(own_linear);
+        EXPECT_NEAR(spread(*own_linear) / spread(*theirs), 1, 0.08) << aperture;
+    }
+}
+
 TEST(PovPictureFiles, ABrokenFileIsAnErrorAtItsName) {
     const Folder folder;
     std::ofstream(folder / "a.png") << "no picture";

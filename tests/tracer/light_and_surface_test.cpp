@@ -8,11 +8,11 @@ namespace alidade::test {
 namespace {
 
 PlacedLight placed_light(decltype(Light::kind) kind, double range = kInf) {
-    PlacedLight l;
-    l.light.kind = kind;
-    l.light.range = range;
-    l.light.intensity = Color(8, 4, 2);
-    return l;
+    Light l;
+    l.kind = kind;
+    l.range = range;
+    l.intensity = Color(8, 4, 2);
+    return {l, Transform()};
 }
 
 TEST(Lights, PointFallsWithTheSquareOfTheDistance) {

@@ -15,7 +15,7 @@ ShadowGrid grid_of(int size1, int size2, int adaptive = -1) {
 
 /// The mean over a grid, and how many of its points were asked.
 template <class Value> double mean_of(const ShadowGrid& grid, Value value, int* asked = nullptr) {
-    std::vector<std::optional<Color>> seen;
+    GridScratch seen;
     return GridMean(grid, seen, [&](int u, int v) {
         if (asked) ++*asked;
         return Color(value(u, v));
@@ -45,6 +45,16 @@ TEST(GridMean, AsksWhatItNeedsAndNothingTwice) {
     asked = 0;
     mean_of(grid_of(9, 9), [](int u, int) { return u % 2; }, &asked);
     EXPECT_EQ(asked, 81);
+}
+
+/// Each mean asks for itself, whatever the scratch holds of those before: of grids larger and smaller, and after the rounds were counted once around.
+TEST(GridMean, ForgetsTheLastOne) {
+    GridScratch seen;
+    for (int i = 0; i < 12; ++i) {
+        if (i == 6) seen.round = std::numeric_limits<uint32_t>::max() - 1;
+        const int size = i % 3 + 2;
+        EXPECT_EQ(GridMean(grid_of(size, size), seen, [&](int, int) { return Color(i); })().x, i);
+    }
 }
 
 PlacedLight cylinder_light() {

@@ -27,6 +27,23 @@ struct PendingRay {
     double exponent = 1;   ///< Secondary::exponent
 };
 
+/// What is known of the points of a light's grid. A round forgets the one before it without touching the points, of which few may be asked.
+struct GridScratch {
+    struct Point {
+        Color value{0};
+        uint32_t round = 0;   ///< in which the value was found
+    };
+    std::vector<Point> points{};
+    uint32_t round = 0;
+
+    void begin(size_t count) {
+        ++round;
+        if (points.size() >= count && round != 0) return;
+        points.assign(count, Point());
+        round = 1;
+    }
+};
+
 /// One thread's view of a render.
 struct Tracing {
     const CompiledScene& scene;
@@ -37,7 +54,7 @@ struct Tracing {
     RenderStats& stats;
     std::vector<Hit> passed{};   ///< scratch of shadow rays
     Secondaries secondaries{};   ///< scratch of an integrator
-    std::vector<std::optional<Color>> grid{};   ///< scratch of lights with a ShadowGrid
+    GridScratch grid{};          ///< scratch of lights with a ShadowGrid
     std::vector<PendingRay> pending{};   ///< scratch of an integrator: empty between camera rays
 };
 

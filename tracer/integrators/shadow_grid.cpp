@@ -31,9 +31,8 @@ Vec3 GridPoints::offset(double u, double v) const {
     const bool round = grid_.circular || grid_.orient;
     const double centre = round ? 0.499 : 0.5;   // not on the middle itself, which has no direction
     double a = centred(u, grid_.size1, centre), b = centred(v, grid_.size2, centre);
-    const double radius = std::sqrt(a * a + b * b);
-    if (round && radius > 0) {
-        const double k = std::max(std::abs(a), std::abs(b)) / radius;
+    if (const double square = round ? a * a + b * b : 0; square > 0) {
+        const double k = std::max(std::abs(a), std::abs(b)) / std::sqrt(square);
         a *= k, b *= k;
     }
     return axis1_ * a + axis2_ * b;

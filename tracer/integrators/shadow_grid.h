@@ -26,9 +26,7 @@ class GridPoints {
 /// Source   POV-Ray 3.7 reference, 3.4.4.6 "Area Lights"; its weights and the threshold were found by probing.
 template <class Value> class GridMean {
   public:
-    GridMean(const ShadowGrid& grid, std::vector<std::optional<Color>>& seen, Value value) : grid_(grid), seen_(seen), value_(value) {
-        seen_.assign(size_t(grid.size1) * size_t(grid.size2), std::nullopt);
-    }
+    GridMean(const ShadowGrid& grid, GridScratch& seen, Value value) : grid_(grid), seen_(seen), value_(value) { seen_.begin(size_t(grid.size1) * size_t(grid.size2)); }
     Color operator()() { return mean({0, grid_.size1 - 1}, {0, grid_.size2 - 1}, 0); }
 
   private:
@@ -41,9 +39,9 @@ template <class Value> class GridMean {
     };
 
     Color at(int u, int v) {
-        std::optional<Color>& seen = seen_[size_t(u) * size_t(grid_.size2) + size_t(v)];
-        if (!seen) seen = value_(u, v);
-        return *seen;
+        GridScratch::Point& point = seen_.points[size_t(u) * size_t(grid_.size2) + size_t(v)];
+        if (point.round != seen_.round) point = {value_(u, v), seen_.round};
+        return point.value;
     }
     static bool differ(const Color& a, const Color& b) {
         constexpr double kMost = 0.1;
@@ -63,7 +61,7 @@ template <class Value> class GridMean {
     }
 
     const ShadowGrid& grid_;
-    std::vector<std::optional<Color>>& seen_;
+    GridScratch& seen_;
     Value value_;
 };
 

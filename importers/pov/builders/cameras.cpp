@@ -95,7 +95,7 @@ std::optional<Projection> projection(WordId word) {
 
 void take_lens(CameraWords& words, WordId word, Cursor& at) {
     switch (word) {
-        case "aperture"_w: words.camera.aperture = at.number("the aperture"); break;
+        case "aperture"_w: words.camera.aperture = at.number("the aperture") / 2; break;   // POV-Ray's lens is half as wide (tests/scenes/pov_pictures_test.cpp)
         case "blur_samples"_w:
             words.camera.blur_samples = at.integer("the number of samples", 1, 1'000'000), words.noise.fewest = 0;
             if (!at.at_number()) break;
