@@ -77,11 +77,6 @@ class Surface {
     /// POV-Ray multiplies emission by the pigment: one layer does where the pigment has all the colours that are emitted, or nothing else needs it.
     bool put_emission_into_base() {
         if (is_black(glow_) || s_.emissive->picture || s_.base_color.picture || through_ > 0) return false;
-        if (is_black(base_)) {
-            const double most = max_component(glow_);
-            base_ = glow_ / most, glow_ = Color(most), dark_ = true;
-            return true;
-        }
         Color needed;
         for (int i = 0; i < 3; ++i) {
             if (glow_[i] > 0 && base_[i] < 1e-3) return false;
@@ -128,7 +123,7 @@ class Surface {
 
     void finish(bool emits) {
         PovFinish f;
-        f.diffuse = dark_ ? 0 : (1 - metallic_) * (1 - std::min(dielectric(), 1.0));
+        f.diffuse = (1 - metallic_) * (1 - std::min(dielectric(), 1.0));
         f.ambient = sky_ * f.diffuse;
         if (emits) f.emission = glow_;
         const double alpha = roughness_ * roughness_;
@@ -213,7 +208,6 @@ class Surface {
     double metallic_ = 0, roughness_ = 1, through_ = 0, alpha_ = 1;
     Color base_{1}, tint_{1}, glow_{0};
     bool cut_out_ = false;   ///< by the alpha of its picture
-    bool dark_ = false;      ///< the pigment is that of the emission
 };
 
 }  // namespace
