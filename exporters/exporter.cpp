@@ -57,7 +57,7 @@ tl::expected<Exported, std::string> export_scene(const Scene& scene, const std::
         if (const auto done = entry->write(needed ? *meshes : scene, files, losses); !done) return tl::unexpected(done.error());
         auto written = files.write();
         if (!written) return tl::unexpected(written.error());
-        return Exported{std::move(*written), losses.list()};
+        return Exported{std::move(*written), losses.list(), losses.materials()};
     } catch (const std::bad_alloc&) {
         return tl::unexpected(std::string("there is not enough memory to write this scene"));
     }

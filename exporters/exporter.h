@@ -34,6 +34,7 @@ struct ExportOptions {
 struct Exported {
     std::vector<std::string> files;   ///< their paths, the one that was asked for first
     std::vector<Loss> losses;
+    std::vector<WrittenMaterial> materials;   ///< what became of each; empty for formats that do not tell
 };
 
 /// Writes `scene`, which has passed validate(), to `path`, in the format that its ending names, and what belongs to it beside it. The files that

@@ -1,16 +1,38 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "exporters/losses.h"
 
+#include "exporters/output_files.h"
+
+#include <algorithm>
+#include <fmt/format.h>
+
 namespace alidade {
 
+namespace {
+
+void add_to(std::vector<Loss>& list, const std::string& what, size_t count, const std::string& instead) {
+    const auto known = std::find_if(list.begin(), list.end(), [&](const Loss& loss) { return loss.what == what && loss.instead == instead; });
+    if (known != list.end()) known->count += count;
+    else list.push_back({what, count, instead});
+}
+
+}  // namespace
+
 void Losses::add(const std::string& what, size_t count, const std::string& instead) {
+    if (count > 0) add_to(list_, what, count, instead);
+}
+
+void Losses::add_of_material(const MaterialRef& material, const std::string& what, size_t count, const std::string& instead) {
     if (count == 0) return;
-    for (Loss& loss : list_)
-        if (loss.what == what && loss.instead == instead) {
-            loss.count += count;
-            return;
-        }
-    list_.push_back({what, count, instead});
+    add_to(list_, fmt::format("{} of material '{}'", what, plain_name(material.name, "unnamed")), count, instead);
+    add_to(row_of(material).losses, what, count, instead);
+}
+
+void Losses::wrote(const MaterialRef& material) { row_of(material); }
+
+WrittenMaterial& Losses::row_of(const MaterialRef& material) {
+    const auto known = std::find_if(materials_.begin(), materials_.end(), [&](const WrittenMaterial& m) { return m.material.index == material.index; });
+    return known != materials_.end() ? *known : materials_.emplace_back(WrittenMaterial{material, {}});
 }
 
 namespace {

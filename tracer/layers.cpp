@@ -11,6 +11,7 @@ constexpr const char* kDepth[] = {"depth.Z"};
 constexpr const char* kNormal[] = {"normal.X", "normal.Y", "normal.Z"};
 constexpr const char* kAlbedo[] = {"albedo.R", "albedo.G", "albedo.B"};
 constexpr const char* kId[] = {"id.Y"};
+constexpr const char* kMaterial[] = {"material.Y"};
 constexpr const char* kUv[] = {"uv.U", "uv.V"};
 constexpr const char* kWork[] = {"work.Y"};
 constexpr const char* kCoverage[] = {"coverage.Y"};
@@ -28,6 +29,7 @@ constexpr AovEntry kTable[] = {
     {"normal", "shading normal, world space, towards the eye", kNormal},
     {"albedo", "base colour of the first surface, linear", kAlbedo},
     {"id", "1 + number of the instance that the first sample hit; 0: none", kId},
+    {"material", "1 + number of the material that the first sample hit, in the order of the file; 0: none", kMaterial},
     {"uv", "first texture coordinate set", kUv},
     {"work", "box and primitive tests of the pixel", kWork},
     {"coverage", "share of the pixel that surfaces cover, alpha counted", kCoverage},
@@ -39,6 +41,7 @@ constexpr Write kWriters[] = {
     [](const PixelSamples& p, float* out) { write_mean(p.sum.normal, p.hits, out); },
     [](const PixelSamples& p, float* out) { write_mean(p.sum.albedo, p.hits, out); },
     [](const PixelSamples& p, float* out) { *out = p.instance == kNoId ? 0 : float(p.instance + 1); },
+    [](const PixelSamples& p, float* out) { *out = p.material == kNoId ? 0 : float(p.material + 1); },
     [](const PixelSamples& p, float* out) { out[0] = float(mean(p.sum.uv.x, p.hits)), out[1] = float(mean(p.sum.uv.y, p.hits)); },
     [](const PixelSamples& p, float* out) { *out = float(p.work); },
     [](const PixelSamples& p, float* out) { *out = float(mean(p.sum.coverage, p.samples)); },
@@ -49,12 +52,12 @@ static_assert(std::size(kTable) == std::size(kWriters));
 
 std::span<const AovEntry> aovs() { return kTable; }
 
-void PixelSamples::add(const Color& r, const FirstHit& first) {
+void PixelSamples::add(const Color& r, const FirstHit& first, uint32_t material_of_first) {
     radiance += r;
     ++samples;
     sum.coverage += first.coverage;
     if (!first.hit) return;
-    if (!hits++) sum.depth = 0, instance = first.instance;
+    if (!hits++) sum.depth = 0, instance = first.instance, material = material_of_first;
     sum.depth += first.depth;
     sum.normal += first.normal;
     sum.albedo += first.albedo;
@@ -67,7 +70,7 @@ void PixelSamples::add(const PixelSamples& more) {
     work += more.work;
     sum.coverage += more.sum.coverage;
     if (!more.hits) return;
-    if (!hits) sum.depth = 0, instance = more.instance;
+    if (!hits) sum.depth = 0, instance = more.instance, material = more.material;
     hits += more.hits;
     sum.depth += more.sum.depth;
     sum.normal += more.sum.normal;

@@ -11,11 +11,12 @@ namespace alidade {
 struct PixelSamples {
     Color radiance{0};
     FirstHit sum;             ///< of the samples that hit: depth, normal, albedo, uv; coverage of all
-    uint32_t instance = kNoId;   ///< of the first sample that hit
+    uint32_t instance = kNoId, material = kNoId;   ///< of the first sample that hit
     int samples = 0, hits = 0;
     uint64_t work = 0;        ///< box and primitive tests of the pixel
 
-    void add(const Color& radiance, const FirstHit& first);
+    /// `material` is that of the first hit's slot.
+    void add(const Color& radiance, const FirstHit& first, uint32_t material = kNoId);
     void add(const PixelSamples& more);
 };
 

@@ -47,7 +47,7 @@ unsigned features_of(const Scene& scene, const GltfPbr& m) {
 
 unsigned features_of(const Scene& scene, const PovFinish& f) {
     unsigned features = is_constant(scene, f.pigment) && !f.normal ? 0u : unsigned(kTextures);
-    if (lets_light_through(scene, f.pigment)) features |= kTransmission;
+    if (lets_light_through(scene, f.pigment)) features |= kTransmission | kAlpha;   // where all passes there is a hole
     if (!is_black(f.reflection_min) || !is_black(f.reflection_max)) features |= kMirrors;
     return features;
 }

@@ -19,6 +19,9 @@ double opacity(const RenderSettings& settings, const PigmentColor& c) {
     return 1 - c.filter * (settings.filter_dims_by_colour ? max_component(c.color) : 1) - c.transmit;
 }
 
+/// Whatever its pigment is: mirrors and highlights lie on clear surfaces, too.
+bool shines(const PovFinish& f) { return f.specular != 0 || f.phong != 0 || f.crand != 0 || !is_black(f.reflection_min) || !is_black(f.reflection_max); }
+
 Color filter_of(const PigmentColor& c) { return c.color * c.filter + Color(c.transmit); }
 
 /// How a metal's highlight or reflection takes the colour of the surface: less and less towards grazing angles. `cosine` is of the angle from the normal.
@@ -138,9 +141,24 @@ void PovSurface::add_layers(const CompiledScene& scene, const ShadePoint& point,
 
 Color PovSurface::albedo() const {
     Color sum(0);
-    for (const PovTexture& t : textures_)
-        if (t.begin < t.end) sum += layers_[t.begin].color * t.share;
+    for (const PovTexture& t : textures_) {
+        if (t.begin == t.end) continue;
+        Color seen(0), covered(0);
+        for (size_t i = t.begin; i < t.end; ++i) {
+            const Color part = layers_[i].above * layers_[i].opacity;
+            seen += part * layers_[i].color, covered += part;
+        }
+        for (int c = 0; c < 3; ++c) sum[c] += t.share * (covered[c] > 0 ? seen[c] / covered[c] : layers_[t.begin].color[c]);
+    }
     return sum;
+}
+
+bool PovSurface::is_hole() const {
+    return std::all_of(textures_.begin(), textures_.end(), [&](const PovTexture& t) {
+        const auto begin = layers_.begin() + std::ptrdiff_t(t.begin), end = layers_.begin() + std::ptrdiff_t(t.end);
+        const bool clear = t.through == Color(1) && std::all_of(begin, end, [](const PovLayer& l) { return l.opacity == 0 && !shines(*l.finish); });
+        return t.share == 0 || clear;
+    });
 }
 
 Color PovSurface::emitted(const Color& ambient_light) const {

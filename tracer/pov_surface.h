@@ -39,8 +39,10 @@ class PovSurface {
     void secondary(const CompiledScene& scene, const ShadePoint& point, const RayState& state, const Vec3& facing, Secondaries& out) const;
     /// Of the layer on top of the first texture.
     const PovLayer& top() const { return layers_.front(); }
-    /// The colours of the layers on top, mixed as the textures are.
+    /// The colours of the layers as they cover each other, mixed as the textures are; of what covers nothing, such as glass, that of the layer on top.
     Color albedo() const;
+    /// Does the surface neither reflect, nor emit, nor take anything from what is behind it? So are the holes of a texture that is cut out.
+    bool is_hole() const;
 
   private:
     struct Passage;

@@ -31,6 +31,8 @@ Surface shade_pov(const CompiledScene& scene, const ShadePoint& point, const Vec
     s.albedo_ = s.pov_->albedo();
     s.normal_ = s.pov_->top().normal;
     s.emitted_ = s.pov_->emitted(scene.scene.settings.ambient_light);
+    // A ray that passes a hole goes on as it is, so that layers tell what is seen through it; where there is glass or fog it must learn that it enters or leaves something.
+    if (scene.all_air && s.pov_->is_hole()) s.coverage_ = 0, s.mirrors_or_refracts_ = false;
     return s;
 }
 

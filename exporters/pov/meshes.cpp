@@ -8,20 +8,6 @@ namespace alidade::pov_export {
 
 namespace {
 
-/// A vector that gives this float one when it is brought to length 1 in double precision and rounded: readers do that, and a normal that has been rounded
-/// to float is not of length 1 any more. Its largest component is made to fit the others.
-Vec3 unit_normal(const Vec3f& n) {
-    const Vec3 v(n);
-    if (std::abs(dot(v, v) - 1) > 1e-5) return v;
-    int largest = 0;
-    for (int i = 1; i < 3; ++i)
-        if (std::abs(v[i]) > std::abs(v[largest])) largest = i;
-    Vec3 fitted = v;
-    const double others = dot(v, v) - v[largest] * v[largest];
-    fitted[largest] = std::copysign(std::sqrt(std::max(0.0, 1 - others)), v[largest]);
-    return Vec3f(normalized(fitted)) == n ? fitted : v;
-}
-
 class MeshText {
   public:
     MeshText(const Mesh& mesh, const SlotMaterials& slots, const ShapeContext& c) : mesh_(mesh), slots_(slots), c_(c), finite_(finite_triangles(mesh)), colors_(mesh, slots, finite_, c.scene, c.losses) {}
@@ -84,7 +70,7 @@ class MeshText {
         for (const Vec3f& n : mesh_.normals.values) {
             const bool good = is_finite(n) && n != Vec3f(0.0f);
             without += !good;
-            c_.sdl.item(good ? unit_normal(n) : Vec3(0, 1, 0));
+            c_.sdl.item(good ? Vec3(n) : Vec3(0, 1, 0));
         }
         end();
         c_.losses.add("normals without direction", without, "<0, 1, 0>");

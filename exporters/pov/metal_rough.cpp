@@ -16,13 +16,13 @@ constexpr double kVeil = 1.0 / (1 << 20);
 
 class Surface {
   public:
-    Surface(const std::string& name, const PlainSurface& s, const Color& sky, MirrorImages mirrors, Sdl& sdl, ImageWriter& images, Losses& losses)
-        : s_(s), name_(name), sdl_(sdl), images_(images), losses_(losses), sky_(sky), mirrors_(mirrors) {
+    Surface(const MaterialRef& material, const PlainSurface& s, const Color& sky, MirrorImages mirrors, const TextureOutput& out)
+        : s_(s), material_(material), sdl_(out.sdl), images_(out.images), losses_(out.losses), highlights_(out.highlights), sky_(sky), mirrors_(mirrors) {
         metallic_ = scalar(s.metallic, "metalness"), roughness_ = scalar(s.roughness, "roughness");
         through_ = s.transmission ? std::clamp(scalar(*s.transmission, "transmission"), 0.0, 1.0) * (1 - metallic_) : 0;
         base_ = Color(s.base_color.factor), tint_ = base_;
         if (s.alpha_mode == AlphaMode::blend) alpha_ = std::clamp(s.base_color.factor.w, 0.0, 1.0);
-        cut_out_ = s.base_color.picture && s.alpha_mode != AlphaMode::opaque && images.has_alpha(*s.base_color.picture);
+        cut_out_ = s.base_color.picture && s.alpha_mode != AlphaMode::opaque && images_.has_alpha(*s.base_color.picture);
         if (cut_out_) alpha_ = 1;   // write_cut_out mixes whole textures
         if (s.alpha_mode == AlphaMode::mask && !cut_out_) alpha_ = s.base_color.factor.w < s.alpha_cutoff ? 0 : 1;
         if (s.emissive) glow_ = Color(s.emissive->factor) * s.emissive_strength;
@@ -42,22 +42,22 @@ class Surface {
     }
 
   private:
-    std::string of(const char* what) const { return fmt::format("{} of material '{}'", what, plain_name(name_, "unnamed")); }
+    void lose(const std::string& what, bool lost = true, const std::string& instead = {}) { losses_.add_of_material(material_, what, lost, instead); }
 
     double scalar(const Texel& t, const char* what) {
         if (!t.picture) return t.factor.x;
-        losses_.add(of(fmt::format("the picture of {}", what).c_str()), 1, "its mean");
+        lose(fmt::format("the picture of {}", what), true, "its mean");
         return t.factor.x * images_.mean(*t.picture, std::max(t.channel, 0));
     }
 
     void tell_losses() {
         const double alpha = roughness_ * roughness_;
-        losses_.add(of("the GGX highlight"), !s_.unlit && alpha >= kSmallestAlpha && highlight() > 0, "Blinn's, as wide");
-        losses_.add(of("the normal map"), s_.normal.has_value());
-        losses_.add(of("the clear coat"), s_.clearcoat.has_value(), "a layer that takes nothing from what is under it");
-        losses_.add(of("the normal map of the clear coat"), s_.clearcoat_normal.has_value());
-        losses_.add(of("the colour of highlights"), s_.specular_color && Vec3(s_.specular_color->factor) != Vec3(1), "that of its reflection alone");
-        losses_.add(of("the picture of the occlusion"), s_.occlusion.has_value(), "POV-Ray finds its own");
+        lose("the GGX highlight", !s_.unlit && alpha >= kSmallestAlpha && highlight() > 0, "lobes of Blinn's and Phong's");
+        lose("the normal map", s_.normal.has_value());
+        lose("the clear coat", s_.clearcoat.has_value(), "a layer that takes nothing from what is under it");
+        lose("the normal map of the clear coat", s_.clearcoat_normal.has_value());
+        lose("the colour of highlights", s_.specular_color && Vec3(s_.specular_color->factor) != Vec3(1), "that of its reflection alone");
+        losses_.add(fmt::format("the picture of the occlusion of material '{}'", plain_name(material_.name, "unnamed")), s_.occlusion.has_value());   // no renderer of ours shows it either
     }
 
     /// Strength of the mirror image: (1 - roughness)^2, and all of it for glass.
@@ -77,11 +77,6 @@ class Surface {
     /// POV-Ray multiplies emission by the pigment: one layer does where the pigment has all the colours that are emitted, or nothing else needs it.
     bool put_emission_into_base() {
         if (is_black(glow_) || s_.emissive->picture || s_.base_color.picture || through_ > 0) return false;
-        if (is_black(base_)) {
-            const double most = max_component(glow_);
-            base_ = glow_ / most, glow_ = Color(most), dark_ = true;
-            return true;
-        }
         Color needed;
         for (int i = 0; i < 3; ++i) {
             if (glow_[i] > 0 && base_[i] < 1e-3) return false;
@@ -95,7 +90,7 @@ class Surface {
         if (!s_.base_color.picture) return false;
         const Vec4 tint(tint_.x, tint_.y, tint_.z, alpha_);
         const ImageSignal& image = *s_.base_color.picture;
-        losses_.add(of("the transmission"), through_ > 0, "an opaque picture");
+        lose("the transmission", through_ > 0, "an opaque picture");
         if (cut_out_) return images_.map_in_place(image, tint);
         return images_.map(image, tint, alpha_ < 1 ? PictureAlpha::kept : PictureAlpha::removed);
     }
@@ -112,7 +107,7 @@ class Surface {
         const bool mask = s_.alpha_mode == AlphaMode::mask;
         const double whole = 1 - 1 / std::clamp(factor, 1e-6, 1.0);   // where the texture would stand alone: it is there by factor x alpha
         const ImageSignal& image = *s_.base_color.picture;
-        losses_.add(of("emission and clear coat"), !is_black(glow_) || s_.clearcoat, "none where alpha cuts the material out");
+        lose("emission and clear coat", !is_black(glow_) || s_.clearcoat, "none where alpha cuts the material out");
         sdl_.begin("texture");
         images_.alpha_pattern(image);
         sdl_.begin("texture_map");
@@ -128,22 +123,24 @@ class Surface {
 
     void finish(bool emits) {
         PovFinish f;
-        f.diffuse = dark_ ? 0 : (1 - metallic_) * (1 - std::min(dielectric(), 1.0));
+        f.diffuse = (1 - metallic_) * (1 - std::min(dielectric(), 1.0));
         f.ambient = sky_ * f.diffuse;
         if (emits) f.emission = glow_;
         const double alpha = roughness_ * roughness_;
-        if (alpha >= kSmallestAlpha) set_highlight(f, highlight() * alpha_, alpha);
-        f.metallic = f.specular > 0 ? metallic_ : 0;
+        if (alpha >= kSmallestAlpha && highlight() > 0) set_highlight(f, {alpha, highlight(), specular() * (1 - metallic_) + metallic_, metallic_ > 0.5}, alpha_);
+        f.metallic = f.specular + f.phong > 0 ? metallic_ : 0;
         set_reflection(f);
         f.conserve_energy = through_ > 0;
         write_finish(sdl_, f);
     }
 
-    /// Blinn's lobe with GGX's width and height: the exponent is 2 / alpha^2 - 2, and pi D / 4 at its top is (exponent + 2) / 8.
-    static void set_highlight(PovFinish& f, double strength, double alpha) {
-        const double exponent = std::max(2 / (alpha * alpha) - 2, 1.0);
-        f.specular = strength * (exponent + 2) / 8, f.roughness = 1 / exponent;
-        if (f.specular == 0) f.roughness = PovFinish().roughness;
+    /// `share`: of the surface that is there.
+    void set_highlight(PovFinish& f, const Gloss& gloss, double share) {
+        const Lobes& lobes = highlights_(gloss);
+        f.specular = lobes.specular * share, f.phong = lobes.phong * share;
+        if (f.specular > 0) f.roughness = lobes.roughness;
+        if (f.phong > 0) f.phong_size = lobes.phong_size;
+        f.diffuse += lobes.diffuse;   // the pigment's alpha has its share of it
     }
 
     void set_reflection(PovFinish& f) const {
@@ -196,7 +193,7 @@ class Surface {
         sdl_.line("pigment { color rgbt <0,0,0,1> }");
         PovFinish f;
         f.ambient = Color(0), f.diffuse = 0;
-        if (rough * rough >= kSmallestAlpha) set_highlight(f, coat * kCoat, rough * rough);
+        if (rough * rough >= kSmallestAlpha) set_highlight(f, {rough * rough, coat * kCoat, coat}, 1);
         const double k = coat * (1 - rough) * (1 - rough);
         f.reflection_min = Color(k * kCoat), f.reflection_max = Color(k), f.reflection_falloff = 5;
         write_finish(sdl_, f);
@@ -204,22 +201,23 @@ class Surface {
     }
 
     const PlainSurface& s_;
-    const std::string& name_;
+    const MaterialRef& material_;
     Sdl& sdl_;
     ImageWriter& images_;
     Losses& losses_;
+    HighlightFits& highlights_;
     Color sky_;
     MirrorImages mirrors_;
     double metallic_ = 0, roughness_ = 1, through_ = 0, alpha_ = 1;
     Color base_{1}, tint_{1}, glow_{0};
     bool cut_out_ = false;   ///< by the alpha of its picture
-    bool dark_ = false;      ///< the pigment is that of the emission
 };
 
 }  // namespace
 
-void write_metal_rough(const std::string& name, const PlainSurface& surface, const Color& sky, Sdl& sdl, ImageWriter& images, Losses& losses, MirrorImages mirrors) {
-    Surface(name, surface, sky, mirrors, sdl, images, losses).write();
+void write_metal_rough(const MaterialRef& material, const PlainSurface& surface, const Color& sky, const TextureOutput& out, MirrorImages mirrors) {
+    out.losses.wrote(material);
+    Surface(material, surface, sky, mirrors, out).write();
 }
 
 void set_beer(Interior& in) {

@@ -2,6 +2,7 @@
 /// Materials -> declared textures.
 #pragma once
 
+#include "exporters/pov/metal_rough.h"
 #include "exporters/pov/patterns.h"
 
 namespace alidade::pov_export {
@@ -38,6 +39,8 @@ class TextureWriter {
     Sdl& sdl_;
     ImageWriter& images_;
     Losses& losses_;
+    HighlightFits highlights_;
+    TextureOutput output_{sdl_, images_, losses_, highlights_};
     PatternWriter patterns_;
     Color sky_{0};
 };

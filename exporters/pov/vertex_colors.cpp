@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "exporters/pov/vertex_colors.h"
 
+#include <set>
+
 namespace alidade::pov_export {
 
 namespace {
@@ -18,6 +20,8 @@ bool can_be_tinted(const Scene& scene, std::optional<MaterialId> id) {
     return plain && !pbr->emissive && !pbr->clearcoat;
 }
 
+MaterialRef ref_of(const Scene& scene, MaterialId id) { return {id.index, scene.materials[id.index].name}; }
+
 }  // namespace
 
 VertexColors::VertexColors(const Mesh& mesh, const SlotMaterials& slots, std::span<const uint32_t> which, const Scene& scene, Losses& losses) {
@@ -25,8 +29,8 @@ VertexColors::VertexColors(const Mesh& mesh, const SlotMaterials& slots, std::sp
     losses.add("further vertex colours", mesh.colors.size() - 1);
     const Attribute<Vec4f>& colors = mesh.colors[0];
     if (std::all_of(colors.values.begin(), colors.values.end(), is_white)) return;
-    losses.add("faint mirror images in surfaces with vertex colours");
     std::map<std::pair<MaterialId, Tint>, uint32_t> known;
+    std::set<MaterialId> told;
     const auto number_of = [&](MaterialId material, Vec4f value) {
         for (int i = 0; i < 4; ++i) value[i] = std::isfinite(value[i]) ? value[i] : 1.0f;
         const std::pair key{material, Tint{value.x, value.y, value.z, value.w}};
@@ -38,12 +42,15 @@ VertexColors::VertexColors(const Mesh& mesh, const SlotMaterials& slots, std::sp
         const auto material = slots[slots.size() < 2 || mesh.slots.empty() ? 0 : mesh.slots[t]];
         if (!can_be_tinted(scene, material) || known.size() > kMostTextures) {
             textures_.clear();
-            losses.add("vertex colours");
+            if (material) losses.add_of_material(ref_of(scene, *material), "the vertex colours");
+            else losses.add("vertex colours");
             return;
         }
         Index3& corners = corners_.emplace_back(0u, 0u, 0u);
         for (int c = 0; c < 3; ++c) corners[c] = number_of(*material, colors.values[colors.index(t, c, mesh.triangles[t])]);
     }
+    for (const auto& [material, tint] : textures_)
+        if (told.insert(material).second) losses.add_of_material(ref_of(scene, material), "faint mirror images under the vertex colours");
 }
 
 void VertexColors::write(TextureWriter& textures) const {

@@ -160,6 +160,7 @@ void compare_exported(const Request& given, SceneComparison& out, const Scratch&
     if (!test) return fail_with(out, test.error());
     out.test = *test;
     compare_pictures(out, diff);
+    out.materials = compare_materials(*compiled, files->materials, out.comparison, out.job.width, out.job.height);
     if (out.job.objects) find_objects(*compiled, diff.pair, out);
 }
 
@@ -211,6 +212,7 @@ Json to_json(const SceneComparison& c) {
     out["grade"] = {{"name", name_of(c.graded.grade)}, {"rmse", c.graded.rmse}, {"over2", c.graded.over2}, {"envelope", c.graded.envelope}, {"noisy", c.noisy}};
     Json& lost = out["lost"] = Json::array();
     for (const Loss& loss : c.lost) lost.push_back({{"what", loss.what}, {"count", loss.count}, {"instead", loss.instead}});
+    if (c.materials) put_into(out, *c.materials);
     if (c.reference) out["reference_render"] = to_json(*c.reference);
     if (c.test) out["test_render"] = to_json(*c.test);
     return out;
@@ -221,6 +223,7 @@ std::string as_lines(const SceneComparison& c) {
     for (const Loss& loss : c.lost) out += fmt::format("lost for {}: {} ({}){}\n", c.job.against->title, loss.what, loss.count, loss.instead.empty() ? "" : "; instead: " + loss.instead);
     if (c.reference) out += fmt::format("{}: {:.2f} CPU s{}\n", as_title(*c.job.against), c.reference->cpu_seconds, c.reference->from_cache ? " (kept from before)" : "");
     if (c.test) out += fmt::format("alidade: {:.2f} CPU s\n", c.test->cpu_seconds);
+    if (c.materials) out += as_lines(*c.materials);
     if (c.seeds) out += as_lines(*c.seeds);
     out += as_lines(c.comparison);
     if (c.test) out += fmt::format("grade: {}{}\n", name_of(c.graded.grade), c.noisy ? " (of a scene with random effects)" : "");

@@ -4,6 +4,7 @@
 
 #include "exporters/losses.h"
 #include "tools/compare/grade.h"
+#include "tools/compare/materials.h"
 #include "tools/compare/seeds.h"
 #include "tools/diff/words.h"
 #include "tools/load.h"
@@ -22,6 +23,7 @@ struct SceneComparison {
     std::optional<SeedComparison> seeds;        ///< if job.seeds are more than one
     std::optional<ReportObjects> objects;       ///< if job.objects; of the pixels that are compared
     std::vector<Loss> lost;                     ///< what the exporter could not write for the reference program
+    std::optional<ComparedMaterials> materials; ///< of what was exported to a format that tells
     std::optional<Rendered> reference, test;    ///< their pictures live as long as `scratch`
     std::shared_ptr<void> scratch;
 };

@@ -38,6 +38,7 @@ void describe(const ShadePoint& point, const Surface& surface, double depth, Fir
     first.albedo = surface.albedo();
     first.uv = point.uv(0);
     first.instance = point.instance;
+    first.slot = point.slot;
 }
 
 std::span<const Integrator> integrator_table() {

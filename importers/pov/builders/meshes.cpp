@@ -9,6 +9,12 @@ namespace alidade::pov {
 
 namespace {
 
+/// Of length 1, as POV-Ray has it; but one that is so to single precision stays as it is written: a second rounding would move it.
+Vec3f unit_normal(const Vec3& n) {
+    constexpr double kSinglePrecision = 1e-6;
+    return Vec3f(std::abs(dot(n, n) - 1) < kSinglePrecision ? n : normalized(n));
+}
+
 void add_vertex(Mesh& mesh, const Vec3& v) {
     mesh.positions.emplace_back(v);
     mesh.exact_positions.push_back(v);
@@ -192,7 +198,7 @@ template <class T> void take_corners(Build& build, const Block* indices, const c
 
 void take_normals(Build& build, const Mesh2Parts& parts, Mesh& mesh, Place place) {
     if (!parts.normals) return;
-    for (const Vec3& n : take_vectors(build, *parts.normals)) mesh.normals.values.emplace_back(normalized(n));
+    for (const Vec3& n : take_vectors(build, *parts.normals)) mesh.normals.values.push_back(unit_normal(n));
     if (!mesh.normals.values.empty()) take_corners(build, parts.normal_indices, "normals", "it is drawn flat", mesh, mesh.normals, place);
 }
 
