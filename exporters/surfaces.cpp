@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "exporters/surfaces.h"
 
+#include "exporters/picture_patterns.h"
+
 #include <algorithm>
 
 namespace alidade {
@@ -21,9 +23,12 @@ class Flattening {
     }
 
   private:
-    std::optional<Texel> of(const ConstantSignal& s) { return Texel{s.value, nullptr, -1}; }
-    std::optional<Texel> of(const ImageSignal& s) { return Texel{Vec4(1), &s, -1}; }
-    std::optional<Texel> of(const PatternSignal&) { return std::nullopt; }
+    std::optional<Texel> of(const ConstantSignal& s) { return Texel{s.value, {}, -1}; }
+    std::optional<Texel> of(const ImageSignal& s) { return Texel{Vec4(1), s, -1}; }
+    std::optional<Texel> of(const PatternSignal& s) {
+        auto picture = as_texture(s, scene_.settings);
+        return picture ? std::optional(Texel{Vec4(1), std::move(picture), -1}) : std::nullopt;
+    }
     std::optional<Texel> of(const ReliefSignal&) { return std::nullopt; }
     std::optional<Texel> of(const FunctionSignal&) { return std::nullopt; }
     std::optional<Texel> of(const ProductSignal& s) {
@@ -110,7 +115,7 @@ PlainSurface surface_of(const Scene& scene, const PovFinish& from, Losses& losse
     const double through = out.base_color.picture ? 0 : std::clamp(mean.filter + mean.transmit, 0.0, 1.0);
     const Color pigment(out.base_color.factor);
     out.base_color.factor = Vec4(from.diffuse * pigment, 1 - through);
-    if (through > 0) out.alpha_mode = AlphaMode::blend;
+    if (through > 0 || (out.base_color.picture && has_alpha(scene.images[out.base_color.picture->image.index]))) out.alpha_mode = AlphaMode::blend;
     out.metallic.factor = Vec4(0);
     const Color own = from.emission + from.ambient * scene.settings.ambient_light;
     if (!is_black(own)) out.emissive = Texel{Vec4(own * pigment, 1), out.base_color.picture, out.base_color.channel};
@@ -128,7 +133,7 @@ PlainSurface surface_of(const Scene& scene, const PovTextureMap& from, Losses& l
 Texel texel(const Scene& scene, SignalId signal, Losses& losses) {
     const auto found = Flattening(scene).of(signal);
     if (!found) losses.add("patterns, functions and products of pictures", 1, "their mean colour, roughly");
-    const Texel out = found.value_or(Texel{mean_of(scene, signal).value, nullptr, -1});
+    const Texel out = found.value_or(Texel{mean_of(scene, signal).value, {}, -1});
     return finite(out.factor) ? out : Texel();
 }
 

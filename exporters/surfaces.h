@@ -9,7 +9,7 @@ namespace alidade {
 /// factor x picture, or factor alone; of the picture all channels, or one in all four.
 struct Texel {
     Vec4 factor{1};
-    const ImageSignal* picture = nullptr;   ///< in Scene::signals
+    std::optional<ImageSignal> picture;
     int channel = -1;                       ///< -1: all
 
     bool is_constant(double value) const { return !picture && Vec3(factor) == Vec3(value); }

@@ -63,7 +63,7 @@ class MaterialWriter {
         const double metallic = unit(s.metallic.factor.x), roughness = unit(s.roughness.factor.x);
         set(json, "metallicFactor", metallic, 1.0);
         set(json, "roughnessFactor", roughness, 1.0);
-        const ImageSignal *m = s.metallic.picture, *r = s.roughness.picture;
+        const std::optional<ImageSignal>&m = s.metallic.picture, &r = s.roughness.picture;
         if (!m && !r) return;
         const bool metallic_fits = m ? s.metallic.channel == kBlue : metallic == 0;
         const bool roughness_fits = r ? s.roughness.channel == kGreen : roughness == 0;

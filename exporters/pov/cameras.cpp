@@ -73,24 +73,6 @@ void write_lens(const Camera& c, const RenderSettings& settings, Sdl& sdl) {
     sdl.line("variance", noise.variance, "confidence", noise.confidence);
 }
 
-}  // namespace
-
-Camera chosen_camera(const Scene& scene, Losses& losses) {
-    constexpr size_t kMost = 1000;
-    std::optional<Camera> first;
-    size_t others = 0;
-    const auto is_camera = [](const Node& node) { return std::holds_alternative<CameraId>(node.what); };
-    for_each_path(scene, is_camera, kMost, [&](const Node& node, const Transform& to_world) {
-        if (first) ++others;
-        else {
-            first = placed(scene.cameras[std::get<CameraId>(node.what).index], to_world);
-            if (!to_world.is_identity()) straighten(*first, losses);   // POV-Ray's own stay as they are
-        }
-    });
-    losses.add("further cameras", others);
-    return first ? *first : framing_camera(world_bounds(scene));
-}
-
 void write_camera(const Camera& c, const RenderSettings& settings, Sdl& sdl, PatternWriter& patterns) {
     sdl.comment(c.name);
     sdl.begin("camera");
@@ -106,6 +88,30 @@ void write_camera(const Camera& c, const RenderSettings& settings, Sdl& sdl, Pat
     write_lens(c, settings, sdl);
     if (c.normal) patterns.normal_block(*c.normal);
     sdl.end();
+}
+
+}  // namespace
+
+Cameras cameras_of(const Scene& scene, Losses& losses) {
+    constexpr size_t kMost = 1000;
+    Cameras out;
+    const auto is_camera = [](const Node& node) { return std::holds_alternative<CameraId>(node.what); };
+    const bool all = for_each_path(scene, is_camera, kMost, [&](const Node& node, const Transform& to_world) {
+        Camera camera = placed(scene.cameras[std::get<CameraId>(node.what).index], to_world);
+        if (!to_world.is_identity()) straighten(camera, losses);   // POV-Ray's own stay as they are
+        out.all.push_back(std::move(camera));
+    });
+    losses.add("cameras beyond a thousand", !all);
+    losses.add("further cameras", out.all.empty() ? 0 : out.all.size() - 1, "declared, as Camera_2 and so on: the first is looked through");
+    if (out.all.empty()) out.all.push_back(framing_camera(world_bounds(scene)));
+    return out;
+}
+
+void write_cameras(const Cameras& cameras, const RenderSettings& settings, Sdl& sdl, PatternWriter& patterns) {
+    for (size_t i = 0; i < cameras.all.size(); ++i) {
+        if (i > 0) sdl.line(fmt::format("#declare Camera_{} =", i + 1));
+        write_camera(cameras.all[i], settings, sdl, patterns);
+    }
 }
 
 }  // namespace alidade::pov_export

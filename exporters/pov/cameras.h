@@ -6,11 +6,15 @@
 
 namespace alidade::pov_export {
 
-/// The scene's first camera in world space, or one that frames what can be seen.
-Camera chosen_camera(const Scene& scene, Losses& losses);
+/// The scene's cameras in world space, or one that frames what can be seen.
+struct Cameras {
+    std::vector<Camera> all;   ///< never empty
+    const Camera& first() const { return all.front(); }
+};
+Cameras cameras_of(const Scene& scene, Losses& losses);
 
-/// `camera { }`. Its vectors are written as they are, so that a right-handed world needs no turning; a window that is not stretched over the picture follows
+/// The first, which POV-Ray looks through, and the others as declarations: `camera { Camera_2 }` behind the scene looks through another. Vectors are written as they are, so that a right-handed world needs no turning; a window that is not stretched over the picture follows
 /// its shape by image_width and image_height.
-void write_camera(const Camera& camera, const RenderSettings& settings, Sdl& sdl, PatternWriter& patterns);
+void write_cameras(const Cameras& cameras, const RenderSettings& settings, Sdl& sdl, PatternWriter& patterns);
 
 }  // namespace alidade::pov_export

@@ -23,19 +23,20 @@ class Document {
 
     std::string text() {
         write_settings(scene_, sdl_);
-        const Camera camera = chosen_camera(scene_, losses_);
+        const Cameras cameras = cameras_of(scene_, losses_);
         const bool lacks_light = scene_.settings.default_light && !is_lit();
         std::optional<Color> sky;
         if (const Atmosphere& air = scene_.atmosphere; air.environment) sky = *air.environment * air.environment_strength;
         if (lacks_light) sky = kDefaultSky;
         if (sky) textures_.set_sky(*sky);
         std::vector<SignalId> others = pigments_of_surroundings(scene_);
-        if (camera.normal) others.push_back(*camera.normal);
+        for (const Camera& camera : cameras.all)
+            if (camera.normal) others.push_back(*camera.normal);
         textures_.declare(facts_.used_materials(), others);
-        write_camera(camera, scene_.settings, sdl_, textures_.patterns());
+        write_cameras(cameras, scene_.settings, sdl_, textures_.patterns());
         if (facts_.needs_default()) textures_.declare_default();
         write_surroundings(scene_, sky, sdl_, textures_, images_, losses_);
-        if (lacks_light) lights_.write_default_sun(camera);
+        if (lacks_light) lights_.write_default_sun(cameras.first());
         directional_lights();
         const ShapeContext context{scene_, sdl_, textures_, losses_};
         NodeWriter(context, lights_, facts_).write();

@@ -86,11 +86,11 @@ def far_from_edges(mask, x, y):
 
 @unittest.skipUnless(shutil.which("povray"), "povray is not installed")
 class PovExport(InFolder):
-    def povray(self, scene, out, *words):
+    def povray(self, scene, out, *words, warned=r"Warning: |Error: "):
         done = subprocess.run(["povray", f"+I{scene}", f"+O{out}", f"+W{WIDTH}", f"+H{HEIGHT}", "+FP", "-A", "-D", "+WT1", *words],
                               cwd=self.folder, capture_output=True, text=True, timeout=120)
         self.assertEqual(done.returncode, 0, done.stderr[-2000:])
-        self.assertNotRegex(done.stderr, r"Warning: |Error: ")
+        self.assertNotRegex(done.stderr, warned)
         return read_ppm(self.folder / out)
 
     def ours(self, scene, out, *words):
@@ -229,6 +229,19 @@ class PovExport(InFolder):
                               '"cameras": [{"type": "perspective", "perspective": {"yfov": 1, "znear": 0.1}}]}')
         self.convert(self.scene)
         self.povray("out.pov", "theirs.ppm")
+
+    def test_further_cameras_are_declared(self):
+        document = json.loads(self.gltf({}).read_text())
+        document["nodes"].append({"camera": 0, "translation": [0, 0, 40]})
+        document["scenes"][0]["nodes"].append(2)
+        self.scene.write_text(json.dumps(document))
+        self.assertRegex(self.convert(self.scene), r"lost: further cameras \(1\); instead: declared, as Camera_2")
+        near = self.povray("out.pov", "near.ppm")
+        with open(self.folder / "out.pov", "a") as text:
+            text.write("camera { Camera_2 }\n")
+        far = self.povray("out.pov", "far.ppm", warned="Error: ")   # of the second camera
+        self.assertGreater(sum(near[2]), 20 * sum(far[2]))
+        self.assertGreater(sum(far[2]), 0)
 
     def test_an_empty_scene(self):
         self.scene.write_text('{"asset": {"version": "2.0"}}')
