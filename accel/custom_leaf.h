@@ -33,7 +33,6 @@ class CustomLeaf {
     using Real = double;
     using Source = PrimitiveSetSource;
     static constexpr uint32_t kBlock = 1;
-    static constexpr uint32_t kMostReferences = 4;   ///< asking one costs more than testing two boxes
     static constexpr bool kMovesRay = false;
 
     struct Probe {

@@ -30,7 +30,6 @@ concept PrimitiveSource = requires(const S& source, uint32_t id, const Bounds& b
 /// Primitives packed in the order that the structure wants; `first` and `count` below are places in that order. A Probe is what a leaf makes of a ray, once.
 ///
 /// - `Real`: the type of node coordinates. `kBlock`: references that one test handles at once; leaves cost by started blocks.
-/// - `kMostReferences`: that a leaf of a tree may have.
 /// - `kMovesRay`: the hits are those of the moved local ray, see local_ray().
 /// - `closest` replaces `hit` by the first hit in the range that comes before it; `any` is true if there is one; `all` appends all.
 template <class L>
@@ -38,7 +37,6 @@ concept LeafKind = PrimitiveSource<typename L::Source> &&
     requires(const L& leaf, const typename L::Probe& probe, uint32_t place, Hit& hit, std::vector<Hit>& hits, WorkCounters& work) {
         typename L::Real;
         { L::kBlock } -> std::convertible_to<uint32_t>;
-        { L::kMostReferences } -> std::convertible_to<uint32_t>;
         { L::kMovesRay } -> std::convertible_to<bool>;
         { leaf.closest(probe, place, place, hit, work) } -> std::same_as<bool>;
         { leaf.any(probe, place, place, work) } -> std::same_as<bool>;

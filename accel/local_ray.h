@@ -3,7 +3,6 @@
 #pragma once
 
 #include "accel/slab.h"
-#include "core/next_up.h"
 #include "core/ray.h"
 
 namespace alidade {
@@ -22,29 +21,17 @@ struct LocalRay {
     double shift = 0;                   ///< local t of the new origin, seen from the caller's origin
     double to_caller = 1, to_local = 1; ///< powers of two
     double tmin = 0, tmax = -1;         ///< local interval that holds all hits; empty if the ray misses the bounds
-    double reach = 0;                   ///< bounds |t| in it, where the ray is so flat to an axis that a SlabRay asks for it
-
-    SlabRay<double> slab;               ///< of (origin, dir), if the ray enters the bounds
+    double reach = 0;                   ///< bounds |t| in it
 
     bool enters_box() const { return tmin <= tmax; }
     double caller_t(double t) const { return shift * to_caller + t * to_caller; }
     /// Not less than any local t whose caller_t is at most `caller`, and the same from below.
-    double upper(double caller) const { return padded_up((above(caller) - shift * to_caller) * to_local); }
-    double lower(double caller) const { return padded_down((-above(-caller) - shift * to_caller) * to_local); }
-
-  private:
-    /// A number above x, the next one but for 0: processors take a hundred cycles for a product with a denormal number, and most rays begin at 0. What is
-    /// given away is far below kOriginPad.
-    static double above(double x) { return x == 0 ? 0x1p-600 : next_up(x); }
+    double upper(double caller) const;
+    double lower(double caller) const;
 };
 
 /// Does `ray` have a direction, no NaN, and an origin within `largest` (kLargestCoordinate)? Others hit nothing.
-inline bool can_hit(const Ray& ray, double largest) {
-    const Vec3 origin = glm::abs(ray.origin), dir = glm::abs(ray.dir);
-    constexpr double finite = std::numeric_limits<double>::max();   // a NaN is not less than anything
-    return origin.x <= largest && origin.y <= largest && origin.z <= largest && dir.x <= finite && dir.y <= finite && dir.z <= finite && max_abs(dir) > 0 &&
-           ray.tmin <= ray.tmax;
-}
+bool can_hit(const Ray& ray, double largest);
 
 /// `ray`, which can hit, made ready for primitives within `bounds` (finite or empty). `move`: to the entry into the bounds. Custom primitives
 /// answer in the caller's t, so for them the ray stays where it is.

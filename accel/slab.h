@@ -32,8 +32,7 @@ inline double padded_down(double x, double pad = kSlabPad * kUnitRoundoff<double
 /// any hit at t inside it, however deep boxes are nested: all pads are relative to the ray and to the box's own planes, not to the scene.
 template <class R> class SlabRay {
   public:
-    SlabRay() {}   // no ray yet
-    /// `reach` bounds |t| of all points of interest; it does not matter where the ray is not flat.
+    /// `reach` bounds |t| of all points of interest.
     SlabRay(const Vec3& origin, const Vec3& dir, double reach) {
         for (int a = 0; a < 3; ++a) {
             const bool flat = std::abs(dir[a]) < kSmallestSlope<R>;
@@ -77,9 +76,6 @@ template <class R> class SlabRay {
     }
 
     bool negative(int axis) const { return negative_[axis]; }
-    R near_origin(int axis) const { return near_origin_[axis]; }
-    R far_origin(int axis) const { return far_origin_[axis]; }
-    R inverse(int axis) const { return inverse_[axis]; }
 
   private:
     R near_origin_[3], far_origin_[3], inverse_[3];

@@ -13,7 +13,6 @@ template <class R> class TriangleLeaf {
     using Real = R;
     using Source = TriangleSource<R>;
     static constexpr uint32_t kBlock = kLanes;
-    static constexpr uint32_t kMostReferences = std::max(4u, kBlock);
     static constexpr bool kMovesRay = true;
 
     struct Probe {
