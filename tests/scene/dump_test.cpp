@@ -13,6 +13,7 @@ TEST(Dump, GoldenText) {
 settings
 atmosphere
   fog
+  rainbow
   sky pigments=[4]
   medium
 roots nodes=[0]

@@ -4,6 +4,7 @@
 #include "importers/pov/builders/pigments.h"
 
 #include <cmath>
+#include <fmt/format.h>
 #include <utility>
 
 namespace alidade::pov {
