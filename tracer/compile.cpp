@@ -316,7 +316,7 @@ void choose_kernel(CompiledScene& out, const CompileOptions& options, FeatureRea
     if (out.sky->lights()) reasons.need(kSampledLights, "the sky");
     for (const PlacedLight& l : out.lights)
         if (l.sampled()) reasons.need(kSampledLights, fmt::format("light '{}'", l.light.name));
-    out.all_air = out.scene.atmosphere.fogs.empty() && std::all_of(out.interiors.begin(), out.interiors.end(), is_air);
+    out.all_air = !out.scene.atmosphere.is_hazy() && std::all_of(out.interiors.begin(), out.interiors.end(), is_air);
     out.filters_light = (reasons.mask() & (kAlpha | kTransmission)) != 0;
     if (out.filters_light) tell_opaque_from_clear(out);
     if (options.full_kernel) reasons.need(kAllFeatures, "--full-kernel");

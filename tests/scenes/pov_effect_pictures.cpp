@@ -34,6 +34,7 @@ std::vector<PovPicture> effect_pictures() {
         {"RainbowsThatMeet", rainbow("rainbow { direction <.1,-.2,1> angle 35 width 12 distance 30 " + colours + "} rainbow { direction <.1,-.2,2> angle 42 width 9 distance 1e4 color_map { [0 rgb x] [1 rgbt y+.5] } }")},
         {"ArcOfARainbow", rainbow("rainbow { direction <.3,-.2,1> angle 35 width 15 distance 1e3 up <.3,1,.1> arc_angle 150 falloff_angle 70 " + colours + "}")},
         {"RainbowFaintFromItsMiddle", rainbow("rainbow { direction <.3,-.2,1> angle 35 width 20 distance 1e3 falloff_angle 20 " + colours + "} fog { distance 40 rgb <.8,.9,1> }")},
+        {"RainbowOutsideOfClearSpheres", rainbow("sphere { <0,2,-6>, 3 pigment { rgbt 1 } finish { ambient 0 diffuse 0 } } sphere { <0,3,0>, 1 pigment { rgbt 1 } finish { ambient 0 diffuse 0 } } rainbow { direction <.1,-.2,1> angle 40 width 12 distance 10 " + colours + "}")},
         {"PowersOfReflections", mirrors + "sphere { <-1.1,0,0>, 1 pigment { rgb 0 } finish { reflection { .8 exponent .5 } } } sphere { <1.1,0,0>, 1 pigment { rgb <.1,.1,0> } finish { reflection { <1,.5,.2>, 1 exponent 2 } } } "
                                              "box { <-1,-1,2>, <1,2,3> texture { pigment { rgb 0 } finish { reflection { .5 exponent 2 } } } texture { pigment { rgbt 1 } finish { reflection { .25 exponent .5 } } } rotate y*20 }"},
         {"BentRays", bent("location <0,2,-6> look_at <0,.5,0> angle 50 normal { bumps .2 scale .1 }")},
