@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "exporters/picture_patterns.h"
 
-#include "core/image/codec.h"
+#include "core/image_colors.h"
 #include "exporters/output_files.h"
 
 #include <algorithm>
@@ -47,7 +47,7 @@ std::optional<ImageSignal> as_texture(const PatternSignal& pattern, const Render
 bool has_alpha(const Image& image) {
     const auto bytes = OutputFiles::read(image);
     const auto picture = bytes ? decode_picture(std::as_bytes(std::span(*bytes)), Encoding::linear) : tl::unexpected(std::string());
-    return picture && (picture->channels == 2 || picture->channels >= 4);
+    return picture && color_channels(*picture).size() % 2 == 0 && !color_channels(*picture).empty();   // Y, A or R, G, B, A
 }
 
 }  // namespace alidade

@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
+#include <unordered_map>
 
 namespace alidade {
 namespace {
@@ -46,13 +47,16 @@ std::optional<ComparedMaterials> compare_materials(const CompiledScene& scene, c
     if (seen.size() != pair.pixels()) return std::nullopt;
     ComparedMaterials out;
     for (const WrittenMaterial& material : written) out.each.push_back({material});
+    std::unordered_map<uint32_t, size_t> row_of;
+    for (size_t i = 0; i < written.size(); ++i) row_of[written[i].material.index + 1] = i;
     const std::vector<float> colors[] = {linear_colors(pair, pair.reference), linear_colors(pair, pair.test)};
     for (size_t i = 0; i < seen.size(); ++i) {
-        const auto row = std::find_if(out.each.begin(), out.each.end(), [&](const ComparedMaterial& m) { return m.material.material.index + 1 == seen[i]; });
-        if (!pair.counts[i] || row == out.each.end()) continue;
+        const auto known = row_of.find(seen[i]);
+        if (!pair.counts[i] || known == row_of.end()) continue;
+        ComparedMaterial& row = out.each[known->second];
         const double error = double(flip->second.map[i]), of[] = {luminance_at(colors[0], i), luminance_at(colors[1], i)};
-        row->add(error, of[0], of[1]);
-        if (row->material.losses.empty()) out.expressed.add(error, of[0], of[1]);
+        row.add(error, of[0], of[1]);
+        if (row.material.losses.empty()) out.expressed.add(error, of[0], of[1]);
     }
     std::erase_if(out.each, [](const ComparedMaterial& m) { return m.pixels == 0; });
     for (ComparedMaterial& m : out.each) m.finish();
