@@ -32,8 +32,9 @@ struct Orbit {
     double left = -1;
 };
 
-template <class Step, class Left> Orbit follow(Complex z, double iterations, const Step& step, const Left& left) {
-    Orbit orbit{z, std::norm(z)};
+/// `from_start`: the start counts as one of the points.
+template <class Step, class Left> Orbit follow(Complex z, double iterations, bool from_start, const Step& step, const Left& left) {
+    Orbit orbit{z, from_start || iterations < 1 ? std::norm(z) : kInf};
     for (double k = 0; k < iterations; ++k) {
         z = step(z);
         const double square = std::norm(z);
@@ -68,11 +69,11 @@ double coloured(const Orbit& orbit, double iterations, const PatternInput& in, s
 
 double polynomial_set(const Complex& start, const Complex& c, double iterations, const PatternInput& in, size_t first) {
     const int exponent = whole(in[first], 2, 33);   // POV-Ray's own limits
-    const Orbit orbit = follow(start, iterations, [&](const Complex& z) { return power(z, exponent) + c; }, [](const Complex&, double square) { return square > 4; });
+    const Orbit orbit = follow(start, iterations, true, [&](const Complex& z) { return power(z, exponent) + c; }, [](const Complex&, double square) { return square > 4; });
     return coloured(orbit, iterations, in, first + 1);
 }
 
-double magnet(const Complex& start, const Complex& c, double iterations, const PatternInput& in, size_t first) {
+double magnet(const Complex& start, bool from_start, const Complex& c, double iterations, const PatternInput& in, size_t first) {
     const Complex c1 = c - 1.0, c2 = c - 2.0, c12 = times(c1, c2);
     const bool second = in[0] == 2;
     const auto step = [&](const Complex& z) {
@@ -81,7 +82,7 @@ double magnet(const Complex& start, const Complex& c, double iterations, const P
         return times(q, q);
     };
     // An orbit ends far away, or at the fixed point 1.
-    const Orbit orbit = follow(start, iterations, step, [](const Complex& z, double square) { return square > 10000 || std::norm(z - 1.0) < 1e-4; });
+    const Orbit orbit = follow(start, iterations, from_start, step, [](const Complex& z, double square) { return square > 10000 || std::norm(z - 1.0) < 1e-4; });
     return coloured(orbit, iterations, in, first);
 }
 
@@ -89,7 +90,7 @@ double magnet(const Complex& start, const Complex& c, double iterations, const P
 
 double mandel(const Vec3& p, const PatternInput& in) { return polynomial_set({p.x, p.y}, {p.x, p.y}, in[0], in, 1); }
 double julia(const Vec3& p, const PatternInput& in) { return polynomial_set({p.x, p.y}, {in[0], in[1]}, in[2], in, 3); }
-double magnet_mandel(const Vec3& p, const PatternInput& in) { return magnet({0, 0}, {p.x, p.y}, in[1], in, 2); }
-double magnet_julia(const Vec3& p, const PatternInput& in) { return magnet({p.x, p.y}, {in[1], in[2]}, in[3], in, 4); }
+double magnet_mandel(const Vec3& p, const PatternInput& in) { return magnet({0, 0}, false, {p.x, p.y}, in[1], in, 2); }
+double magnet_julia(const Vec3& p, const PatternInput& in) { return magnet({p.x, p.y}, true, {in[1], in[2]}, in[3], in, 4); }
 
 }  // namespace alidade::pattern

@@ -105,6 +105,9 @@ void add_fractals(Cases& all) {
     add(all, "julia <.353,.288>,30 exponent 5", P("julia", {.353, .288, 30, 5}));
     add(all, "magnet 1 mandel 30", P("magnet_mandel", {1, 30}));
     add(all, "magnet 2 mandel 20", P("magnet_mandel", {2, 20}));
+    add(all, "magnet 1 mandel 30 interior 1, 3", P("magnet_mandel", {1, 30, 1, 1, 1, 3}));
+    add(all, "magnet 2 mandel 30 interior 1, 2", P("magnet_mandel", {2, 30, 1, 1, 1, 2}));
+    add(all, "magnet 1 julia <.2,.1>,30 interior 1, 3", P("magnet_julia", {1, .2, .1, 30, 1, 1, 1, 3}));
     add(all, "magnet 1 julia <.2,.1>,30", P("magnet_julia", {1, .2, .1, 30}));
     add(all, "magnet 2 julia <.2,.1>,30", P("magnet_julia", {2, .2, .1, 30}));
     for (int type = 0; type <= 6; ++type) add(all, fmt::format("julia <-.4,.6>,20 exterior {},3", type), P("julia", {-.4, .6, 20, 2, double(type), 3}));
