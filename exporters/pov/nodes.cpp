@@ -130,7 +130,7 @@ void NodeWriter::lone_light(const Light& light, const Transform& to_parent) {
     };
     follow("looks_like", light.looks_like);
     if (light.projected_through && !facts_.is_empty(*light.projected_through)) {
-        c_.sdl.begin("projected_through {", "union");
+        c_.sdl.begin("projected_through {", "object");
         object(*light.projected_through);
         c_.sdl.line(to_parent);
         c_.sdl.end();
