@@ -15,6 +15,8 @@
 
 namespace alidade {
 
+class Shaft;
+
 class Accelerator {
   public:
     virtual ~Accelerator() = default;
@@ -26,6 +28,10 @@ class Accelerator {
     virtual bool occluded(const Ray& ray, WorkCounters& work) const = 0;
     /// All hits with ray.tmin <= t <= ray.tmax, appended to `hits` in order, each once.
     virtual void all_hits(const Ray& ray, std::vector<Hit>& hits, WorkCounters& work, uint32_t instance = 0) const = 0;
+
+    /// Replaces `ids` by all primitives of a PrimitiveSet that a ray with all of its [tmin, tmax] in the shaft could hit, by their bounds. False if there are more
+    /// than `most`, or if the structure cannot find them without looking at everything: then `ids` says nothing.
+    virtual bool candidates(const Shaft& shaft, size_t most, std::vector<uint32_t>& ids) const = 0;
 
     virtual Bounds bounds() const = 0;   ///< of the bounded primitives
     virtual const BuildStats& stats() const = 0;

@@ -4,6 +4,7 @@
 
 #include "accel/accelerator.h"
 #include "accel/leaf.h"
+#include "accel/shaft.h"
 
 namespace alidade {
 
@@ -53,6 +54,12 @@ class CustomLeaf {
     void all(const Probe& probe, uint32_t first, uint32_t count, std::vector<Hit>& hits, WorkCounters& work) const {
         work.filtered += count;
         set_->all_hits(ids(first, count), probe.ray, hits, work);
+    }
+    /// Appends those in the range whose bounds the shaft meets; false if there are then more than `most`.
+    bool candidates(const Shaft& shaft, uint32_t first, uint32_t count, size_t most, std::vector<uint32_t>& out) const {
+        for (const uint32_t id : ids(first, count))
+            if (shaft.meets(set_->bounds(id))) out.push_back(id);
+        return out.size() <= most;
     }
     size_t bytes() const { return ids_.capacity() * sizeof(uint32_t); }
 

@@ -37,7 +37,7 @@ double reach_of(const LocalRay& ray, const Bounds& box) {
 /// The local interval in which the ray is in the box, padded; empty on a miss.
 void clip_to_box(LocalRay& ray, const Bounds& box, double tmin, double tmax) {
     ray.reach = reach_of(ray, box);
-    const SlabRay<double> slab(ray.origin, ray.dir, ray.reach);
+    const SlabRay<double>& slab = ray.slab.emplace(ray.origin, ray.dir, ray.reach);
     double near = -std::numeric_limits<double>::max(), far = std::numeric_limits<double>::max();
     slab.clip(box, near, far);
     if (near <= far) {

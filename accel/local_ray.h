@@ -5,6 +5,9 @@
 #include "accel/slab.h"
 #include "core/ray.h"
 
+#include <optional>
+#include <type_traits>
+
 namespace alidade {
 
 /// Coordinates of rays and of double vertices are rounded to multiples of 2^-300, so that exact signs (triangles/exact_sign.h) cannot underflow.
@@ -22,6 +25,7 @@ struct LocalRay {
     double to_caller = 1, to_local = 1; ///< powers of two
     double tmin = 0, tmax = -1;         ///< local interval that holds all hits; empty if the ray misses the bounds
     double reach = 0;                   ///< bounds |t| in it
+    std::optional<SlabRay<double>> slab;   ///< of origin, dir and reach; there if the bounds are not empty
 
     bool enters_box() const { return tmin <= tmax; }
     double caller_t(double t) const { return shift * to_caller + t * to_caller; }
@@ -29,6 +33,12 @@ struct LocalRay {
     double upper(double caller) const;
     double lower(double caller) const;
 };
+
+/// The ray for tests against boxes of type R.
+template <class R> decltype(auto) slab_of(const LocalRay& ray) {
+    if constexpr (std::is_same_v<R, double>) return (*ray.slab);
+    else return SlabRay<R>(ray.origin, ray.dir, ray.reach);
+}
 
 /// Does `ray` have a direction, no NaN, and an origin within `largest` (kLargestCoordinate)? Others hit nothing.
 bool can_hit(const Ray& ray, double largest);

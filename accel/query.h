@@ -50,6 +50,14 @@ template <class Leaf> class AnyQuery {
     bool found_ = false;
 };
 
+/// Sorts the hits from `first` on, and takes out those that are there twice.
+inline void put_in_order(std::vector<Hit>& hits, size_t first) {
+    const auto key = [](const Hit& h) { return std::tuple(h.t, h.instance, h.primitive, h.part); };
+    const auto begin = hits.begin() + std::ptrdiff_t(first);
+    std::sort(begin, hits.end(), [&](const Hit& a, const Hit& b) { return key(a) < key(b); });
+    hits.erase(std::unique(begin, hits.end(), [&](const Hit& a, const Hit& b) { return key(a) == key(b); }), hits.end());
+}
+
 template <class Leaf> class AllQuery {
   public:
     AllQuery(const Leaf& leaf, const Ray& ray, const LocalRay& local, std::vector<Hit>& hits, WorkCounters& work, uint32_t instance)
@@ -60,12 +68,7 @@ template <class Leaf> class AllQuery {
         return false;
     }
     /// Puts the new hits in order. A structure may hold a primitive in several places, so a hit may have been found more than once.
-    void finish() {
-        const auto key = [](const Hit& h) { return std::tuple(h.t, h.instance, h.primitive, h.part); };
-        const auto begin = hits_.begin() + std::ptrdiff_t(old_);
-        std::sort(begin, hits_.end(), [&](const Hit& a, const Hit& b) { return key(a) < key(b); });
-        hits_.erase(std::unique(begin, hits_.end(), [&](const Hit& a, const Hit& b) { return key(a) == key(b); }), hits_.end());
-    }
+    void finish() { put_in_order(hits_, old_); }
 
   private:
     const Leaf& leaf_;

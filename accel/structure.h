@@ -5,6 +5,7 @@
 #include "accel/accelerator.h"
 #include "accel/custom_leaf.h"
 #include "accel/query.h"
+#include "accel/shaft.h"
 #include "accel/triangles/triangle_leaf.h"
 
 #include <chrono>
@@ -50,6 +51,15 @@ template <template <class> class Structure, class Leaf> class StructureAccelerat
         AllQuery<Leaf> query(*leaf_, ray, local, hits, work, instance);
         ask(local, query, work);
         query.finish();
+    }
+
+    bool candidates(const Shaft& shaft, size_t most, std::vector<uint32_t>& ids) const override {
+        ids.clear();
+        if constexpr (requires(const Leaf& leaf) { leaf.candidates(shaft, 0, 0, most, ids); } && requires(const Structure<Leaf>& s) { s.visit_shaft(shaft, [](uint32_t, uint32_t) { return true; }); }) {
+            if (!leaf_->candidates(shaft, 0, unbounded_, most, ids)) return false;
+            return !shaft.meets(bounds_) || structure_->visit_shaft(shaft, [&](uint32_t first, uint32_t count) { return leaf_->candidates(shaft, first, count, most, ids); });
+        }
+        return false;
     }
 
     Bounds bounds() const override { return bounds_; }

@@ -237,7 +237,8 @@ void build_structures(CompiledScene& out, const AcceleratorEntry& accel, std::ve
         if (g.mesh) report_removed(out, g, said);
     for (Instance& instance : out.instances) instance.bounds = instance.to_world.bounds(out.geometries[instance.geometry].bounds);
     build_solids(out, std::move(solids));
-    out.top = accel.over_set(std::make_shared<InstanceSet>(out), build);
+    out.set = std::make_shared<InstanceSet>(out);
+    out.top = accel.over_set(out.set, build);
 }
 
 /// The sky that the user asked for, else the file's.
@@ -312,13 +313,16 @@ bool is_air(const CompiledInterior& in) {
     return in.ior == 1 && in.refraction == 1 && in.fade_power == 0 && in.media.empty() && (!std::isfinite(in.attenuation_distance) || in.attenuation_color == Color(1));
 }
 
-void choose_kernel(CompiledScene& out, const CompileOptions& options, FeatureReasons& reasons) {
+void choose_kernel(CompiledScene& out, const AcceleratorEntry& accel, const CompileOptions& options, FeatureReasons& reasons) {
     if (out.sky->lights()) reasons.need(kSampledLights, "the sky");
     for (const PlacedLight& l : out.lights)
         if (l.sampled()) reasons.need(kSampledLights, fmt::format("light '{}'", l.light.name));
     out.all_air = !out.scene.atmosphere.is_hazy() && std::all_of(out.interiors.begin(), out.interiors.end(), is_air);
     out.filters_light = (reasons.mask() & (kAlpha | kTransmission)) != 0;
-    if (out.filters_light) tell_opaque_from_clear(out);
+    if (out.filters_light) {
+        tell_opaque_from_clear(out);
+        out.filters = accel.over_set(std::make_shared<InstanceSet>(out, kMaskFilter), {options.precision, options.isa, 1});
+    }
     if (options.full_kernel) reasons.need(kAllFeatures, "--full-kernel");
     out.features = reasons.mask();
     out.kernel = reasons.text();
@@ -360,7 +364,7 @@ std::shared_ptr<const CompiledScene> compile(Scene scene, const CompileOptions& 
     default_light(*out, options, said);
     find_what_is_around_cameras(*out);
     placer.finish();
-    choose_kernel(*out, options, reasons);
+    choose_kernel(*out, *accel, options, reasons);
     return out;
 }
 

@@ -12,6 +12,7 @@
 
 namespace alidade {
 
+class InstanceSet;
 class Projector;
 class Textures;
 
@@ -94,7 +95,9 @@ struct CompiledScene {
     std::vector<SlotMaterial> slots;
     std::vector<PatternSpace> pattern_spaces;
     std::vector<CompiledInterior> interiors;
-    std::unique_ptr<Accelerator> top;      ///< over the instances and solids
+    std::shared_ptr<const InstanceSet> set;   ///< the instances and solids
+    std::unique_ptr<Accelerator> top;      ///< over them
+    std::unique_ptr<Accelerator> filters;  ///< over those that let a part of the light through; null if `filters_light` is false
     std::unique_ptr<Textures> textures;
     std::vector<PlacedLight> lights;
     std::vector<std::vector<bool>> lit_by; ///< which lights shine, by Instance::light_set; empty: all on all

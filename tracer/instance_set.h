@@ -10,20 +10,26 @@ namespace alidade {
 /// closed forms). Parts of solids have no box, so that nothing asks for them.
 class InstanceSet final : public PrimitiveSet {
   public:
-    /// `scene` must outlive the set.
-    explicit InstanceSet(const CompiledScene& scene) : scene_(scene) {}
+    /// Those alone that rays with a bit of `seen_by` see: the others keep their numbers, and have no bounds. `scene` must outlive the set.
+    explicit InstanceSet(const CompiledScene& scene, Mask seen_by = kMaskAll) : scene_(scene), seen_by_(seen_by) {}
     size_t size() const override { return scene_.instances.size() + scene_.solids.size(); }
-    Bounds bounds(uint32_t id) const override { return is_solid(id) ? solid(id).tree.bounds() : scene_.instances[id].bounds; }
+    Bounds bounds(uint32_t id) const override {
+        if (!(mask(id) & seen_by_)) return {};
+        return is_solid(id) ? solid(id).tree.bounds() : scene_.instances[id].bounds;
+    }
     bool intersect(std::span<const uint32_t> ids, const Ray& ray, Hit& hit, WorkCounters& work) const override;
     bool occluded(std::span<const uint32_t> ids, const Ray& ray, WorkCounters& work) const override;
     void all_hits(std::span<const uint32_t> ids, const Ray& ray, std::vector<Hit>& hits, WorkCounters& work) const override;
 
-  private:
     bool is_solid(uint32_t id) const { return id >= scene_.instances.size(); }
     const Solid& solid(uint32_t id) const { return scene_.solids[id - scene_.instances.size()]; }
+    Mask mask(uint32_t id) const { return is_solid(id) ? solid(id).mask : scene_.instances[id].mask; }
+
+  private:
     bool intersect_solid(uint32_t id, const Ray& ray, Hit& hit, WorkCounters& work) const;
 
     const CompiledScene& scene_;
+    Mask seen_by_;
 };
 
 }  // namespace alidade

@@ -4,6 +4,7 @@
 
 #include "accel/bvh/build.h"
 #include "accel/query.h"
+#include "accel/shaft.h"
 
 namespace alidade {
 
@@ -29,7 +30,7 @@ template <class Leaf> class Bvh {
             R entry;
         };
         Waiting stack[kBvhDepth];
-        const SlabRay<R> slab(ray.origin, ray.dir, ray.reach);
+        const auto& slab = slab_of<R>(ray);
         const R start = slab.start(ray.tmin);
         R limit = slab.limit(query.limit());
         Waiting current{0, start};
@@ -52,6 +53,17 @@ template <class Leaf> class Bvh {
                 current = stack[--waiting];
             }
         }
+    }
+    /// Calls visit(first, count) for the leaves whose boxes the shaft meets, until it returns false; then that is returned.
+    template <class Visit> bool visit_shaft(const Shaft& shaft, const Visit& visit) const {
+        uint32_t stack[kBvhDepth] = {0};
+        for (uint32_t waiting = 1; waiting > 0;) {
+            const BvhNode<R>& node = nodes_[stack[--waiting]];
+            if (!shaft.meets(Bounds{Vec3(node.box.min), Vec3(node.box.max)})) continue;
+            if (!node.leaf()) stack[waiting++] = node.first, stack[waiting++] = node.first + 1;
+            else if (!visit(node.first, node.count)) return false;
+        }
+        return true;
     }
     size_t bytes() const { return nodes_.capacity() * sizeof(BvhNode<R>); }
 

@@ -67,6 +67,25 @@ struct Line {
         return x * x + z * z;
     }
 
+    /// Is the line outside of the torus all along `range`? True only if it surely is: the quartic that is negative inside is not less than the least of its
+    /// Bernstein coefficients, of each half of the range. Source   G. Farin, "Curves and Surfaces for CAGD", 5th ed. (2002), section 6.
+    bool surely_outside(const LineInterval& range) const {
+        if (!(size() > 1e-70 && size() < 1e70)) return false;   // its fourth power is no number
+        const double w = 0.5 * (range.exit - range.entry), middle = range.entry + w, most = kSlack * size() * size() * size() * size();
+        return least_coefficient(range.entry, w) > most && least_coefficient(middle, w) > most;
+    }
+
+    /// The least Bernstein coefficient of (|p|^2 + R^2 - r^2)^2 - 4 R^2 (x^2 + z^2) from `from` to `from` + `width`.
+    double least_coefficient(double from, double width) const {
+        const Vec3 at = p + from * u;
+        const double slope = width * dot(at, u), around_slope = width * (at.x * u.x + at.z * u.z);
+        const double a0 = dot(at, at) + (major - minor) * (major + minor), a1 = a0 + slope, a2 = a1 + slope + width * width;
+        const double r0 = at.x * at.x + at.z * at.z, r1 = r0 + around_slope, r2 = r1 + around_slope + width * width * (u.x * u.x + u.z * u.z);
+        const double k = 4 * major * major;
+        const double ends = std::min(a0 * a0 - k * r0, a2 * a2 - k * r2), inner = std::min(a0 * a1 - k * 0.5 * (r0 + r1), a1 * a2 - k * 0.5 * (r1 + r2));
+        return std::min({ends, inner, (a0 * a2 + 2 * a1 * a1 - k * 0.5 * (r0 + 4 * r1 + r2)) / 3});
+    }
+
     /// The points of the line in `range`, cut where the quartic (|p|^2 + R^2 - r^2)^2 - 4 R^2 (x^2 + z^2) has its extremes. These are roots of a cubic, and
     /// that one's extremes are roots of a quadratic.
     Brackets extremes(const LineInterval& range) const {
@@ -109,7 +128,7 @@ Crossings torus_crossings(const ShapeGeometry& geometry, const Ray& ray) {
     const Line line{nearest.nearest, ray.dir / speed, std::abs(torus.major), std::abs(torus.minor)};
     if (!is_finite(ray) || !std::isfinite(nearest.shift) || !(line.minor > 0)) return out;
     const LineInterval range = line.range();
-    if (range.empty()) return out;
+    if (range.empty() || line.surely_outside(range)) return out;
     const LineInterval inside = inside_bounds(ray, torus_bounds(geometry));
     if (inside.empty()) return out;
     const auto distance = [&](double s) { return line.distance(s); };

@@ -124,6 +124,45 @@ TEST(Jitter, ThreadsAndTilesDoNotShow) {
     EXPECT_NE(one.picture.values, rendered(penumbra(false), sampled(4, 1, 16)).picture.values);
 }
 
+/// A room with a grid of light among things of all kinds: opaque and clear, bounded and endless (one plane cuts the light), whole and cut, seen by shadow rays or not.
+Scene room(ShadowGrid grid) {
+    SceneBuilder b;
+    const MaterialId plain = b.material(b.lambert(Color(0.8))), clear = b.material(b.glass(1.2));
+    b.object(Plane{{0, 1, 0}, 0}, plain);
+    b.object(Plane{{-0.3, 0.1, -1}, -3}, plain, Transform::rotate({0, 1, 0}, 0.3));
+    b.object(Plane{{1, 0, 0}, 0.3}, clear);
+    for (int i = 0; i < 40; ++i) {
+        const Vec3 at(-2 + 0.61 * (i % 7), 0.4 + 0.35 * (i / 7), -1.5 + 0.47 * (i % 5));
+        const Transform turned = Transform::translate(at) * Transform::rotate(normalized(Vec3(1, i % 3, 0.5)), i) * Transform::scale(Vec3(0.2 + 0.01 * i, 0.1, 0.15));
+        if (i % 3 == 0) b.object(Sphere{Vec3(0), 1}, i % 2 ? clear : plain, turned);
+        else if (i % 3 == 1) b.object(Box{Vec3(-1), Vec3(1)}, plain, turned);
+        else b.object(square(), plain, turned);
+        if (i % 11 == 0) b.scene.nodes.back().flags.shadow = false;
+    }
+    b.light(PointLight(), Color(40), Transform::translate({0.5, 3.5, -0.5}) * Transform::rotate({1, 0, 0}, 0.4));
+    b.scene.lights[0].shadow_grid = grid;
+    b.scene.lights[0].shadow_grid->axis1 = {1.5, 0, 0}, b.scene.lights[0].shadow_grid->axis2 = {0, 0, 1};
+    b.camera({-1, 2, 6}, {0, 0.8, 0}, 50);
+    return b.scene;
+}
+
+/// What can hide a light from a point is found once for all of its points: the picture is that of rays which each ask brute force.
+TEST(Occluders, AreThoseThatEachRayFinds) {
+    for (int kind = 0; kind < 4; ++kind) {
+        ShadowGrid grid = grid_of(5, 4, kind == 1 ? 1 : -1);
+        grid.jitter = kind == 1, grid.circular = kind >= 2, grid.orient = kind == 3;
+        const Scene scene = room(grid);
+        RenderOptions o = centre_rays(48);
+        o.max_depth = 4;
+        CompileOptions each, once;
+        each.accel = "brute", once.accel = "bvh";
+        const Film want = rendered(scene, o, each), got = rendered(scene, o, once);
+        EXPECT_EQ(want.picture.values, got.picture.values) << "kind " << kind;
+        EXPECT_EQ(want.stats.shadow_rays, got.stats.shadow_rays);
+        EXPECT_LT(double(got.stats.work.filtered), 0.25 * double(want.stats.work.filtered));
+    }
+}
+
 TEST(Supersampling, ThreadsAndTilesDoNotShow) {
     const Scene scene = penumbra(true);
     for (int method : {1, 2}) {

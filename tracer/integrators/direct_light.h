@@ -10,20 +10,21 @@ namespace alidade {
 
 enum class Shadows { cast, ignored };
 
-/// What comes through everything on a shadow ray that starts inside of `inside`.
-Color filtered_light(Tracing& tracing, Ray ray, const InteriorStack& inside);
+/// What comes through everything on a shadow ray that starts inside of `inside`. `among`: what alone it can meet, if that is known.
+Color filtered_light(Tracing& tracing, Ray ray, const InteriorStack& inside, Occluders* among);
 
 /// What of the light `distance` away in the unit direction `direction` comes to the point. `kFilters` false: nothing in the scene lets a part of it through.
 /// Inline: once a light and a point, whatever the kernel can do else.
-template <bool kFilters> [[gnu::always_inline]] inline Color visible(Tracing& tracing, const ShadePoint& point, const RayState& state, const Vec3& direction, double distance) {
+template <bool kFilters> [[gnu::always_inline]] inline Color visible(Tracing& tracing, const ShadePoint& point, const RayState& state, const Vec3& direction, double distance, Occluders* among = nullptr) {
     if (!(distance > 0)) return Color(1);
     ++tracing.stats.shadow_rays;
     Ray ray = spawn_ray(point, direction, distance);
     ray.mask = kMaskShadow;
     ray.time = state.time;
     if constexpr (kFilters) {
-        if (tracing.scene.filters_light) return filtered_light(tracing, ray, state.inside);
+        if (tracing.scene.filters_light) return filtered_light(tracing, ray, state.inside, among);
     }
+    if (among) return among->occluded(tracing.scene, ray, tracing.stats.work) ? Color(0) : Color(1);
     return tracing.scene.top->occluded(ray, tracing.stats.work) ? Color(0) : Color(1);
 }
 

@@ -6,12 +6,15 @@ namespace alidade {
 
 /// Filters are multiplied in the order of hits, so the product is the same, bit for bit, whatever structure found them.
 /// What is opaque is asked for first: it needs no list of hits.
-Color filtered_light(Tracing& tracing, Ray ray, const InteriorStack& start) {
+Color filtered_light(Tracing& tracing, Ray ray, const InteriorStack& start, Occluders* among) {
+    const auto& scene = tracing.scene;
+    WorkCounters& work = tracing.stats.work;
     ray.mask = kMaskOpaque;
-    if (tracing.scene.top->occluded(ray, tracing.stats.work)) return Color(0);
+    if (among ? among->occluded(scene, ray, work) : scene.top->occluded(ray, work)) return Color(0);
     ray.mask = kMaskFilter;
     tracing.passed.clear();
-    tracing.scene.top->all_hits(ray, tracing.passed, tracing.stats.work);
+    if (among) among->all_hits(scene, ray, tracing.passed, work);
+    else scene.filters->all_hits(ray, tracing.passed, work);
     InteriorStack inside = start;
     Color through(1);
     double t = 0;

@@ -2,6 +2,7 @@
 /// What light a ray brings. An integrator is one file and one row of the table in integrator.cpp.
 #pragma once
 
+#include "tracer/occluders.h"
 #include "tracer/surface.h"
 
 #include <array>
@@ -56,6 +57,7 @@ struct Tracing {
     std::vector<Hit> passed{};   ///< scratch of shadow rays
     Secondaries secondaries{};   ///< scratch of an integrator
     GridScratch grid{};          ///< scratch of lights with a ShadowGrid
+    Occluders occluders{};       ///< and of those
     std::vector<PendingRay> pending{};   ///< scratch of an integrator: empty between camera rays
 };
 

@@ -17,6 +17,12 @@ void facing_axes(const Vec3& to_light, Vec3& first, Vec3& second) {
 /// A place of the grid from 0 to `size` - 1, as a number around 0.
 double centred(double place, int size, double centre) { return size > 1 ? place / (size - 1) - centre : 0; }
 
+/// Is it plain without a ray that all of the light comes through?
+bool is_open(const Tracing& tracing, const Occluders& among, const RayState& state, size_t index) {
+    const CompiledScene& scene = tracing.scene;
+    return among.none() && (!scene.filters_light || state.inside.empty()) && (index >= scene.projectors.size() || !scene.projectors[index]);
+}
+
 }  // namespace
 
 GridPoints::GridPoints(const PlacedLight& light, const Vec3& to_light)
@@ -45,18 +51,31 @@ Vec3 GridPoints::towards(const Vec3& p, const Illumination& arriving, const Vec3
     return along * dot(light_.position + offset - p, along);
 }
 
+std::optional<Bounds> GridPoints::box(const Vec3& p, const Illumination& arriving) const {
+    if (light_.light.parallel) return std::nullopt;
+    // Half of the grid, what it is off its middle, and what jitter adds.
+    const auto reach = [&](int size) { return size > 1 ? 0.502 + (grid_.jitter ? 0.5 / (size - 1) : 0) : 0; };
+    const Vec3 centre = p + arriving.direction * arriving.distance, half = glm::abs(axis1_) * reach(grid_.size1) + glm::abs(axis2_) * reach(grid_.size2);
+    return Bounds{centre - half, centre + half};
+}
+
 Color through_grid(Tracing& tracing, const ShadePoint& point, const RayState& state, size_t index, const Illumination& arriving, const Color& full) {
     constexpr uint64_t kGridBranch = uint64_t(1) << 41;   // behind the branches of rays
     const PlacedLight& light = tracing.scene.lights[index];
     const ShadowGrid& grid = *light.light.shadow_grid;
     const GridPoints points(light, arriving.direction);
     const SampleKey key = state.key.child(kGridBranch + index);
+    const auto place = points.box(point.position, arriving);
+    Occluders* among = place && tracing.occluders.find(tracing.scene, point, *place) ? &tracing.occluders : nullptr;
+    const bool open = among && is_open(tracing, *among, state, index);
     return GridMean(grid, tracing.grid, [&](int u, int v) {
+        if (open) return ++tracing.stats.shadow_rays, full;
         const Vec2 jitter = grid.jitter ? key.pair(uint64_t(u) * uint64_t(grid.size2) + uint64_t(v)) - Vec2(0.5) : Vec2(0);
         const Vec3 to_light = points.towards(point.position, arriving, points.offset(u + jitter.x, v + jitter.y));
         const double distance = length(to_light);
-        const auto way = way_to_light(tracing, point, index, to_light / distance, distance - light.light.clearance);
-        return way ? full * visible<true>(tracing, point, state, to_light / distance, *way) : Color(0);
+        const Vec3 direction = to_light / distance;
+        const auto way = way_to_light(tracing, point, index, direction, distance - light.light.clearance);
+        return way ? full * visible<true>(tracing, point, state, direction, *way, among) : Color(0);
     })();
 }
 

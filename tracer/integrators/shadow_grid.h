@@ -14,6 +14,8 @@ class GridPoints {
     /// From the light's centre to the place (u, v) of the grid, which is numbered from 0 along both axes; between the numbers lies what jitter reaches.
     Vec3 offset(double u, double v) const;
     Vec3 towards(const Vec3& p, const Illumination& arriving, const Vec3& offset) const;
+    /// Around all of the light that the point p is lit from; nothing where that depends on the place of the grid, as it does of parallel light.
+    std::optional<Bounds> box(const Vec3& p, const Illumination& arriving) const;
 
   private:
     const PlacedLight& light_;

@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: Apache-2.0
+/// What can stand between a point and a light with an extent: found once, asked by every shadow ray of the point.
+#pragma once
+
+#include "tracer/shade_point.h"
+
+namespace alidade {
+
+class Occluders {
+  public:
+    /// All that shadow rays from `point` to somewhere in the box `to` can meet. False if that is too much to be asked one by one; then nothing else may be called.
+    bool find(const CompiledScene& scene, const ShadePoint& point, const Bounds& to);
+    /// As Accelerator::occluded, of rays that spawn_ray() makes from the point to somewhere in the box. What hid the light from the last ray is asked first.
+    bool occluded(const CompiledScene& scene, const Ray& ray, WorkCounters& work);
+    bool none() const { return ids_.empty(); }
+    /// As Accelerator::all_hits.
+    void all_hits(const CompiledScene& scene, const Ray& ray, std::vector<Hit>& hits, WorkCounters& work) const;
+
+  private:
+    std::vector<uint32_t> ids_;   ///< as CompiledScene::set numbers them
+};
+
+}  // namespace alidade
