@@ -61,8 +61,8 @@ def lathe(profile, n=96):
                 points.append((r * c, y, r * s)), normals.append((nr * c, ny, nr * s)), uvs.append((i / n, y))
         for i in range(n):
             a = base + 2 * i
-            if r0: triangles.append((a, a + 1, a + 2))
-            if r1: triangles.append((a + 1, a + 3, a + 2))
+            if r0: triangles.append((a, a + 2, a + 1))
+            if r1: triangles.append((a + 1, a + 2, a + 3))
     return points, normals, uvs, triangles
 
 

@@ -4,7 +4,8 @@
 #include "core/vec.h"
 
 #include <algorithm>
-#include <array>
+#include <cmath>
+#include <numeric>
 #include <optional>
 #include <vector>
 
@@ -43,109 +44,169 @@ const std::vector<Sample>& all_directions() {
     return all;
 }
 
-/// A lobe at all directions, weighted.
-using Column = std::vector<double>;
+enum class Kind { blinn, phong, lambert };
 
-double product(const Column& a, const Column& b) {
-    double sum = 0;
-    for (size_t i = 0; i < a.size(); ++i) sum += a[i] * b[i];
-    return sum;
-}
+/// A lobe of factor 1 at all directions, weighted.
+struct Column {
+    Kind kind;
+    double exponent;
+    std::vector<double> values;
+};
 
-using Factors = std::array<double, 3>;
-constexpr size_t kLobes = std::tuple_size_v<Factors>;
+double product(const std::vector<double>& a, const std::vector<double>& b) { return std::inner_product(a.begin(), a.end(), b.begin(), 0.0); }
 
-/// Normal equations of up to three lobes and the target.
-struct Equations {
-    double gram[kLobes][kLobes] = {}, right[kLobes] = {};
-
-    /// Of the lobes that `set` marks; the others are 0. By Gauss's elimination; nothing if a factor would be negative.
-    std::optional<Factors> solve(unsigned set) const {
-        double m[kLobes][kLobes + 1] = {};
-        for (size_t i = 0; i < kLobes; ++i) {
-            const bool in = (set >> i & 1) != 0;
-            for (size_t j = 0; j < kLobes; ++j) m[i][j] = in && (set >> j & 1) != 0 ? gram[i][j] : double(i == j);
-            m[i][kLobes] = in ? right[i] : 0;
-        }
-        for (size_t p = 0; p < kLobes; ++p)   // symmetric and positive: needs no pivots
-            for (size_t i = 0; i < kLobes; ++i) {
-                if (i == p || !(m[p][p] > 0)) continue;
-                const double f = m[i][p] / m[p][p];
-                for (size_t j = p; j <= kLobes; ++j) m[i][j] -= f * m[p][j];
-            }
-        Factors out{};
-        for (size_t i = 0; i < kLobes; ++i) {
-            out[i] = m[i][kLobes] / m[i][i];
-            if (!(out[i] >= 0) || !std::isfinite(out[i])) return std::nullopt;
-        }
-        return out;
-    }
-    /// The square error but for a constant.
-    double error(const Factors& x) const {
-        double sum = 0;
-        for (size_t i = 0; i < kLobes; ++i) {
-            sum -= 2 * x[i] * right[i];
-            for (size_t j = 0; j < kLobes; ++j) sum += x[i] * x[j] * gram[i][j];
-        }
-        return sum;
-    }
+/// Columns with their factors, and how much of the square error they take away.
+struct Choice {
+    std::vector<size_t> columns;
+    std::vector<double> factors;
+    double gain = 0;
 };
 
 class Fit {
   public:
     explicit Fit(const Gloss& gloss) : gloss_(gloss) {
-        const double exponent = std::max(2 / (gloss.alpha * gloss.alpha) - 2, 1.0);   // of Blinn's lobe as wide as GGX's
-        for (int k = -5; k <= 3; ++k) add(blinn_, std::max(0.5, exponent * std::exp2(k)));
-        for (int k = -7; k <= 4; ++k) add(phong_, std::max(0.5, exponent / 4 * std::exp2(k)));
+        std::vector<double> weights;
         for (const Sample& s : all_directions()) {
             const double light = microfacet_light(gloss, s.nh, s.nl, s.nv, s.oh), mirrored = (gloss.f90 - gloss.f0) * std::pow(1 - s.oh, 5);
             const double diffuse = gloss.metal ? 0 : kDiffuse * s.nl;
-            weights_.push_back(std::sqrt(s.weight) * s.nv * s.nl / (light + kPerceived));
-            target_.push_back((light - mirrored * diffuse) * weights_.back());
+            weights.push_back(std::sqrt(s.weight) * s.nv * s.nl / (light + kPerceived));
+            target_.push_back((light - mirrored * diffuse) * weights.back());
         }
-        lambert_ = column([](const Sample& s) { return s.nl; });
+        add_columns(weights);
+        for (const Column& c : columns_) {
+            right_.push_back(product(c.values, target_));
+            for (const Column& d : columns_) gram_.push_back(&d > &c ? 0 : product(c.values, d.values));
+        }
     }
 
     Lobes best() const {
-        std::vector<Column> blinn, phong;
-        for (const double p : blinn_) blinn.push_back(column([p](const Sample& s) { return std::pow(s.nh, p); }));
-        for (const double p : phong_) phong.push_back(column([p](const Sample& s) { return std::pow(s.rl, p); }));
-        Lobes out;
-        double least = 0;
-        for (size_t i = 0; i < blinn.size(); ++i)
-            for (size_t j = 0; j < phong.size(); ++j) {
-                const Equations e = equations({&blinn[i], &phong[j], &lambert_});
-                for (unsigned set = 1; set < (gloss_.metal ? 8u : 4u); ++set) {
-                    const auto x = e.solve(set);
-                    if (!x || e.error(*x) >= least) continue;
-                    least = e.error(*x);
-                    out = {(*x)[0], 1 / blinn_[i], (*x)[1], phong_[j], (*x)[2]};
-                }
-            }
-        return out;
+        constexpr double kWorth = 0.9;
+        const Choice few = best_of_each();
+        if (!gloss_.layers) return lobes(few);
+        const Choice more = with_seconds(few);
+        const double all = product(target_, target_);
+        return lobes(all - more.gain < kWorth * kWorth * (all - few.gain) ? more : few);
     }
 
   private:
-    static void add(std::vector<double>& exponents, double p) {
-        if (exponents.empty() || exponents.back() != p) exponents.push_back(p);
+    void add_columns(const std::vector<double>& weights) {
+        const double exponent = std::max(2 / (gloss_.alpha * gloss_.alpha) - 2, 1.0);   // of Blinn's lobe as wide as GGX's
+        for (int k = -12; k <= 6; ++k) add(Kind::blinn, exponent * std::exp2(0.5 * k), weights, &Sample::nh);
+        for (int k = -14; k <= 8; ++k) add(Kind::phong, exponent / 4 * std::exp2(0.5 * k), weights, &Sample::rl);
+        for (const double p : {1.0, 0.5, 2.0, 4.0})
+            if (p == 1 || !gloss_.metal) add(Kind::lambert, p, weights, &Sample::nl);   // a metal's is in the finish of its pigment
     }
-    template <class F> Column column(const F& f) const {
-        Column out;
-        for (const Sample& s : all_directions()) out.push_back(f(s) * weights_[out.size()]);
+
+    void add(Kind kind, double exponent, const std::vector<double>& weights, double Sample::*cosine) {
+        exponent = std::max(exponent, 0.5);
+        if (!columns_.empty() && columns_.back().kind == kind && columns_.back().exponent == exponent) return;
+        Column out{kind, exponent, {}};
+        for (const Sample& s : all_directions()) out.values.push_back(std::pow(s.*cosine, exponent) * weights[out.values.size()]);
+        columns_.push_back(std::move(out));
+    }
+
+    double gram(size_t i, size_t j) const { return gram_[std::max(i, j) * columns_.size() + std::min(i, j)]; }
+
+    /// Least squares of these columns, by Gauss's elimination; nothing if a factor would be negative.
+    std::optional<Choice> solve(const std::vector<size_t>& columns) const {
+        const size_t n = columns.size();
+        std::vector<double> m(n * n), x(n);
+        for (size_t i = 0; i < n; ++i) {
+            x[i] = right_[columns[i]];
+            for (size_t j = 0; j < n; ++j) m[i * n + j] = gram(columns[i], columns[j]);
+        }
+        for (size_t p = 0; p < n; ++p)   // symmetric and positive: needs no pivots
+            for (size_t i = 0; i < n; ++i) {
+                if (i == p) continue;
+                const double f = m[i * n + p] / m[p * n + p];
+                for (size_t j = p; j < n; ++j) m[i * n + j] -= f * m[p * n + j];
+                x[i] -= f * x[p];
+            }
+        Choice out{columns, {}, 0};
+        for (size_t i = 0; i < n; ++i) {
+            out.factors.push_back(x[i] / m[i * n + i]);
+            if (!(out.factors[i] >= 0) || !std::isfinite(out.factors[i])) return std::nullopt;
+            out.gain += out.factors[i] * right_[columns[i]];
+        }
         return out;
     }
-    Equations equations(const std::array<const Column*, kLobes>& lobes) const {
-        Equations e;
-        for (size_t i = 0; i < kLobes; ++i) {
-            e.right[i] = product(*lobes[i], target_);
-            for (size_t j = 0; j <= i; ++j) e.gram[i][j] = e.gram[j][i] = product(*lobes[i], *lobes[j]);
+
+    /// The best of all subsets whose factors are not negative.
+    Choice solve_any(const std::vector<size_t>& columns) const {
+        Choice best;
+        for (unsigned set = 1; set < 1u << columns.size(); ++set) {
+            std::vector<size_t> part;
+            for (size_t i = 0; i < columns.size(); ++i)
+                if ((set >> i & 1) != 0) part.push_back(columns[i]);
+            if (auto choice = solve(part); choice && choice->gain > best.gain) best = std::move(*choice);
         }
-        return e;
+        return best;
+    }
+
+    std::vector<size_t> of_kind(Kind kind) const {
+        std::vector<size_t> out;
+        for (size_t i = 0; i < columns_.size(); ++i)
+            if (columns_[i].kind == kind) out.push_back(i);
+        return out;
+    }
+
+    /// Up to one lobe of each kind, by trying all.
+    Choice best_of_each() const {
+        Choice best;
+        const auto take = [&](const std::vector<size_t>& columns) {
+            if (Choice choice = solve_any(columns); choice.gain > best.gain) best = std::move(choice);
+        };
+        const bool with_lambert = gloss_.metal || gloss_.layers;
+        const std::vector<size_t> lambert = of_kind(Kind::lambert), phong = of_kind(Kind::phong);
+        for (const size_t i : of_kind(Kind::blinn))
+            for (const size_t j : phong) {
+                if (!with_lambert) take({i, j});
+                for (size_t k = 0; with_lambert && k < lambert.size(); ++k) take({i, j, lambert[k]});
+            }
+        return best;
+    }
+
+    /// Exchanges one lobe after the other, beginning with those of `few`, until nothing is gained.
+    Choice with_seconds(const Choice& few) const {
+        constexpr double kProgress = 1e-6;
+        constexpr Kind kinds[] = {Kind::blinn, Kind::phong, Kind::blinn, Kind::phong, Kind::lambert};
+        std::vector<std::optional<size_t>> slots(std::size(kinds));
+        for (const size_t column : few.columns)
+            slots[columns_[column].kind == Kind::lambert ? 4 : size_t(columns_[column].kind)] = column;
+        Choice best = few;
+        for (double before = -1; best.gain > before * (1 + kProgress);) {
+            before = best.gain;
+            for (const size_t slot : {2, 3, 0, 1, 4}) exchange(kinds[slot], slot, slots, best);
+        }
+        return best;
+    }
+
+    void exchange(Kind kind, size_t slot, std::vector<std::optional<size_t>>& slots, Choice& best) const {
+        std::vector<size_t> others;
+        for (size_t i = 0; i < slots.size(); ++i)
+            if (i != slot && slots[i]) others.push_back(*slots[i]);
+        for (const size_t i : of_kind(kind)) {
+            if (std::count(others.begin(), others.end(), i) > 0) continue;
+            others.push_back(i);
+            if (Choice choice = solve_any(others); choice.gain > best.gain) best = std::move(choice), slots[slot] = i;
+            others.pop_back();
+        }
+    }
+
+    Lobes lobes(const Choice& choice) const {
+        Lobes out;
+        for (size_t i = 0; i < choice.columns.size(); ++i) {
+            const Column& c = columns_[choice.columns[i]];
+            auto& pair = c.kind == Kind::blinn ? out.blinn : out.phong;
+            Lobe& lobe = c.kind == Kind::lambert ? out.lambert : pair[0].factor > 0 ? pair[1] : pair[0];
+            lobe = {choice.factors[i], c.exponent};
+        }
+        return out;
     }
 
     Gloss gloss_;
-    std::vector<double> blinn_, phong_;
-    Column weights_, target_, lambert_;
+    std::vector<Column> columns_;
+    std::vector<double> target_, right_, gram_;
 };
 
 }  // namespace
@@ -157,7 +218,7 @@ double microfacet_light(const Gloss& g, double nh, double nl, double nv, double 
 }
 
 const Lobes& HighlightFits::operator()(const Gloss& gloss) {
-    const auto [at, added] = known_.try_emplace({gloss.alpha, gloss.f0, gloss.f90, gloss.metal});
+    const auto [at, added] = known_.try_emplace({gloss.alpha, gloss.f0, gloss.f90, gloss.metal, gloss.layers});
     if (added) at->second = Fit(gloss).best();
     return at->second;
 }

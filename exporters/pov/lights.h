@@ -13,18 +13,20 @@ class LightWriter {
   public:
     LightWriter(const Scene& scene, Sdl& sdl, Losses& losses);
 
-    /// `light_source { ...`, placed by `to_parent` and left open for modifiers.
-    void begin(const Light& light, const Transform& to_parent);
+    /// How many of POV-Ray's lights it takes to be like it: the rims of two make that of a spot.
+    static size_t parts(const Light& light);
+    /// `light_source { ...` of a part, placed by `to_parent` and left open for modifiers.
+    void begin(const Light& light, const Transform& to_parent, size_t part = 0);
     /// A light from infinitely far away stands outside of the scene. `to_world`: of its node.
     void write_directional(const Light& light, const Transform& to_world);
     /// The light of a scene that has none: the sky is told to others.
     void write_default_sun(const Camera& camera);
 
   private:
-    void kind(const Light& light, const Transform& to_parent);
+    void kind(const Light& light, const Transform& to_parent, size_t part);
     void fade(const Light& light);
     void grid(const Light& light, const Transform& to_parent);
-    Expression colour(const Light& light) const;
+    Expression colour(const Light& light, size_t part) const;
     void tell_losses(const Light& light);
 
     const Scene& scene_;

@@ -11,7 +11,7 @@ namespace {
 
 /// Below it a surface is a perfect mirror, in which lights have no image.
 constexpr double kSmallestAlpha = 1e-4;
-/// What an emitting layer takes from those under it: so little that it changes no picture, and its emission is that much larger. A power of two.
+/// What a layer that gives light takes from those under it: so little that it changes no picture, and its light is that much larger. A power of two.
 constexpr double kVeil = 1.0 / (1 << 20);
 
 class Surface {
@@ -37,6 +37,7 @@ class Surface {
         pigment();
         finish(inside_base);
         sdl_.end();
+        write_gleams();
         if (!inside_base && !is_black(glow_)) write_glow();
         if (s_.clearcoat) write_coat();
     }
@@ -126,21 +127,67 @@ class Surface {
         f.diffuse = (1 - metallic_) * (1 - std::min(dielectric(), 1.0));
         f.ambient = sky_ * f.diffuse;
         if (emits) f.emission = glow_;
-        const double alpha = roughness_ * roughness_;
-        if (alpha >= kSmallestAlpha && highlight() > 0) set_highlight(f, {alpha, highlight(), specular() * (1 - metallic_) + metallic_, metallic_ > 0.5}, alpha_);
-        f.metallic = f.specular + f.phong > 0 ? metallic_ : 0;
+        if (const std::vector<Gleam> parts = gleams(); !parts.empty()) {
+            set_highlight(f, parts[0], 0);
+            if (parts[0].metal) f.diffuse += parts[0].lobes->lambert.factor * parts[0].share;   // the pigment's alpha has its share of it
+        }
         set_reflection(f);
         f.conserve_energy = through_ > 0;
         write_finish(sdl_, f);
     }
 
-    /// `share`: of the surface that is there.
-    void set_highlight(PovFinish& f, const Gloss& gloss, double share) {
-        const Lobes& lobes = highlights_(gloss);
-        f.specular = lobes.specular * share, f.phong = lobes.phong * share;
-        if (f.specular > 0) f.roughness = lobes.roughness;
-        if (f.phong > 0) f.phong_size = lobes.phong_size;
-        f.diffuse += lobes.diffuse;   // the pigment's alpha has its share of it
+    /// Highlights in the colour of the pigment (`metal`) or of the light.
+    struct Gleam {
+        const Lobes* lobes;
+        double share, metallic;
+        bool metal;
+    };
+
+    /// Of the metal and of what is none, which have layers of their own; mixed textures have no layers.
+    std::vector<Gleam> gleams() const {
+        const double alpha = roughness_ * roughness_;
+        if (s_.unlit || alpha < kSmallestAlpha || highlight() <= 0) return {};
+        if (cut_out_ || mirrors_ == MirrorImages::strong) {
+            const bool metal = metallic_ > 0.5;
+            return {{&highlights_({alpha, highlight(), specular() * (1 - metallic_) + metallic_, metal, false}), 1, metallic_, metal}};
+        }
+        std::vector<Gleam> out;
+        if (metallic_ > 0) out.push_back({&highlights_({alpha, 1, 1, true, true}), metallic_, 1, true});
+        if (metallic_ < 1 && dielectric() > 0) out.push_back({&highlights_({alpha, dielectric(), specular(), false, true}), 1 - metallic_, 0, false});
+        return out;
+    }
+
+    /// The lobes of the finish number `i`, on the surface that is there.
+    void set_highlight(PovFinish& f, const Gleam& gleam, size_t i) const {
+        const Lobe &blinn = gleam.lobes->blinn[i], &phong = gleam.lobes->phong[i];
+        f.specular = blinn.factor * gleam.share * alpha_, f.phong = phong.factor * gleam.share * alpha_;
+        if (f.specular > 0) f.roughness = 1 / blinn.exponent;
+        if (f.phong > 0) f.phong_size = phong.exponent;
+        if (f.specular + f.phong > 0) f.metallic = gleam.metallic;
+    }
+
+    /// The layers of the lobes that the base has no room for.
+    void write_gleams() {
+        const std::vector<Gleam> parts = gleams();
+        for (size_t k = 0; k < parts.size(); ++k)
+            for (size_t i = k == 0 ? 1 : 0; i < parts[k].lobes->blinn.size(); ++i) {
+                PovFinish f;
+                f.ambient = Color(0), f.diffuse = 0;
+                set_highlight(f, parts[k], i);
+                const Lobe& lambert = parts[k].lobes->lambert;
+                if (lambert.factor > 0 && !parts[k].metal && i == 1) f.diffuse = lambert.factor * parts[k].share / kVeil * alpha_, f.brilliance = lambert.exponent;
+                if (f.specular + f.phong + f.diffuse > 0) write_gleam(f, parts[k].metal);
+            }
+    }
+
+    void write_gleam(const PovFinish& f, bool metal) {
+        sdl_.begin("texture");
+        sdl_.begin("pigment");
+        if (!metal) sdl_.line(Rgbft{Color(1), 0, 1 - kVeil});
+        else if (!s_.base_color.picture || !images_.map(*s_.base_color.picture, Vec4(base_, 1), PictureAlpha::removed, 1)) sdl_.line(Rgbft{base_, 0, 1});
+        sdl_.end();
+        write_finish(sdl_, f);
+        sdl_.end();
     }
 
     void set_reflection(PovFinish& f) const {
@@ -193,7 +240,7 @@ class Surface {
         sdl_.line("pigment { color rgbt <0,0,0,1> }");
         PovFinish f;
         f.ambient = Color(0), f.diffuse = 0;
-        if (rough * rough >= kSmallestAlpha) set_highlight(f, {rough * rough, coat * kCoat, coat}, 1);
+        if (rough * rough >= kSmallestAlpha) set_highlight(f, {&highlights_({rough * rough, coat * kCoat, coat, false, false}), 1, 0, false}, 0);
         const double k = coat * (1 - rough) * (1 - rough);
         f.reflection_min = Color(k * kCoat), f.reflection_max = Color(k), f.reflection_falloff = 5;
         write_finish(sdl_, f);

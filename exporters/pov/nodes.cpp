@@ -80,10 +80,10 @@ void NodeWriter::block(NodeId id, bool is_root) {
     const Node& node = c_.scene.nodes[id.index];
     c_.sdl.comment(node.name);
     const bool shape = facts_.draws_shape(node), light = facts_.draws_light(node);
-    const size_t pieces = facts_.children(node).size() + shape + light;
+    const size_t lights = light ? LightWriter::parts(c_.scene.lights[std::get<LightId>(node.what).index]) : 0, pieces = facts_.children(node).size() + shape + lights;
     const bool lights_alone = !node.light_group.empty() || !node.global_lights;
     if (pieces == 1 && !lights_alone && shape) return lone_shape(node, std::get<ShapeId>(node.what), is_root);
-    if (pieces == 1 && !lights_alone && light) return lone_light(c_.scene.lights[std::get<LightId>(node.what).index], node.to_parent);
+    if (pieces == 1 && !lights_alone && light) return light_part(c_.scene.lights[std::get<LightId>(node.what).index], node.to_parent, 0);
     group(node, is_root, pieces);
 }
 
@@ -120,15 +120,15 @@ void NodeWriter::lone_shape(const Node& node, ShapeId shape, bool is_root) {
     c_.sdl.end();
 }
 
-void NodeWriter::lone_light(const Light& light, const Transform& to_parent) {
-    lights_.begin(light, to_parent);
+void NodeWriter::light_part(const Light& light, const Transform& to_parent, size_t part) {
+    lights_.begin(light, to_parent, part);
     const auto follow = [&](const char* word, const std::optional<NodeId>& id) {
         if (!id || facts_.is_empty(*id)) return;
         c_.sdl.begin(word);
         object(*id);
         c_.sdl.end();
     };
-    follow("looks_like", light.looks_like);
+    if (part == 0) follow("looks_like", light.looks_like);
     if (light.projected_through && !facts_.is_empty(*light.projected_through)) {
         c_.sdl.begin("projected_through {", "object");
         object(*light.projected_through);
@@ -145,7 +145,10 @@ void NodeWriter::pieces(const Node& node) {
         begin_shape(c_.scene.shapes[shape.index].geometry, facts_.key_of(node, shape).slots, c_);
         c_.sdl.end();
     }
-    if (facts_.draws_light(node)) lone_light(c_.scene.lights[std::get<LightId>(node.what).index], Transform());
+    if (facts_.draws_light(node)) {
+        const Light& light = c_.scene.lights[std::get<LightId>(node.what).index];
+        for (size_t part = 0; part < LightWriter::parts(light); ++part) light_part(light, Transform(), part);
+    }
     for (const NodeId child : facts_.children(node)) object(child);
 }
 

@@ -25,7 +25,7 @@ class NodeWriter {
     void block(NodeId id, bool is_root);
     void group(const Node& node, bool is_root, size_t pieces);
     void lone_shape(const Node& node, ShapeId shape, bool is_root);
-    void lone_light(const Light& light, const Transform& to_parent);
+    void light_part(const Light& light, const Transform& to_parent, size_t part);
     void pieces(const Node& node);
     void modifiers(const Node& node, bool is_root, bool textured);
     void texture(const Node& node, bool is_root);

@@ -6,6 +6,7 @@ import pathlib
 import re
 import shlex
 import shutil
+import struct
 import subprocess
 import sys
 import tempfile
@@ -33,6 +34,34 @@ def made_small(words):
     return words
 
 
+class Glb:
+    def __init__(self, path):
+        data = path.read_bytes()
+        size = struct.unpack("<I", data[12:16])[0]
+        self.document, self.bytes = json.loads(data[20:20 + size]), data[28 + size:]
+
+    def values(self, index):
+        """The rows of an accessor."""
+        accessor = self.document["accessors"][index]
+        view = self.document["bufferViews"][accessor["bufferView"]]
+        width, code = {"SCALAR": 1, "VEC2": 2, "VEC3": 3, "VEC4": 4}[accessor["type"]], {5121: "B", 5123: "H", 5125: "I", 5126: "f"}[accessor["componentType"]]
+        flat = struct.unpack_from(f"<{accessor['count'] * width}{code}", self.bytes, view.get("byteOffset", 0) + accessor.get("byteOffset", 0))
+        return [flat[i:i + width] for i in range(0, len(flat), width)]
+
+
+def wound_against_normals(glb, primitive):
+    """How many triangles' corners go round the other way than their normals say."""
+    points, normals = (glb.values(primitive["attributes"][name]) for name in ("POSITION", "NORMAL"))
+    corners = [row[0] for row in glb.values(primitive["indices"])]
+    count = 0
+    for i in range(0, len(corners), 3):
+        a, b, c = (points[k] for k in corners[i:i + 3])
+        (ux, uy, uz), (vx, vy, vz) = ([y - x for x, y in zip(a, p)] for p in (b, c))
+        across = (uy * vz - uz * vy, uz * vx - ux * vz, ux * vy - uy * vx)
+        count += sum(n * sum(normals[k][j] for k in corners[i:i + 3]) for j, n in enumerate(across)) < 0
+    return count
+
+
 class Assets(unittest.TestCase):
     def setUp(self):
         kept = tempfile.TemporaryDirectory()
@@ -57,6 +86,17 @@ class Assets(unittest.TestCase):
         named = {pathlib.Path(word).name for words in COMMANDS for word in words}
         parts = {".mtl", ".png"}   # of another file
         self.assertEqual([f.name for f in SCENES.iterdir() if f.suffix not in parts and f.name not in named], [])
+
+    def test_meshes_are_wound_as_their_normals_say(self):
+        meshes = 0
+        for path in SCENES.glob("*.glb"):
+            glb = Glb(path)
+            for mesh in glb.document["meshes"]:
+                for primitive in mesh["primitives"]:
+                    if "NORMAL" in primitive["attributes"]:
+                        meshes += 1
+                        self.assertEqual(wound_against_normals(glb, primitive), 0, f"{path.name}: {mesh.get('name')}")
+        self.assertGreater(meshes, 20)
 
     def test_the_scripts_write_them(self):
         for line in re.findall(r"^    python3 (.*)$", PAGE, re.M):

@@ -14,8 +14,8 @@ PROGRAM = os.environ.get("ALIDADE_PROGRAM", str(pathlib.Path(__file__).resolve()
 SANITIZED = bool(os.environ.get("ALIDADE_SANITIZED"))
 
 
-def run(*words, **keywords):
-    return subprocess.run([PROGRAM, *map(str, words)], capture_output=True, text=True, timeout=120, **keywords)
+def run(*words, timeout=120, **keywords):
+    return subprocess.run([PROGRAM, *map(str, words)], capture_output=True, text=True, timeout=timeout, **keywords)
 
 
 def triangle_gltf(**more):

@@ -3,6 +3,7 @@
 import json
 import os
 import pathlib
+import re
 import struct
 import subprocess
 import sys
@@ -332,6 +333,61 @@ class OfMany(InBrowser):
         self.assertEqual(self.text("#reason"), "it is a incomparable")
         self.assertIsNone(self.text("#view"))
         self.browser.press(" ")
+
+
+class OfACorpus(InBrowser):
+    """A page with as many pairs as a corpus has scenes, and as many bytes."""
+
+    PAIRS, BYTES = 242, 11e6
+
+    @classmethod
+    def make(cls, folder):
+        def code(x, y, c):
+            return (x * x + 3 * y * (c + 1) + 7 * ((x * 7919 + y * 104729 + c) % 5)) % 256
+        for name, add in (("a.ppm", 0), ("b.ppm", 2)):
+            (folder / name).write_bytes(b"P6 160 120 255\n" + bytes(min(code(x, y, c) + add, 255) for y in range(120) for x in range(160) for c in range(3)))
+        run("diff", folder / "a.ppm", folder / "b.ppm", "--report", folder / "one.html")
+        page = (folder / "one.html").read_text()
+        data = re.search(r'(id="data">)(.*?)(</script>)', page, re.S)
+        document = json.loads(data[2])
+        document["pairs"] = [{**document["pairs"][0], "name": f"scene {i}", "group": f"group {i % 20}"} for i in range(cls.PAIRS)]
+        blocks = re.search(r'(<script type="text/plain".*</script>\n)', page, re.S)[1]
+        filler = " " * max(0, int(cls.BYTES / cls.PAIRS) - len(blocks))   # which base64 may have
+        many = "".join(re.sub(r'id="(\w+)-0">', rf'id="\1-{i}">{filler}', blocks, count=1).replace('-0">', f'-{i}">') for i in range(cls.PAIRS))
+        page = page.replace(blocks, many).replace(data[0], data[1] + json.dumps(document).replace("<", "\\u003c") + data[3])
+        (folder / "many.html").write_text(page)
+        (folder / "empty.html").write_text('<!DOCTYPE html><html data-ready="index"><title>empty</title></html>')
+        return folder / "many.html"
+
+    def seconds(self, page):
+        """To the first view, the best of three."""
+        times = []
+        for _ in range(3):
+            start = time.monotonic()
+            self.browser.open(page.as_uri())
+            self.browser.wait("document.documentElement?.dataset.ready")
+            times.append(time.monotonic() - start)
+        return min(times)
+
+    def test_it_opens_in_three_seconds(self):
+        self.assertGreater(self.page.stat().st_size, self.BYTES)
+        empty, corpus = self.seconds(self.page.parent / "empty.html"), self.seconds(self.page)
+        if os.environ.get("ALIDADE_FIGURES"):
+            print(f"an empty page {empty:.2f} s, {self.PAIRS} pairs {corpus:.2f} s", flush=True)
+        self.assertLess(corpus, max(3, 10 * empty), "a machine on which an empty page takes long is busy with other things")
+        self.assertEqual(self.browser.run("document.querySelectorAll('#index tbody tr').length"), self.PAIRS)
+
+    def test_the_index_waits_for_no_picture(self):
+        page = self.page.read_text()
+        self.assertLess(page.index("'use strict'"), page.index('<script type="text/plain"'))
+        self.show()
+        self.assertEqual(self.browser.run("[document.images.length, document.querySelectorAll('canvas').length]"), [0, 0])
+
+    def test_a_pair_far_behind_is_shown_at_once(self):
+        for address, number in (("#pair=241", 241), ("#pair=100", 100)):
+            self.show(address)
+            self.assertEqual(self.browser.run("document.documentElement.dataset.ready"), f"pair {number}")
+            self.assertEqual(self.browser.run("viewer.width"), 160)
 
 
 if __name__ == "__main__":

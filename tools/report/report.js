@@ -50,7 +50,14 @@ const HEAT = Array.from({length: 256}, (_, i) => heat(i / 255));
 
 // ---- pictures
 
+/// The pictures' blocks stand behind this script: the index is there before the browser has read them.
+const parsed = new Promise((done) => {
+  if (document.readyState === 'loading') document.addEventListener('DOMContentLoaded', done, {once: true});
+  else done();
+});
+
 async function decode(what, index) {
+  await parsed;
   const block = byId(what + '-' + index);
   if (!block) return null;
   const image = new Image();
