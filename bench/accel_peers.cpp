@@ -3,7 +3,7 @@
 ///
 /// In each round every tracer does the same work in turn, in CPU time of the thread; what is printed are medians over the rounds of the ratios within a
 /// round, so that a busy machine slows all of them. Hits are compared: a speed says nothing about wrong answers.
-/// Usage     accel_peers [--accel bvh,grid] [--kinds scan,hair] [--scale 1] [--rays 256] [--rounds 5] [--double]
+/// Usage     accel_peers [--accel bvh,grid] [--kinds scan,hair] [--scale 1] [--rays 256] [--rounds 5] [--double] [--alone]
 #include "bench/peer.h"
 #include "stress/instances.h"
 
@@ -25,6 +25,7 @@ struct Options {
     size_t rays = 256;
     int rounds = 5;
     Precision precision = Precision::float_;
+    bool alone = false;
 };
 
 double thread_seconds() {
@@ -163,6 +164,10 @@ std::optional<Options> parse(int argc, char** argv) {
             options.precision = Precision::double_;
             continue;
         }
+        if (word == "--alone") {
+            options.alone = true;
+            continue;
+        }
         if (i + 1 == argc) return std::nullopt;
         const char* value = argv[++i];
         if (word == "--accel") options.accel = value;
@@ -184,7 +189,8 @@ int run(const Options& options) {
     }
     if (peers.empty()) return 64;
     const size_t ours = peers.size();
-    for (auto& peer : make_embree_peers()) peers.push_back(std::move(peer));
+    if (!options.alone)
+        for (auto& peer : make_embree_peers()) peers.push_back(std::move(peer));
     const size_t reference = peers.size() > ours ? ours : 0;
     Run run(options, std::move(peers), reference);
     for (const StressKind& kind : stress_kinds()) {
@@ -200,7 +206,7 @@ int run(const Options& options) {
 int main(int argc, char** argv) {
     const auto options = alidade::bench::parse(argc, argv);
     if (!options) {
-        fmt::print(stderr, "accel_peers [--accel bvh,grid] [--kinds scan,hair] [--scale 1] [--rays 256] [--rounds 5] [--double]\n");
+        fmt::print(stderr, "accel_peers [--accel bvh,grid] [--kinds scan,hair] [--scale 1] [--rays 256] [--rounds 5] [--double] [--alone]\n");
         return 64;
     }
     return alidade::bench::run(*options);
