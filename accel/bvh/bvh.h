@@ -12,12 +12,12 @@
 namespace alidade {
 
 /// Boxes of what goes into the tree. They are exact: a leaf's Real holds its bounds.
-template <class R, class Source> std::vector<BvhReference<R>> bvh_references(BuildInput<Source>& input) {
-    std::vector<BvhReference<R>> references;
+template <class R, class Source> LargeVector<BvhReference<R>> bvh_references(BuildInput<Source>& input) {
+    LargeVector<BvhReference<R>> references;
     references.reserve(input.ids.size());
     for (const uint32_t id : input.ids) {
         const Bounds box = input.source.bounds(id);
-        references.push_back({{Vec3T<R>(box.min), Vec3T<R>(box.max)}, id});
+        references.emplace_back(BoundsT<R>{Vec3T<R>(box.min), Vec3T<R>(box.max)}, id);
     }
     input.ids = {};
     return references;
@@ -27,8 +27,8 @@ template <class Leaf> class Bvh {
   public:
     using R = typename Leaf::Real;
 
-    Bvh(BuildInput<typename Leaf::Source>& input, const AccelOptions&, BuildStats& stats) {
-        nodes_ = build_bvh(bvh_references<R>(input), {Leaf::kBlock, std::max(4u, Leaf::kBlock)}, input.order, stats);
+    Bvh(BuildInput<typename Leaf::Source>& input, const AccelOptions& options, BuildStats& stats) {
+        nodes_ = build_bvh(bvh_references<R>(input), {Leaf::kBlock, std::max(4u, Leaf::kBlock), options.isa}, input.order, stats);
     }
 
     /// Nearer child first. A box is skipped only if its padded entry is beyond the padded limit: at an equal t there may be a lower id inside.
@@ -65,13 +65,13 @@ template <class Leaf> class Bvh {
     size_t bytes() const { return nodes_.capacity() * sizeof(BvhNode<R>); }
 
   private:
-    std::vector<BvhNode<R>> nodes_;
+    LargeVector<BvhNode<R>> nodes_;
 };
 
 template <class T> class Bvh<TriangleLeaf<T>> {
   public:
     Bvh(BuildInput<TriangleSource<T>>& input, const AccelOptions& options, BuildStats& stats) : traversals_(wide_traversals<T>(options.isa)) {
-        nodes_ = widened(build_bvh(bvh_references<T>(input), {kLanes, kLanes}, input.order, stats), stats);
+        nodes_ = widened(build_bvh(bvh_references<T>(input), {kLanes, kLanes, options.isa}, input.order, stats), stats);
         if (input.order.size() / kLanes >= WideLeaf::kMaxBlocks) throw std::length_error("more triangles than the tree can number");
     }
 
@@ -80,7 +80,7 @@ template <class T> class Bvh<TriangleLeaf<T>> {
 
   private:
     const WideTraversals<T>& traversals_;
-    std::vector<WideNode<T>> nodes_;
+    LargeVector<WideNode<T>> nodes_;
 };
 
 }  // namespace alidade

@@ -30,7 +30,7 @@ struct WideLeaf {
 
 /// The binary tree with the inner nodes between joined: each place of a node is opened, the largest box first, while there are places left. Depth-first order.
 /// Replaces the nodes, depth and cost of `stats`.
-template <class R> std::vector<WideNode<R>> widened(const std::vector<BvhNode<R>>& nodes, BuildStats& stats);
+template <class R> LargeVector<WideNode<R>> widened(const LargeVector<BvhNode<R>>& nodes, BuildStats& stats);
 
 /// Shows `query` the leaves whose boxes the ray enters.
 template <class Query> using WideTraversal = void (*)(const WideNode<typename Query::Real>* nodes, const LocalRay& ray, Query& query, WorkCounters& work);

@@ -23,9 +23,9 @@ struct Places {
 
 template <class R> class Widener {
   public:
-    Widener(const std::vector<BvhNode<R>>& nodes, BuildStats& stats) : nodes_(nodes), stats_(stats), root_area_(area(nodes[0].box)) {}
+    Widener(const LargeVector<BvhNode<R>>& nodes, BuildStats& stats) : nodes_(nodes), stats_(stats), root_area_(area(nodes[0].box)) {}
 
-    std::vector<WideNode<R>> run() {
+    LargeVector<WideNode<R>> run() {
         stats_.depth = 0, stats_.sah_cost = 0;
         wide_.reserve(nodes_.size() / kWide + 1);
         emit(0, 0);
@@ -78,19 +78,19 @@ template <class R> class Widener {
         for (int a = 0; a < 3; ++a) node.planes[2 * a][place] = box.min[a], node.planes[2 * a + 1][place] = box.max[a];
     }
 
-    const std::vector<BvhNode<R>>& nodes_;
+    const LargeVector<BvhNode<R>>& nodes_;
     BuildStats& stats_;
     double root_area_;
-    std::vector<WideNode<R>> wide_;
+    LargeVector<WideNode<R>> wide_;
 };
 
 }  // namespace
 
-template <class R> std::vector<WideNode<R>> widened(const std::vector<BvhNode<R>>& nodes, BuildStats& stats) {
-    return nodes.empty() ? std::vector<WideNode<R>>() : Widener<R>(nodes, stats).run();
+template <class R> LargeVector<WideNode<R>> widened(const LargeVector<BvhNode<R>>& nodes, BuildStats& stats) {
+    return nodes.empty() ? LargeVector<WideNode<R>>() : Widener<R>(nodes, stats).run();
 }
 
-template std::vector<WideNode<float>> widened(const std::vector<BvhNode<float>>&, BuildStats&);
-template std::vector<WideNode<double>> widened(const std::vector<BvhNode<double>>&, BuildStats&);
+template LargeVector<WideNode<float>> widened(const LargeVector<BvhNode<float>>&, BuildStats&);
+template LargeVector<WideNode<double>> widened(const LargeVector<BvhNode<double>>&, BuildStats&);
 
 }  // namespace alidade

@@ -145,7 +145,7 @@ HWY_ATTR void wide_traverse(const WideNode<typename Query::Real>* nodes, const L
     uint64_t tested = 0, filtered = 0;
     const auto fetch = [&](uint32_t child) HWY_ATTR {   // what waits will be asked for soon
         const char* at = WideLeaf::is(child) ? reinterpret_cast<const char*>(&leaf.block(WideLeaf::block(child))) : reinterpret_cast<const char*>(nodes + child);
-        for (int line = 0; line < 4; ++line) __builtin_prefetch(at + 64 * line);
+        for (int line = 0; line < 5; ++line) __builtin_prefetch(at + 64 * line);
     };
     for (;;) {
         if (!WideLeaf::is(current)) {

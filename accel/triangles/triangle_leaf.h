@@ -3,6 +3,7 @@
 #pragma once
 
 #include "accel/triangles/triangle_source.h"
+#include "core/huge_pages.h"
 
 #include <bit>
 
@@ -122,7 +123,7 @@ template <class R> class TriangleLeaf {
         return {f.t, probe.instance, f.id, 0, float(f.crossing.u), float(f.crossing.v), plane_error(probe.ray, f.t, f.corners)};
     }
 
-    std::vector<TriangleBlock<R>> blocks_;
+    LargeVector<TriangleBlock<R>> blocks_;
     EdgeFilter<R> filter_;
 };
 

@@ -6,6 +6,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 
 namespace alidade::test {
 namespace {
@@ -77,12 +79,12 @@ TYPED_TEST(Wide, BoxesAreEnteredAsOneAtATime) {
     EXPECT_GT(nans, count / 1000) << "and planes on which a ray without slope runs";
 }
 
-template <class R> std::vector<BvhReference<R>> random_references(size_t count) {
-    std::vector<BvhReference<R>> references;
+template <class R> LargeVector<BvhReference<R>> random_references(size_t count) {
+    LargeVector<BvhReference<R>> references;
     Draws draws(RandomKey(32, 0, count, 0));
     for (uint32_t id = 0; id < count; ++id) {
         const Vec3T<R> a(draws.in_box(Vec3(-1), Vec3(1)));
-        references.push_back({{a, a + Vec3T<R>(draws.in_box(Vec3(0), Vec3(0.1)))}, id});
+        references.emplace_back(BoundsT<R>{a, a + Vec3T<R>(draws.in_box(Vec3(0), Vec3(0.1)))}, id);
     }
     return references;
 }
@@ -101,7 +103,7 @@ TYPED_TEST(Wide, TreeHoldsEveryReferenceOnce) {
         const auto references = random_references<R>(count);
         std::vector<uint32_t> order;
         BuildStats stats;
-        const auto nodes = widened(build_bvh<R>(references, {kLanes, kLanes}, order, stats), stats);
+        const auto nodes = widened(build_bvh<R>(references, {kLanes, kLanes, Isa::best}, order, stats), stats);
         ASSERT_EQ(nodes.size(), stats.nodes);
         size_t seen = 0, next_node = 0;
         uint32_t next_block = 0;
@@ -120,7 +122,7 @@ TYPED_TEST(Wide, TreeHoldsEveryReferenceOnce) {
                 for (uint32_t k = 0; k < WideLeaf::count(child); ++k, ++seen) {
                     const uint32_t id = order.at(size_t(WideLeaf::block(child)) * kLanes + k);
                     ASSERT_LT(id, count);
-                    ASSERT_TRUE(holds(box, references[id].box));
+                    ASSERT_TRUE(holds(box, references[id].box()));
                 }
             }
         };
@@ -128,6 +130,61 @@ TYPED_TEST(Wide, TreeHoldsEveryReferenceOnce) {
         EXPECT_EQ(seen, count);
         EXPECT_EQ(next_node, nodes.size());
         EXPECT_EQ(next_block, stats.leaves);
+    }
+}
+
+/// The tree that the scalar passes make, for every instruction set.
+TYPED_TEST(Wide, TreeIsTheSameForEveryIsa) {
+    using R = TypeParam;
+    for (const size_t count : {10u, 100u, 20000u}) {
+        const auto references = random_references<R>(count);
+        std::vector<uint32_t> want_order;
+        BuildStats stats;
+        const auto want = build_bvh<R>(references, {kLanes, kLanes, Isa::scalar}, want_order, stats);
+        for (const Isa isa : available_isas()) {
+            std::vector<uint32_t> order;
+            const auto nodes = build_bvh<R>(references, {kLanes, kLanes, isa}, order, stats);
+            ASSERT_EQ(nodes.size(), want.size()) << name(isa);
+            EXPECT_EQ(order, want_order) << name(isa);
+            for (size_t i = 0; i < nodes.size(); ++i) {
+                ASSERT_EQ(nodes[i].box.min, want[i].box.min) << name(isa);
+                ASSERT_EQ(nodes[i].box.max, want[i].box.max) << name(isa);
+            }
+        }
+    }
+}
+
+/// Bins hold what a loop over the references says; the partition is a stable one.
+TYPED_TEST(Wide, PassesDoWhatTheyAreNamedFor) {
+    using R = TypeParam;
+    const auto references = random_references<R>(500);
+    CentroidBounds<R> centroids;
+    for (const auto& reference : references) centroids.extend(reference);
+    const CentroidMap<R> map(centroids, kMostBins);
+    for (const Isa isa : available_isas()) {
+        Bins<R> bins;
+        binning_passes<R>(isa).fill(references, map, bins);
+        for (int axis = 0; axis < 3; ++axis) {
+            for (int bin = 0; bin < kMostBins; ++bin) {
+                BoxEnds<R> box = BoxEnds<R>::none();
+                uint32_t count = 0;
+                for (const auto& reference : references) {
+                    if (map.bin(reference, axis) == bin) box.extend(reference), ++count;
+                }
+                ASSERT_EQ(bins.count[axis][bin], count) << name(isa);
+                if (count == 0) continue;
+                ASSERT_EQ(bins.box[axis][bin].box().max, box.box().max) << name(isa);
+                ASSERT_EQ(bins.box[axis][bin].box().min, box.box().min) << name(isa);
+            }
+            auto sorted = references, spare = references, want = references;
+            CentroidBounds<R> left, right;
+            const auto is_left = [&](const auto& reference) { return map.bin(reference, axis) < 7; };
+            const size_t lefts = binning_passes<R>(isa).partition(sorted, spare.data(), map, axis, 7, left, right);
+            EXPECT_EQ(std::ptrdiff_t(lefts), std::stable_partition(want.begin(), want.end(), is_left) - want.begin());
+            for (size_t i = 0; i < want.size(); ++i) ASSERT_EQ(sorted[i].id(), want[i].id()) << name(isa);
+            EXPECT_LT(left.low[axis], left.high[axis]);
+            EXPECT_LT(left.high[axis], right.low[axis]) << name(isa);
+        }
     }
 }
 
