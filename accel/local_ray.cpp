@@ -24,24 +24,19 @@ double LocalRay::lower(double caller) const { return padded_down((-above(-caller
 
 namespace {
 
-/// The largest |t| at which the ray can be in the box: along the largest component of the direction nothing overflows.
+/// Not less than any |t| at which the ray is in the box: it is not along the largest component of the direction, which is at least 1.
 double reach_of(const LocalRay& ray, const Bounds& box) {
-    int axis = 0;
-    for (int a = 1; a < 3; ++a) {
-        if (std::abs(ray.dir[a]) > std::abs(ray.dir[axis])) axis = a;
-    }
-    const double distance = std::max(std::abs(box.min[axis] - ray.origin[axis]), std::abs(box.max[axis] - ray.origin[axis]));
-    return padded_up(distance / std::abs(ray.dir[axis]));
+    return padded_up(std::max(max_abs(box.min - ray.origin), max_abs(box.max - ray.origin)));
 }
 
 /// The local interval in which the ray is in the box, padded; empty on a miss.
-void clip_to_box(LocalRay& ray, const Bounds& box, double tmin, double tmax) {
+void clip_to_box(LocalRay& ray, const Bounds& box) {
     ray.reach = reach_of(ray, box);
     const SlabRay<double>& slab = ray.slab.emplace(ray.origin, ray.dir, ray.reach);
     double near = -std::numeric_limits<double>::max(), far = std::numeric_limits<double>::max();
     slab.clip(box, near, far);
     if (near <= far) {
-        ray.tmin = std::max(tmin, padded_down(near)), ray.tmax = std::min(tmax, padded_up(far));
+        ray.tmin = padded_down(near), ray.tmax = padded_up(far);
     } else {
         ray.tmin = 0, ray.tmax = -1;
     }
@@ -55,15 +50,15 @@ LocalRay local_ray(const Ray& ray, const Bounds& bounds, bool move) {
     const int exponent = std::clamp(exponent_of(max_abs(ray.dir)), -1000, 1000);
     local.to_local = power_of_two(exponent), local.to_caller = power_of_two(-exponent);
     local.origin = quantized(ray.origin), local.dir = quantized(ray.dir * local.to_caller);
-    if (move) {
-        clip_to_box(local, bounds, -kInf, kInf);
+    clip_to_box(local, bounds);
+    if (!local.enters_box()) return local;
+    if (move && (local.tmin > 0 || local.tmax < 0)) {
+        local.shift = local.tmin;
+        local.origin = quantized(local.origin + local.shift * local.dir);
+        clip_to_box(local, bounds);
         if (!local.enters_box()) return local;
-        if (local.tmin > 0 || local.tmax < 0) {
-            local.shift = local.tmin;
-            local.origin = quantized(local.origin + local.shift * local.dir);
-        }
     }
-    clip_to_box(local, bounds, local.lower(ray.tmin), local.upper(ray.tmax));
+    local.tmin = std::max(local.tmin, local.lower(ray.tmin)), local.tmax = std::min(local.tmax, local.upper(ray.tmax));
     return local;
 }
 

@@ -11,6 +11,9 @@ namespace alidade {
 
 template <class Leaf> class ClosestQuery {
   public:
+    using Real = typename Leaf::Real;
+    static constexpr bool kNearestFirst = true;
+
     ClosestQuery(const Leaf& leaf, const Ray& ray, const LocalRay& local, Hit& hit, WorkCounters& work, uint32_t instance)
         : leaf_(leaf), probe_(leaf, ray, local, instance), local_(local), hit_(hit), work_(work) {
         shorten();
@@ -20,6 +23,13 @@ template <class Leaf> class ClosestQuery {
         if (leaf_.closest(probe_, first, count, hit_, work_)) found_ = true, shorten();
         return false;
     }
+    /// As visit, of those of a block that passed the filter.
+    bool decide(uint32_t block, uint32_t lanes) {
+        if (leaf_.closest_of(probe_, block, lanes, limit_, hit_, work_)) found_ = true, shorten();
+        return false;
+    }
+    const Leaf& leaf() const { return leaf_; }
+    const auto& probe() const { return probe_; }
     bool found() const { return found_; }
 
   private:
@@ -36,10 +46,16 @@ template <class Leaf> class ClosestQuery {
 
 template <class Leaf> class AnyQuery {
   public:
+    using Real = typename Leaf::Real;
+    static constexpr bool kNearestFirst = false;
+
     AnyQuery(const Leaf& leaf, const Ray& ray, const LocalRay& local, WorkCounters& work)
         : leaf_(leaf), probe_(leaf, ray, local, kNoId), limit_(local.tmax), work_(work) {}
     double limit() const { return limit_; }
     bool visit(uint32_t first, uint32_t count) { return found_ = leaf_.any(probe_, first, count, work_); }
+    bool decide(uint32_t block, uint32_t lanes) { return found_ = leaf_.any_of(probe_, block, lanes, work_); }
+    const Leaf& leaf() const { return leaf_; }
+    const auto& probe() const { return probe_; }
     bool found() const { return found_; }
 
   private:
@@ -60,6 +76,9 @@ inline void put_in_order(std::vector<Hit>& hits, size_t first) {
 
 template <class Leaf> class AllQuery {
   public:
+    using Real = typename Leaf::Real;
+    static constexpr bool kNearestFirst = false;
+
     AllQuery(const Leaf& leaf, const Ray& ray, const LocalRay& local, std::vector<Hit>& hits, WorkCounters& work, uint32_t instance)
         : leaf_(leaf), probe_(leaf, ray, local, instance), limit_(local.tmax), hits_(hits), old_(hits.size()), work_(work) {}
     double limit() const { return limit_; }
@@ -67,6 +86,12 @@ template <class Leaf> class AllQuery {
         leaf_.all(probe_, first, count, hits_, work_);
         return false;
     }
+    bool decide(uint32_t block, uint32_t lanes) {
+        leaf_.all_of(probe_, block, lanes, hits_, work_);
+        return false;
+    }
+    const Leaf& leaf() const { return leaf_; }
+    const auto& probe() const { return probe_; }
     /// Puts the new hits in order. A structure may hold a primitive in several places, so a hit may have been found more than once.
     void finish() { put_in_order(hits_, old_); }
 

@@ -39,9 +39,10 @@ template <class R> class SlabRay {
             const double drift = flat ? (std::abs(dir[a]) + 0x1p-300) * reach : 0;
             const R o = R(origin[a]);
             const R e = 4 * kUnitRoundoff<R> * std::abs(o) + (kOriginPad<R> + R(2 * drift));
-            negative_[a] = !flat && dir[a] < 0;
-            near_origin_[a] = negative_[a] ? o - e : o + e;
-            far_origin_[a] = negative_[a] ? o + e : o - e;
+            negative_[a] = !flat & (dir[a] < 0);
+            const R outward = negative_[a] ? -e : e;
+            near_origin_[a] = o + outward;
+            far_origin_[a] = o - outward;
             inverse_[a] = flat ? std::numeric_limits<R>::infinity() : 1 / R(dir[a]);
         }
     }
@@ -75,7 +76,11 @@ template <class R> class SlabRay {
         return start <= far && start <= limit ? start : std::numeric_limits<R>::infinity();
     }
 
+    /// What the slabs are computed from, for tests of many boxes at once.
     bool negative(int axis) const { return negative_[axis]; }
+    R near_origin(int axis) const { return near_origin_[axis]; }
+    R far_origin(int axis) const { return far_origin_[axis]; }
+    R inverse(int axis) const { return inverse_[axis]; }
 
   private:
     R near_origin_[3], far_origin_[3], inverse_[3];

@@ -13,7 +13,7 @@
 
 namespace alidade {
 
-/// A structure has a constructor (BuildInput&, threads, BuildStats&), `traverse(local ray, query, work)`, and `bytes()`.
+/// A structure has a constructor (BuildInput&, AccelOptions, BuildStats&), `traverse(local ray, query, work)`, and `bytes()`.
 template <template <class> class Structure, class Leaf> class StructureAccelerator final : public Accelerator {
   public:
     StructureAccelerator(const typename Leaf::Source& source, const AccelOptions& options) {
@@ -22,7 +22,7 @@ template <template <class> class Structure, class Leaf> class StructureAccelerat
         unbounded_ = uint32_t(order.size());
         stats_.primitives = ids.size() + order.size();
         BuildInput<typename Leaf::Source> input{source, std::move(ids), bounds_, order};
-        structure_.emplace(input, options.threads, stats_);
+        structure_.emplace(input, options, stats_);
         stats_.references = order.size() - size_t(std::count(order.begin(), order.end(), kPadding));
         leaf_.emplace(source, order, options);
         stats_.bytes = sizeof(*this) + structure_->bytes() + leaf_->bytes();

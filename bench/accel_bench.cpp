@@ -1,15 +1,26 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Build, first hit and any hit for every row of the accelerator registry, with the work counters beside the time, and Embree's rows for comparison.
+/// Build, first hit and any hit for every row of the accelerator registry, with the work counters beside the time (accel_peers compares with Embree).
 ///
 /// One thread, single rays. Seconds on a shared machine are noisy; boxes_per_ray and tests_per_ray are not.
 /// Example   accel_bench --benchmark_filter=first_hit.*float --benchmark_repetitions=5
 #include "accel/accelerator.h"
-#include "bench/workload.h"
+#include "tests/accel/rays.h"
 
 #include <benchmark/benchmark.h>
 #include <fmt/format.h>
 
+#include <memory>
+#include <vector>
+
 namespace alidade::bench {
+
+namespace {
+
+/// A mesh in float precision and rays around it: every second one is aimed at a triangle, the others at nothing.
+struct Workload {
+    test::Mesh mesh;
+    std::vector<Ray> rays;
+};
 
 std::shared_ptr<const Workload> make_workload(const test::Mesh& mesh) {
     auto workload = std::make_shared<Workload>(Workload{mesh.read_at(Precision::float_), {}});
@@ -17,8 +28,6 @@ std::shared_ptr<const Workload> make_workload(const test::Mesh& mesh) {
     for (size_t i = 0; i < 16384; ++i) workload->rays.push_back((i % 2 ? stray : aimed)(workload->mesh, RandomKey(1, 0, i, 0)));
     return workload;
 }
-
-namespace {
 
 using SharedWorkload = std::shared_ptr<const Workload>;
 
@@ -71,7 +80,6 @@ void register_all() {
         const SharedWorkload workload = make_workload(mesh);
         for (const AcceleratorEntry& entry : accelerators().subspan(1))  // brute force is not a contender at 1e5 triangles
             for (const Precision precision : {Precision::float_, Precision::double_}) register_rows(entry, workload, precision);
-        register_embree_rows(workload);
     }
 }
 

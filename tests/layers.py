@@ -8,12 +8,13 @@ MAY = {
     "core": "",
     "scene": "core",
     "accel": "core",
+    "stress": "core accel",
     "topology": "core scene",
     "eval": "core scene accel",
     "importers": "core scene eval",
     "exporters": "core scene eval",
     "tracer": "core scene accel eval",
-    "tools": "core scene accel eval topology importers exporters tracer",
+    "tools": "core scene accel stress eval topology importers exporters tracer",
 }
 INCLUDE = re.compile(r'\s*#\s*include\s+["<](?:\.\./)*([^">]+)[">]')
 

@@ -2,8 +2,8 @@
 /// Builds the tree of a BVH: binned surface area heuristic, top down.
 #pragma once
 
-#include "accel/stats.h"
-#include "core/bounds.h"
+#include "accel/bvh/binning.h"
+#include "core/huge_pages.h"
 
 #include <cstdint>
 #include <vector>
@@ -18,15 +18,10 @@ template <class R> struct BvhNode {
     bool leaf() const { return count > 0; }
 };
 
-/// What is partitioned: boxes stay next to the ids, so that each pass reads memory in order.
-template <class R> struct BvhReference {
-    BoundsT<R> box;
-    uint32_t id;
-};
-
 struct BvhLimits {
     uint32_t block = 1;      ///< references that one leaf test handles at once; leaves start at multiples of it
     uint32_t max_leaf = 1;
+    Isa isa = Isa::best;     ///< changes no result
 };
 
 /// No node is deeper than this: below kSahDepth ranges are halved, and there are fewer than 2^32 references.
@@ -36,9 +31,9 @@ inline constexpr uint32_t kSahDepth = 60, kBvhDepth = kSahDepth + 32;
 ///
 /// Method   Wald, "On fast construction of SAH-based bounding volume hierarchies", 2007. Leaves cost by started blocks.
 template <class R>
-std::vector<BvhNode<R>> build_bvh(std::vector<BvhReference<R>> references, const BvhLimits& limits, std::vector<uint32_t>& order, BuildStats& stats);
+LargeVector<BvhNode<R>> build_bvh(LargeVector<BvhReference<R>> references, const BvhLimits& limits, std::vector<uint32_t>& order, BuildStats& stats);
 
-extern template std::vector<BvhNode<float>> build_bvh(std::vector<BvhReference<float>>, const BvhLimits&, std::vector<uint32_t>&, BuildStats&);
-extern template std::vector<BvhNode<double>> build_bvh(std::vector<BvhReference<double>>, const BvhLimits&, std::vector<uint32_t>&, BuildStats&);
+extern template LargeVector<BvhNode<float>> build_bvh(LargeVector<BvhReference<float>>, const BvhLimits&, std::vector<uint32_t>&, BuildStats&);
+extern template LargeVector<BvhNode<double>> build_bvh(LargeVector<BvhReference<double>>, const BvhLimits&, std::vector<uint32_t>&, BuildStats&);
 
 }  // namespace alidade

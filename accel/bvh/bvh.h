@@ -1,26 +1,35 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Bounding volume hierarchy.
+/// Bounding volume hierarchies: binary over any primitives, eight children a node over triangles.
 #pragma once
 
+#include "accel/accelerator.h"
 #include "accel/bvh/build.h"
+#include "accel/bvh/wide.h"
 #include "accel/query.h"
 #include "accel/shaft.h"
 
+#include <stdexcept>
+
 namespace alidade {
+
+/// Boxes of what goes into the tree. They are exact: a leaf's Real holds its bounds.
+template <class R, class Source> LargeVector<BvhReference<R>> bvh_references(BuildInput<Source>& input) {
+    LargeVector<BvhReference<R>> references;
+    references.reserve(input.ids.size());
+    for (const uint32_t id : input.ids) {
+        const Bounds box = input.source.bounds(id);
+        references.emplace_back(BoundsT<R>{Vec3T<R>(box.min), Vec3T<R>(box.max)}, id);
+    }
+    input.ids = {};
+    return references;
+}
 
 template <class Leaf> class Bvh {
   public:
     using R = typename Leaf::Real;
 
-    Bvh(BuildInput<typename Leaf::Source>& input, int, BuildStats& stats) {
-        std::vector<BvhReference<R>> references;
-        references.reserve(input.ids.size());
-        for (const uint32_t id : input.ids) {
-            const Bounds box = input.source.bounds(id);
-            references.push_back({{Vec3T<R>(box.min), Vec3T<R>(box.max)}, id});   // exact: a leaf's Real holds its bounds
-        }
-        input.ids = {};
-        nodes_ = build_bvh(std::move(references), {Leaf::kBlock, std::max(4u, Leaf::kBlock)}, input.order, stats);
+    Bvh(BuildInput<typename Leaf::Source>& input, const AccelOptions& options, BuildStats& stats) {
+        nodes_ = build_bvh(bvh_references<R>(input), {Leaf::kBlock, std::max(4u, Leaf::kBlock), options.isa}, input.order, stats);
     }
 
     /// Nearer child first. A box is skipped only if its padded entry is beyond the padded limit: at an equal t there may be a lower id inside.
@@ -68,7 +77,22 @@ template <class Leaf> class Bvh {
     size_t bytes() const { return nodes_.capacity() * sizeof(BvhNode<R>); }
 
   private:
-    std::vector<BvhNode<R>> nodes_;
+    LargeVector<BvhNode<R>> nodes_;
+};
+
+template <class T> class Bvh<TriangleLeaf<T>> {
+  public:
+    Bvh(BuildInput<TriangleSource<T>>& input, const AccelOptions& options, BuildStats& stats) : traversals_(wide_traversals<T>(options.isa)) {
+        nodes_ = widened(build_bvh(bvh_references<T>(input), {kLanes, kLanes, options.isa}, input.order, stats), stats);
+        if (input.order.size() / kLanes >= WideLeaf::kMaxBlocks) throw std::length_error("more triangles than the tree can number");
+    }
+
+    template <class Query> void traverse(const LocalRay& ray, Query& query, WorkCounters& work) const { traversals_(nodes_.data(), ray, query, work); }
+    size_t bytes() const { return nodes_.capacity() * sizeof(WideNode<T>); }
+
+  private:
+    const WideTraversals<T>& traversals_;
+    LargeVector<WideNode<T>> nodes_;
 };
 
 }  // namespace alidade

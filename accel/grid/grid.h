@@ -6,6 +6,7 @@
 ///           in its cell, so that a teapot in a stadium is found in one step.
 #pragma once
 
+#include "accel/accelerator.h"
 #include "accel/grid/plan.h"
 #include "accel/query.h"
 
@@ -20,7 +21,7 @@ inline constexpr double kGridGrowth = 16;
 
 template <class Leaf> class Grid {
   public:
-    Grid(BuildInput<typename Leaf::Source>& input, int, BuildStats& stats) {
+    Grid(BuildInput<typename Leaf::Source>& input, const AccelOptions&, BuildStats& stats) {
         if (input.ids.empty()) return;
         const size_t before = input.order.size();
         const GridPlanner planner(input.source, input.ids, input.bounds);

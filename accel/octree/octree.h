@@ -2,6 +2,7 @@
 /// Octree: cells halved along their long axes, deeper where more primitives are. A cell that is mostly empty gives way to the box of what is in it.
 #pragma once
 
+#include "accel/accelerator.h"
 #include "accel/query.h"
 
 #include <array>
@@ -47,7 +48,7 @@ double octree_division_cost(const Bounds& box, const OctreeSplit& split, const s
 
 template <class Leaf> class Octree {
   public:
-    Octree(BuildInput<typename Leaf::Source>& input, int, BuildStats& stats) : box_(input.bounds), typical_(input.typical_extent()) {
+    Octree(BuildInput<typename Leaf::Source>& input, const AccelOptions&, BuildStats& stats) : box_(input.bounds), typical_(input.typical_extent()) {
         std::vector<Task> tasks;
         const double budget = kOctreeGrowth * double(input.ids.size());
         nodes_.emplace_back();

@@ -11,6 +11,8 @@ namespace {
 constexpr double kWeightError = 0x1p-34;
 /// Nor t than this, relatively.
 constexpr double kDepthError = 0x1p-30;
+/// More than clamping moves such a t, and all roundings around it.
+constexpr double kClampSlack = 0x1p-28;
 
 /// Edge functions of the sides opposite to each corner; all signs are exact.
 struct EdgeFunctions {
@@ -84,13 +86,16 @@ double clamped_to_box(const DecideRay& ray, const Corners& corners, double t) {
 
 }  // namespace
 
-std::optional<TriangleCrossing> decide(const DecideRay& ray, const Corners& corners, uint64_t& exact) {
+std::optional<TriangleCrossing> decide(const DecideRay& ray, const Corners& corners, double low, double high, uint64_t& exact) {
     const EdgeFunctions f = edge_functions(ray, corners, exact);
     if (f.outside()) return std::nullopt;
     const double sum = f.sum(), a = f.e[0] / sum, b = f.e[1] / sum, c = f.e[2] / sum;
     const double depth = (a * f.z[0] + b * f.z[1]) + c * f.z[2], error = (3 * f.error / std::abs(sum) + 8 * kUnitRoundoff<double>) * f.depth;
-    const double t = error <= kDepthError * std::abs(depth) ? depth / ray.dir[ray.axes.z] : t_of_plane(ray, corners, exact);
-    return TriangleCrossing{clamped_to_box(ray, corners, t), b, c};
+    const bool sharp = error <= kDepthError * std::abs(depth);
+    const double at = depth / ray.dir[ray.axes.z], slack = kClampSlack * std::abs(at);
+    if (at + error + slack < low) return std::nullopt;              // |dir[z]| >= 1, so that error bounds that of t
+    if (sharp && at - slack > high) return std::nullopt;            // else t comes from the plane: `high` is not everywhere the same, t must be
+    return TriangleCrossing{clamped_to_box(ray, corners, sharp ? at : t_of_plane(ray, corners, exact)), b, c};
 }
 
 ErrorBound plane_error(const Ray& ray, double t, const Corners& corners) {

@@ -26,7 +26,8 @@ struct TriangleCrossing {
 
 /// Where the line crosses the triangle. The decision is that of exact arithmetic on the ray and corners as they are; an edge or a corner counts as hit, a triangle
 /// seen edge-on does not. So the line through any point of a closed mesh hits one of the triangles there. `exact` counts signs that needed more than double.
-std::optional<TriangleCrossing> decide(const DecideRay& ray, const Corners& corners, uint64_t& exact);
+/// Crossings that are surely before `low`, or whose t would surely be beyond `high`, may be left out, which is cheaper.
+std::optional<TriangleCrossing> decide(const DecideRay& ray, const Corners& corners, double low, double high, uint64_t& exact);
 
 /// How far ray.at(t) may be from the plane of the triangle. Derived in docs/numerics.md, "The error of a hit".
 ErrorBound plane_error(const Ray& ray, double t, const Corners& corners);

@@ -48,8 +48,9 @@ template <class T> struct EdgeError {
 
 /// What the filter needs of a ray: p - origin is sheared along the direction, x' = x - shear[0] z, y' = y - shear[1] z.
 template <class T> struct FilterRay {
-    explicit FilterRay(const LocalRay& ray) : axes(ray.dir), origin{T(ray.origin[axes.x]), T(ray.origin[axes.y]), T(ray.origin[axes.z])} {
-        shear[0] = T(ray.dir[axes.x] / ray.dir[axes.z]), shear[1] = T(ray.dir[axes.y] / ray.dir[axes.z]);
+    FilterRay(const LocalRay& ray, const ShearAxes& shear_axes, double shear_x, double shear_y)
+        : axes(shear_axes), origin{T(ray.origin[axes.x]), T(ray.origin[axes.y]), T(ray.origin[axes.z])} {
+        shear[0] = T(shear_x), shear[1] = T(shear_y);
         for (int i = 0; i < 2; ++i) {
             slope[i] = EdgeError<T>::slope(shear[i]);
             farthest[i] = std::abs(origin[i]) + slope[i] * std::abs(origin[2]);
@@ -68,5 +69,8 @@ template <class T> using EdgeFilter = uint32_t (*)(const TriangleBlock<T>&, cons
 template <class T> EdgeFilter<T> edge_filter(Isa isa);
 template <> EdgeFilter<float> edge_filter<float>(Isa isa);
 template <> EdgeFilter<double> edge_filter<double>(Isa isa);
+
+/// Can this machine run them?
+bool machine_has(Isa isa);
 
 }  // namespace alidade

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "accel/triangles/triangle_source.h"
+#include "core/huge_pages.h"
 
 #include <bit>
 
@@ -16,11 +17,11 @@ template <class R> class TriangleLeaf {
     static constexpr bool kMovesRay = true;
 
     struct Probe {
-        Probe(const TriangleLeaf&, const Ray& r, const LocalRay& l, uint32_t id) : ray(r), local(l), filter(l), decide(l), instance(id) {}
+        Probe(const TriangleLeaf&, const Ray& r, const LocalRay& l, uint32_t id) : ray(r), local(l), decide(l), filter(l, decide.axes, decide.shear_x, decide.shear_y), instance(id) {}
         const Ray& ray;
         const LocalRay& local;
-        FilterRay<R> filter;
         DecideRay decide;
+        FilterRay<R> filter;
         uint32_t instance;
     };
 
@@ -38,7 +39,26 @@ template <class R> class TriangleLeaf {
 
     bool closest(const Probe& probe, uint32_t first, uint32_t count, Hit& hit, WorkCounters& work) const {
         bool found = false;
-        for_each_hit(probe, first, count, work, [&](const Found& f) {
+        for_each_block(probe, first, count, work, [&](uint32_t block, uint32_t lanes) {
+            found |= closest_of(probe, block, lanes, probe.local.tmax, hit, work);
+            return false;
+        });
+        return found;
+    }
+    bool any(const Probe& probe, uint32_t first, uint32_t count, WorkCounters& work) const {
+        return for_each_block(probe, first, count, work, [&](uint32_t block, uint32_t lanes) { return any_of(probe, block, lanes, work); });
+    }
+    void all(const Probe& probe, uint32_t first, uint32_t count, std::vector<Hit>& hits, WorkCounters& work) const {
+        for_each_block(probe, first, count, work, [&](uint32_t block, uint32_t lanes) {
+            all_of(probe, block, lanes, hits, work);
+            return false;
+        });
+    }
+
+    /// The same of the triangles of a block whose bits are set in `lanes`. Hits beyond `limit`, in local t, would come behind `hit`.
+    bool closest_of(const Probe& probe, uint32_t block, uint32_t lanes, double limit, Hit& hit, WorkCounters& work) const {
+        bool found = false;
+        for_each_hit(probe, block, lanes, limit, work, [&](const Found& f) {
             if (!comes_before(f.t, probe.instance, f.id, hit)) return false;
             hit = make_hit(probe, f);
             found = true;
@@ -46,18 +66,18 @@ template <class R> class TriangleLeaf {
         });
         return found;
     }
-
-    bool any(const Probe& probe, uint32_t first, uint32_t count, WorkCounters& work) const {
-        return for_each_hit(probe, first, count, work, [](const Found&) { return true; });
+    bool any_of(const Probe& probe, uint32_t block, uint32_t lanes, WorkCounters& work) const {
+        return for_each_hit(probe, block, lanes, probe.local.tmax, work, [](const Found&) { return true; });
     }
-
-    void all(const Probe& probe, uint32_t first, uint32_t count, std::vector<Hit>& hits, WorkCounters& work) const {
-        for_each_hit(probe, first, count, work, [&](const Found& f) {
+    void all_of(const Probe& probe, uint32_t block, uint32_t lanes, std::vector<Hit>& hits, WorkCounters& work) const {
+        for_each_hit(probe, block, lanes, probe.local.tmax, work, [&](const Found& f) {
             hits.push_back(make_hit(probe, f));
             return false;
         });
     }
 
+    const TriangleBlock<R>& block(uint32_t i) const { return blocks_[i]; }
+    uint32_t filter(const TriangleBlock<R>& block, const FilterRay<R>& ray) const { return filter_(block, ray); }
     size_t bytes() const { return blocks_.capacity() * sizeof(TriangleBlock<R>); }
 
   private:
@@ -68,25 +88,31 @@ template <class R> class TriangleLeaf {
         const Corners& corners;
     };
 
-    /// Calls found(Found) for each hit in the range until it returns true; then returns true.
-    template <class F> bool for_each_hit(const Probe& probe, uint32_t first, uint32_t count, WorkCounters& work, F&& found) const {
+    /// Calls visit(block, lanes) for each block with triangles of the range that pass the filter, until it returns true; then returns true.
+    template <class F> bool for_each_block(const Probe& probe, uint32_t first, uint32_t count, WorkCounters& work, F&& visit) const {
         work.filtered += count;
         for (uint32_t block = first / kLanes, end = first + count; block * kLanes < end; ++block) {
             const uint32_t start = block * kLanes;
-            uint32_t bits = filter_(blocks_[block], probe.filter);
-            if (start < first) bits &= ~uint32_t(0) << (first - start);
-            if (end - start < kLanes) bits &= (1u << (end - start)) - 1;
-            for (; bits; bits &= bits - 1) {
-                if (decide_lane(probe, blocks_[block], uint32_t(std::countr_zero(bits)), work, found)) return true;
-            }
+            uint32_t lanes = filter_(blocks_[block], probe.filter);
+            if (start < first) lanes &= ~uint32_t(0) << (first - start);
+            if (end - start < kLanes) lanes &= (1u << (end - start)) - 1;
+            if (lanes && visit(block, lanes)) return true;
         }
         return false;
     }
 
-    template <class F> static bool decide_lane(const Probe& probe, const TriangleBlock<R>& block, uint32_t lane, WorkCounters& work, F&& found) {
+    /// Calls found(Found) for each hit among the lanes until it returns true; then returns true.
+    template <class F> bool for_each_hit(const Probe& probe, uint32_t block, uint32_t lanes, double limit, WorkCounters& work, F&& found) const {
+        for (; lanes; lanes &= lanes - 1) {
+            if (decide_lane(probe, blocks_[block], uint32_t(std::countr_zero(lanes)), limit, work, found)) return true;
+        }
+        return false;
+    }
+
+    template <class F> static bool decide_lane(const Probe& probe, const TriangleBlock<R>& block, uint32_t lane, double limit, WorkCounters& work, F&& found) {
         ++work.primitives;
         const Corners corners = block.corners(lane);
-        const auto crossing = decide(probe.decide, corners, work.exact);
+        const auto crossing = decide(probe.decide, corners, probe.local.tmin, limit, work.exact);
         if (!crossing) return false;
         const double t = probe.local.caller_t(crossing->t);
         if (!(t >= probe.ray.tmin && t <= probe.ray.tmax && std::isfinite(t))) return false;
@@ -97,7 +123,7 @@ template <class R> class TriangleLeaf {
         return {f.t, probe.instance, f.id, 0, float(f.crossing.u), float(f.crossing.v), plane_error(probe.ray, f.t, f.corners)};
     }
 
-    std::vector<TriangleBlock<R>> blocks_;
+    LargeVector<TriangleBlock<R>> blocks_;
     EdgeFilter<R> filter_;
 };
 

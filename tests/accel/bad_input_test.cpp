@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 /// Bad triangles are removed and reported, awkward ones are kept, and neither changes a bit of a hit on the good part. Bad rays hit nothing.
 #include "tests/accel/compare.h"
-#include "tests/accel/draws.h"
+#include "core/draws.h"
 #include "tests/accel/rays.h"
 
 #include <gmock/gmock.h>

@@ -2,7 +2,7 @@
 /// The exact predicates against rational arithmetic, where rounding would decide wrongly: on edges, within an ulp of them, over all magnitudes.
 #include "accel/triangles/exact_sign.h"
 
-#include "tests/accel/draws.h"
+#include "core/draws.h"
 #include "tests/accel/exact_oracle.h"
 #include "tests/accel/run_size.h"
 

@@ -5,7 +5,7 @@
 /// A mesh moves the origin of a ray that starts outside its box to the box, in double; the crossing of the moved ray is another one. So each
 /// triangle here comes with two small ones far out at opposite corners: the box holds every origin, no ray is moved, and the decision must be exact.
 #include "tests/accel/compare.h"
-#include "tests/accel/draws.h"
+#include "core/draws.h"
 #include "tests/accel/exact_oracle.h"
 #include "tests/accel/rays.h"
 #include "tests/accel/run_size.h"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tests/accel/meshes.h"
 
-#include "tests/accel/draws.h"
+#include "core/draws.h"
 
 #include <fmt/format.h>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 /// Accelerators over primitives that are no triangles: the same answers as brute force over the same set.
 #include "tests/accel/compare.h"
-#include "tests/accel/draws.h"
+#include "core/draws.h"
 #include "tests/accel/rays.h"
 #include "tests/accel/run_size.h"
 #include "tests/accel/toy_set.h"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 /// Shafts leave out nothing that one of their rays hits, and are worth their name.
 #include "accel/shaft.h"
-#include "tests/accel/draws.h"
+#include "core/draws.h"
 #include "tests/accel/run_size.h"
 #include "tests/accel/toy_set.h"
 

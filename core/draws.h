@@ -5,7 +5,10 @@
 #include "core/random.h"
 #include "core/vec.h"
 
-namespace alidade::test {
+#include <algorithm>
+#include <cmath>
+
+namespace alidade {
 
 class Draws {
   public:
@@ -33,4 +36,4 @@ class Draws {
     uint64_t next_ = 0;
 };
 
-}  // namespace alidade::test
+}  // namespace alidade

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "bench/workload.h"
+#include "bench/peer.h"
 
 namespace alidade::bench {
 
-void register_embree_rows(const std::shared_ptr<const Workload>&) {}
+std::vector<std::unique_ptr<Peer>> make_embree_peers() { return {}; }
 
 }  // namespace alidade::bench

@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "accel/bvh/binning.h"
+
+#include "accel/triangles/edge_filter.h"
+
+// This file is compiled once for each of these targets, by including itself.
+#define HWY_DISABLED_TARGETS (HWY_SSSE3 | HWY_AVX3_DL)
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "accel/bvh/binning.cpp"
+#include "hwy/foreach_target.h"
+#include "hwy/highway.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace alidade::HWY_NAMESPACE {
+
+namespace hn = hwy::HWY_NAMESPACE;
+
+/// BoxEnds::extend; coordinates are finite, so that all maxima are the same.
+template <class R> HWY_INLINE HWY_ATTR void extend(BoxEnds<R>& box, const BoxEnds<R>& by) {
+    const hn::CappedTag<R, 8> d;
+    for (size_t i = 0; i < 8; i += hn::Lanes(d)) hn::Store(hn::Max(hn::Load(d, by.v + i), hn::Load(d, box.v + i)), d, box.v + i);
+}
+
+template <class R> HWY_ATTR void fill_bins(std::span<const BvhReference<R>> references, const CentroidMap<R>& map, Bins<R>& bins) {
+    for (int a = 0; a < 3; ++a) {
+        for (int b = 0; b < map.count; ++b) bins.box[a][b] = BoxEnds<R>::none(), bins.count[a][b] = 0;
+    }
+    for (const BvhReference<R>& reference : references) {
+        for (int a = 0; a < 3; ++a) {
+            const int bin = map.bin(reference, a);
+            extend<R>(bins.box[a][bin], reference), ++bins.count[a][bin];
+        }
+    }
+}
+
+/// CentroidBounds::extend.
+template <class R> HWY_INLINE HWY_ATTR void extend(CentroidBounds<R>& bounds, const BoxEnds<R>& by) {
+    const hn::CappedTag<R, 4> d;
+    for (size_t i = 0; i < 4; i += hn::Lanes(d)) {
+        const auto c = hn::Sub(hn::Load(d, by.v + 4 + i), hn::Load(d, by.v + i));
+        hn::Store(hn::Min(c, hn::Load(d, bounds.low + i)), d, bounds.low + i), hn::Store(hn::Max(c, hn::Load(d, bounds.high + i)), d, bounds.high + i);
+    }
+}
+
+template <class R> HWY_INLINE HWY_ATTR void copy(const BvhReference<R>& from, BvhReference<R>& to) {
+    const hn::CappedTag<R, 8> d;
+    for (size_t i = 0; i < 8; i += hn::Lanes(d)) hn::Store(hn::Load(d, from.v + i), d, to.v + i);
+}
+
+/// Without branches: each reference is written to both sides, and only the right one counts.
+template <class R>
+HWY_ATTR size_t partition(std::span<BvhReference<R>> references, BvhReference<R>* spare, const CentroidMap<R>& map, int axis, int bin, CentroidBounds<R>& left,
+                          CentroidBounds<R>& right) {
+    size_t lefts = 0, rights = 0;
+    CentroidBounds<R> sides[2];
+    for (const BvhReference<R>& at : references) {
+        const bool is_right = map.bin(at, axis) >= bin;
+        extend<R>(sides[is_right], at);
+        copy(at, spare[rights]), copy(at, references[lefts]);
+        lefts += !is_right, rights += is_right;
+    }
+    for (size_t i = 0; i < rights; ++i) copy(spare[i], references[lefts + i]);
+    left = sides[0], right = sides[1];
+    return lefts;
+}
+
+template <class R> constexpr BinningPasses<R> passes() { return {fill_bins<R>, partition<R>}; }
+
+}  // namespace alidade::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+
+namespace alidade {
+
+namespace {
+
+template <class R> constexpr std::pair<Isa, BinningPasses<R>> kPasses[] = {
+    {Isa::scalar, HWY_NAMESPACE::passes<R>()},
+#if HWY_TARGETS & HWY_SSE4
+    {Isa::sse4, N_SSE4::passes<R>()},
+#endif
+#if HWY_TARGETS & HWY_AVX2
+    {Isa::avx2, N_AVX2::passes<R>()},
+#endif
+#if HWY_TARGETS & HWY_AVX3
+    {Isa::avx512, N_AVX3::passes<R>()},
+#endif
+};
+
+template <class R> const BinningPasses<R>& choose(Isa isa) {
+    const BinningPasses<R>* chosen = &kPasses<R>[0].second;
+    for (const auto& [of, passes] : kPasses<R>) {
+        if (machine_has(of) && (isa == Isa::best || isa == of)) chosen = &passes;
+    }
+    return *chosen;
+}
+
+}  // namespace
+
+template <> const BinningPasses<float>& binning_passes<float>(Isa isa) { return choose<float>(isa); }
+template <> const BinningPasses<double>& binning_passes<double>(Isa isa) { return choose<double>(isa); }
+
+}  // namespace alidade
+
+#endif

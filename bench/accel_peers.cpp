@@ -1,0 +1,213 @@
+// SPDX-License-Identifier: Apache-2.0
+/// Our accelerators beside Embree: the generated scenes, three kinds of rays, single rays, one thread.
+///
+/// In each round every tracer does the same work in turn, in CPU time of the thread; what is printed are medians over the rounds of the ratios within a
+/// round, so that a busy machine slows all of them. Hits are compared: a speed says nothing about wrong answers.
+/// Usage     accel_peers [--accel bvh,grid] [--kinds scan,hair] [--scale 1] [--rays 256] [--rounds 5] [--double] [--alone]
+#include "bench/peer.h"
+#include "stress/instances.h"
+
+#include <fmt/format.h>
+
+#include <time.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <optional>
+
+namespace alidade::bench {
+namespace {
+
+struct Options {
+    std::string accel = "bvh", kinds;
+    double scale = 1;
+    size_t rays = 256;
+    int rounds = 5;
+    Precision precision = Precision::float_;
+    bool alone = false;
+};
+
+double thread_seconds() {
+    timespec t{};
+    clock_gettime(CLOCK_THREAD_CPUTIME_ID, &t);
+    return double(t.tv_sec) + 1e-9 * double(t.tv_nsec);
+}
+
+double median(std::vector<double> values) {
+    std::nth_element(values.begin(), values.begin() + std::ptrdiff_t(values.size() / 2), values.end());
+    return values[values.size() / 2];
+}
+
+/// seconds[peer][round]
+using Times = std::vector<std::vector<double>>;
+
+template <class F> Times interleaved(const std::vector<std::unique_ptr<Peer>>& peers, int rounds, F&& body) {
+    Times times(peers.size());
+    for (int round = 0; round < rounds; ++round) {
+        for (size_t i = 0; i < peers.size(); ++i) {
+            const double start = thread_seconds();
+            body(*peers[i], i);
+            times[i].push_back(thread_seconds() - start);
+        }
+    }
+    return times;
+}
+
+/// How much faster than `reference` the peer was.
+double speed_ratio(const Times& times, size_t peer, size_t reference) {
+    std::vector<double> ratios;
+    for (size_t round = 0; round < times[peer].size(); ++round) ratios.push_back(times[reference][round] / times[peer][round]);
+    return median(std::move(ratios));
+}
+
+/// Logarithms of ratios, for the geometric mean over the scenes: [column][peer].
+struct Means {
+    std::vector<std::vector<std::vector<double>>> logs;
+
+    void add(size_t column, size_t peer, double ratio) {
+        if (logs.size() <= column) logs.resize(column + 1);
+        if (logs[column].size() <= peer) logs[column].resize(peer + 1);
+        logs[column][peer].push_back(std::log(ratio));
+    }
+};
+
+class Run {
+  public:
+    Run(const Options& options, std::vector<std::unique_ptr<Peer>> peers, size_t reference)
+        : options_(options), peers_(std::move(peers)), reference_(reference) {}
+
+    void scene(const StressKind& kind) {
+        const StressScene scene = kind.make(size_t(double(kind.triangles) * options_.scale), 1);
+        fmt::print("{}: {} triangles{}\n", kind.name, scene.triangles.size(), scene.instances.empty() ? "" : fmt::format(", {} times", scene.instances.size()));
+        const double millions = 1e-6 * double(scene.triangles.size());
+        row("build", "Mtri/s", 0, millions, interleaved(peers_, std::max(1, options_.rounds / 2), [&](Peer& peer, size_t) { peer.build(scene); }), [&](const Peer& peer) {
+            return fmt::format("{:.1f} bytes a triangle", double(peer.bytes()) / double(scene.triangles.size()));
+        });
+        const StressRays rays = rays_of(scene);
+        closest("primary", 1, rays.primary), closest("diffuse", 2, rays.diffuse), any("shadow", 3, rays.shadow);
+    }
+
+    void print_means() const {
+        constexpr const char* names[] = {"build", "primary", "diffuse", "shadow"};
+        for (size_t column = 0; column < means_.logs.size(); ++column) {
+            for (size_t peer = 0; peer < peers_.size(); ++peer) {
+                const auto& logs = means_.logs[column][peer];
+                double sum = 0;
+                for (const double l : logs) sum += l;
+                fmt::print("geometric mean  {:8} {:14} {:.3f}  worst {:.3f}\n", names[column], peers_[peer]->name, std::exp(sum / double(logs.size())),
+                           std::exp(*std::min_element(logs.begin(), logs.end())));
+            }
+        }
+    }
+
+  private:
+    StressRays rays_of(const StressScene& scene) const {
+        const auto mesh = find_accelerator("bvh")->over_triangles(scene.view(), {});
+        if (scene.instances.empty()) return make_stress_rays(scene, *mesh, options_.rays, 1);
+        const auto top = find_accelerator("bvh")->over_set(std::make_shared<StressInstances>(*mesh, scene.instances), {});
+        return make_stress_rays(scene, *top, options_.rays, 1);
+    }
+
+    void closest(const char* name, size_t column, const std::vector<StressRay>& rays) {
+        std::vector<std::vector<float>> t(peers_.size(), std::vector<float>(rays.size()));
+        const Times times = interleaved(peers_, options_.rounds, [&](Peer& peer, size_t i) { peer.closest(rays, t[i]); });
+        row(name, "Mray/s", column, 1e-6 * double(rays.size()), times, [](const Peer& peer) { return peer.work(); });
+        const size_t hits = size_t(std::count_if(t[0].begin(), t[0].end(), [](float x) { return std::isfinite(x); }));
+        fmt::print("  {:8} {:.0f} % hit; unlike {}:", name, 100.0 * double(hits) / double(rays.size()), peers_[0]->name);
+        for (size_t i = 1; i < peers_.size(); ++i) {
+            size_t unlike = 0, off = 0;
+            for (size_t k = 0; k < rays.size(); ++k) {
+                unlike += std::isfinite(t[i][k]) != std::isfinite(t[0][k]);
+                off += std::isfinite(t[i][k]) && std::isfinite(t[0][k]) && std::abs(t[i][k] - t[0][k]) > 1e-5f * t[0][k];
+            }
+            fmt::print("  {} {} hit or miss, {} t", peers_[i]->name, unlike, off);
+        }
+        fmt::print("\n");
+    }
+
+    void any(const char* name, size_t column, const std::vector<StressRay>& rays) {
+        std::vector<std::vector<uint8_t>> hit(peers_.size(), std::vector<uint8_t>(rays.size()));
+        const Times times = interleaved(peers_, options_.rounds, [&](Peer& peer, size_t i) { peer.any(rays, hit[i]); });
+        row(name, "Mray/s", column, 1e-6 * double(rays.size()), times, [](const Peer& peer) { return peer.work(); });
+        fmt::print("  {:8} {:.0f} % hit; unlike {}:", name, 100.0 * double(std::count(hit[0].begin(), hit[0].end(), 1)) / double(rays.size()), peers_[0]->name);
+        for (size_t i = 1; i < peers_.size(); ++i) {
+            size_t unlike = 0;
+            for (size_t k = 0; k < rays.size(); ++k) unlike += hit[i][k] != hit[0][k];
+            fmt::print("  {} {}", peers_[i]->name, unlike);
+        }
+        fmt::print("\n");
+    }
+
+    template <class Note> void row(const char* what, const char* unit, size_t column, double items, const Times& times, Note&& note) {
+        for (size_t i = 0; i < peers_.size(); ++i) {
+            const double ratio = speed_ratio(times, i, reference_);
+            means_.add(column, i, ratio);
+            fmt::print("  {:8} {:14} {:8.3f} {}  {:.3f} of {}  {}\n", what, peers_[i]->name, items / median(times[i]), unit, ratio, peers_[reference_]->name, note(*peers_[i]));
+        }
+        std::fflush(stdout);
+    }
+
+    Options options_;
+    std::vector<std::unique_ptr<Peer>> peers_;
+    size_t reference_;
+    Means means_;
+};
+
+bool listed(const std::string& list, std::string_view name) { return list.empty() || ("," + list + ",").find(fmt::format(",{},", name)) != std::string::npos; }
+
+std::optional<Options> parse(int argc, char** argv) {
+    Options options;
+    for (int i = 1; i < argc; ++i) {
+        const std::string_view word = argv[i];
+        if (word == "--double") {
+            options.precision = Precision::double_;
+            continue;
+        }
+        if (word == "--alone") {
+            options.alone = true;
+            continue;
+        }
+        if (i + 1 == argc) return std::nullopt;
+        const char* value = argv[++i];
+        if (word == "--accel") options.accel = value;
+        else if (word == "--kinds") options.kinds = value;
+        else if (word == "--scale") options.scale = std::atof(value);
+        else if (word == "--rays") options.rays = size_t(std::max(1, std::atoi(value)));
+        else if (word == "--rounds") options.rounds = std::max(1, std::atoi(value));
+        else return std::nullopt;
+    }
+    return options;
+}
+
+int run(const Options& options) {
+    std::vector<std::unique_ptr<Peer>> peers;
+    AccelOptions own;
+    own.precision = options.precision;
+    for (const AcceleratorEntry& entry : accelerators()) {
+        if (listed(options.accel, entry.name)) peers.push_back(make_own_peer(entry, own));
+    }
+    if (peers.empty()) return 64;
+    const size_t ours = peers.size();
+    if (!options.alone)
+        for (auto& peer : make_embree_peers()) peers.push_back(std::move(peer));
+    const size_t reference = peers.size() > ours ? ours : 0;
+    Run run(options, std::move(peers), reference);
+    for (const StressKind& kind : stress_kinds()) {
+        if (listed(options.kinds, kind.name)) run.scene(kind);
+    }
+    run.print_means();
+    return 0;
+}
+
+}  // namespace
+}  // namespace alidade::bench
+
+int main(int argc, char** argv) {
+    const auto options = alidade::bench::parse(argc, argv);
+    if (!options) {
+        fmt::print(stderr, "accel_peers [--accel bvh,grid] [--kinds scan,hair] [--scale 1] [--rays 256] [--rounds 5] [--double] [--alone]\n");
+        return 64;
+    }
+    return alidade::bench::run(*options);
+}

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: Apache-2.0
+/// Memory for large arrays that are read here and there: in huge pages where the system gives them, so that addresses are found without a walk.
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+namespace alidade {
+
+/// At least `alignment` aligned; from two huge pages on, aligned to one. Throws std::bad_alloc.
+void* allocate_large(size_t bytes, size_t alignment);
+void free_large(void* memory) noexcept;
+
+template <class T> struct HugePageAllocator {
+    using value_type = T;
+
+    HugePageAllocator() = default;
+    template <class U> HugePageAllocator(const HugePageAllocator<U>&) {}
+    T* allocate(size_t count) { return static_cast<T*>(allocate_large(count * sizeof(T), alignof(T))); }
+    void deallocate(T* memory, size_t) noexcept { free_large(memory); }
+    template <class U> bool operator==(const HugePageAllocator<U>&) const { return true; }
+};
+
+template <class T> using LargeVector = std::vector<T, HugePageAllocator<T>>;
+
+}  // namespace alidade

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: Apache-2.0
+/// A tree, and where it stands.
+#include "stress/builder.h"
+
+namespace alidade {
+
+namespace {
+
+constexpr int kTreesAside = 32;
+
+void add_branch(StressScene& scene, const Vec3& from, const Vec3& to, double thick) {
+    const Vec3 along = normalized(to - from), side = normalized(cross(along, std::abs(along.y) < 0.9 ? Vec3(0, 1, 0) : Vec3(1, 0, 0))), up = cross(along, side);
+    add_patch(scene, 2, 6, [&](size_t i, size_t j) {
+        const double a = 2 * kPi * double(j) / 6, r = thick * (1 - 0.4 * double(i));
+        return from + 0.5 * double(i) * (to - from) + r * (std::cos(a) * side + std::sin(a) * up);
+    });
+}
+
+void add_leaf(StressScene& scene, const Vec3& at, double size, Draws& draws) {
+    const Vec3 along = size * draws.direction(), across = size * draws.direction();
+    add_triangle(scene, at, at + along + 0.3 * across, at + along - 0.3 * across);
+}
+
+}  // namespace
+
+StressScene make_forest(size_t triangles, uint64_t seed) {
+    StressScene scene;
+    Draws draws(RandomKey(seed, 7, 0, 0));
+    const size_t branches = std::max<size_t>(1, triangles / 100);
+    add_branch(scene, Vec3(0), Vec3(0, 2, 0), 0.08), add_branch(scene, Vec3(0, 2, 0), Vec3(0.1, 4, 0.1), 0.05);
+    for (size_t i = 0; i < branches; ++i) {
+        const double height = draws.uniform(0.8, 4), angle = draws.uniform(0, 2 * kPi), reach = 0.4 * (4.6 - height);
+        const Vec3 from(0, height, 0), to = from + reach * Vec3(std::cos(angle), draws.uniform(0.1, 0.6), std::sin(angle));
+        add_branch(scene, from, to, 0.015);
+        while (scene.triangles.size() < (i + 1) * triangles / branches) {
+            add_leaf(scene, from + draws.uniform(0.3, 1) * (to - from) + 0.1 * draws.direction(), draws.uniform(0.03, 0.08), draws);
+        }
+    }
+    for (int i = 0; i < kTreesAside * kTreesAside; ++i) {
+        const Vec3 place(2.2 * (i % kTreesAside - kTreesAside / 2 + draws.uniform(-0.4, 0.4)), draws.uniform(-0.3, 0), 2.2 * (i / kTreesAside - kTreesAside / 2 + draws.uniform(-0.4, 0.4)));
+        scene.instances.push_back(Transform::translate(place) * Transform::rotate(Vec3(0, 1, 0), draws.uniform(0, 2 * kPi)) * Transform::scale(Vec3(draws.uniform(0.7, 1.3))));
+    }
+    scene.eye = Vec3(-38, 9, -30), scene.target = Vec3(0, 1, 0), scene.lamp = Vec3(20, 60, -30);
+    return scene;
+}
+
+}  // namespace alidade

@@ -1,0 +1,192 @@
+// SPDX-License-Identifier: Apache-2.0
+/// Eight boxes at once are eight times one box, bit for bit, and the wide tree holds what the binary one held.
+#include "accel/bvh/wide.h"
+#include "core/draws.h"
+#include "tests/accel/run_size.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+
+namespace alidade::test {
+namespace {
+
+template <class R> class Wide : public testing::Test {};
+using Reals = testing::Types<float, double>;
+TYPED_TEST_SUITE(Wide, Reals);
+
+/// Boxes and rays that share planes: origins stand on them, many components are 0, so that products of 0 and infinity are among the ends of slabs.
+template <class R> R coordinate(Draws& draws) {
+    switch (draws.below(6)) {
+        case 0: return R(0);
+        case 1: return R(int(draws.below(5)) - 2);
+        case 2: return R(draws.sign() * std::ldexp(1.0, int(draws.below(200)) - 100));
+        default: return R(draws.uniform(-2, 2));
+    }
+}
+
+template <class R> WideNode<R> random_node(const SlabRay<R>& ray, Draws& draws) {
+    WideNode<R> node{};
+    for (uint32_t i = 0; i < kWide; ++i) {
+        const bool empty = draws.below(10) == 0;
+        for (int a = 0; a < 3; ++a) {
+            const R x = draws.below(4) ? coordinate<R>(draws) : ray.near_origin(a), y = draws.coin() ? x : coordinate<R>(draws);
+            node.planes[2 * a][i] = empty ? std::numeric_limits<R>::infinity() : std::min(x, y);
+            node.planes[2 * a + 1][i] = empty ? -std::numeric_limits<R>::infinity() : std::max(x, y);
+        }
+    }
+    return node;
+}
+
+Vec3 random_dir(Draws& draws) {
+    Vec3 dir(draws.uniform(-1, 1), draws.uniform(-1, 1), draws.uniform(-1, 1));
+    for (int a = 0; a < 3; ++a) {
+        if (draws.below(3) == 0) dir[a] = draws.coin() ? 0.0 : draws.sign() * std::ldexp(1.0, -int(draws.below(320)));
+    }
+    dir[int(draws.below(3))] = draws.sign() * draws.uniform(1, 2);
+    return dir;
+}
+
+TYPED_TEST(Wide, BoxesAreEnteredAsOneAtATime) {
+    using R = TypeParam;
+    size_t entered = 0, nans = 0;
+    const size_t count = run_size(200000, 10000000);
+    for (size_t n = 0; n < count; ++n) {
+        Draws draws(RandomKey(31, 0, n, 0));
+        Vec3 origin;
+        for (int a = 0; a < 3; ++a) origin[a] = double(coordinate<R>(draws));
+        const SlabRay<R> ray(origin, random_dir(draws), draws.coin() ? 4 : 1e30);
+        const WideNode<R> node = random_node<R>(ray, draws);
+        const R start = ray.start(draws.coin() ? 0 : draws.uniform(-2, 2)), limit = ray.limit(draws.coin() ? std::numeric_limits<double>::max() : draws.uniform(-1, 4));
+        for (const Isa isa : available_isas()) {
+            alignas(64) R entries[kWide];
+            const uint32_t bits = wide_box_test<R>(isa)(node, ray, start, limit, entries);
+            for (uint32_t i = 0; i < kWide; ++i) {
+                BoundsT<R> box;
+                for (int a = 0; a < 3; ++a) box.min[a] = node.planes[2 * a][i], box.max[a] = node.planes[2 * a + 1][i];
+                const R want = ray.enter(box, start, limit);
+                ASSERT_EQ((bits >> i & 1) != 0, want <= limit) << name(isa) << ", seed 31, node " << n << ", box " << i;
+                if (!(want <= limit)) continue;
+                ASSERT_EQ(std::signbit(entries[i]), std::signbit(want)) << name(isa) << ", seed 31, node " << n << ", box " << i;
+                ASSERT_EQ(entries[i], want) << name(isa) << ", seed 31, node " << n << ", box " << i;
+                ++entered;
+                for (int a = 0; a < 3; ++a) nans += std::isnan(ray.enter_slab(a, box.min[a], box.max[a]));
+            }
+        }
+    }
+    EXPECT_GT(entered, count / 4) << "the test must exercise entered boxes";
+    EXPECT_GT(nans, count / 1000) << "and planes on which a ray without slope runs";
+}
+
+template <class R> LargeVector<BvhReference<R>> random_references(size_t count) {
+    LargeVector<BvhReference<R>> references;
+    Draws draws(RandomKey(32, 0, count, 0));
+    for (uint32_t id = 0; id < count; ++id) {
+        const Vec3T<R> a(draws.in_box(Vec3(-1), Vec3(1)));
+        references.emplace_back(BoundsT<R>{a, a + Vec3T<R>(draws.in_box(Vec3(0), Vec3(0.1)))}, id);
+    }
+    return references;
+}
+
+template <class R> BoundsT<R> box_of(const WideNode<R>& node, uint32_t i) {
+    const auto& p = node.planes;
+    return {{p[0][i], p[2][i], p[4][i]}, {p[1][i], p[3][i], p[5][i]}};
+}
+
+template <class R> bool holds(const BoundsT<R>& outer, const BoundsT<R>& inner) { return outer.contains(inner.min) && outer.contains(inner.max); }
+
+/// Every reference is in one leaf, inside of all boxes above it; nodes and leaves follow each other in memory as a walk from left to right meets them.
+TYPED_TEST(Wide, TreeHoldsEveryReferenceOnce) {
+    using R = TypeParam;
+    for (const size_t count : {1u, 7u, 9u, 60u, 3000u}) {
+        const auto references = random_references<R>(count);
+        std::vector<uint32_t> order;
+        BuildStats stats;
+        const auto nodes = widened(build_bvh<R>(references, {kLanes, kLanes, Isa::best}, order, stats), stats);
+        ASSERT_EQ(nodes.size(), stats.nodes);
+        size_t seen = 0, next_node = 0;
+        uint32_t next_block = 0;
+        const auto walk = [&](const auto& self, uint32_t index, const BoundsT<R>& outer) -> void {
+            ASSERT_EQ(index, next_node++);
+            for (uint32_t i = 0; i < kWide; ++i) {
+                const BoundsT<R> box = box_of(nodes[index], i);
+                if (box.empty()) continue;
+                ASSERT_TRUE(holds(outer, box));
+                const uint32_t child = nodes[index].child[i];
+                if (!WideLeaf::is(child)) {
+                    self(self, child, box);
+                    continue;
+                }
+                ASSERT_EQ(WideLeaf::block(child), next_block++);
+                for (uint32_t k = 0; k < WideLeaf::count(child); ++k, ++seen) {
+                    const uint32_t id = order.at(size_t(WideLeaf::block(child)) * kLanes + k);
+                    ASSERT_LT(id, count);
+                    ASSERT_TRUE(holds(box, references[id].box()));
+                }
+            }
+        };
+        walk(walk, 0, {Vec3T<R>(R(-2)), Vec3T<R>(R(2))});
+        EXPECT_EQ(seen, count);
+        EXPECT_EQ(next_node, nodes.size());
+        EXPECT_EQ(next_block, stats.leaves);
+    }
+}
+
+/// The tree that the scalar passes make, for every instruction set.
+TYPED_TEST(Wide, TreeIsTheSameForEveryIsa) {
+    using R = TypeParam;
+    for (const size_t count : {10u, 100u, 20000u}) {
+        const auto references = random_references<R>(count);
+        std::vector<uint32_t> want_order;
+        BuildStats stats;
+        const auto want = build_bvh<R>(references, {kLanes, kLanes, Isa::scalar}, want_order, stats);
+        for (const Isa isa : available_isas()) {
+            std::vector<uint32_t> order;
+            const auto nodes = build_bvh<R>(references, {kLanes, kLanes, isa}, order, stats);
+            ASSERT_EQ(nodes.size(), want.size()) << name(isa);
+            EXPECT_EQ(order, want_order) << name(isa);
+            for (size_t i = 0; i < nodes.size(); ++i) {
+                ASSERT_EQ(nodes[i].box.min, want[i].box.min) << name(isa);
+                ASSERT_EQ(nodes[i].box.max, want[i].box.max) << name(isa);
+            }
+        }
+    }
+}
+
+/// Bins hold what a loop over the references says; the partition is a stable one.
+TYPED_TEST(Wide, PassesDoWhatTheyAreNamedFor) {
+    using R = TypeParam;
+    const auto references = random_references<R>(500);
+    CentroidBounds<R> centroids;
+    for (const auto& reference : references) centroids.extend(reference);
+    const CentroidMap<R> map(centroids, kMostBins);
+    for (const Isa isa : available_isas()) {
+        Bins<R> bins;
+        binning_passes<R>(isa).fill(references, map, bins);
+        for (int axis = 0; axis < 3; ++axis) {
+            for (int bin = 0; bin < kMostBins; ++bin) {
+                BoxEnds<R> box = BoxEnds<R>::none();
+                uint32_t count = 0;
+                for (const auto& reference : references) {
+                    if (map.bin(reference, axis) == bin) box.extend(reference), ++count;
+                }
+                ASSERT_EQ(bins.count[axis][bin], count) << name(isa);
+                if (count == 0) continue;
+                ASSERT_EQ(bins.box[axis][bin].box().max, box.box().max) << name(isa);
+                ASSERT_EQ(bins.box[axis][bin].box().min, box.box().min) << name(isa);
+            }
+            auto sorted = references, spare = references, want = references;
+            CentroidBounds<R> left, right;
+            const auto is_left = [&](const auto& reference) { return map.bin(reference, axis) < 7; };
+            const size_t lefts = binning_passes<R>(isa).partition(sorted, spare.data(), map, axis, 7, left, right);
+            EXPECT_EQ(std::ptrdiff_t(lefts), std::stable_partition(want.begin(), want.end(), is_left) - want.begin());
+            for (size_t i = 0; i < want.size(); ++i) ASSERT_EQ(sorted[i].id(), want[i].id()) << name(isa);
+            EXPECT_LT(left.low[axis], left.high[axis]);
+            EXPECT_LT(left.high[axis], right.low[axis]) << name(isa);
+        }
+    }
+}
+
+}  // namespace
+}  // namespace alidade::test
