@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "eval/flat_triangle.h"
 #include "exporters/pov/shapes.h"
 #include "exporters/pov/vertex_colors.h"
 #include "exporters/vertices.h"
 #include "scene/queries.h"
+
+#include <array>
 
 namespace alidade::pov_export {
 
@@ -10,19 +13,22 @@ namespace {
 
 class MeshText {
   public:
-    MeshText(const Mesh& mesh, const SlotMaterials& slots, const ShapeContext& c) : mesh_(mesh), slots_(slots), c_(c), finite_(finite_triangles(mesh)), colors_(mesh, slots, finite_, c.scene, c.losses) {}
+    MeshText(const Mesh& mesh, const SlotMaterials& slots, const ShapeContext& c) : mesh_(mesh), slots_(slots), c_(c), finite_(finite_triangles(mesh)), colors_(mesh, slots, finite_, c.scene, c.losses), normals_(mesh.normals) {
+        if (normals_.present() && !stands_alone()) keep_from_flatness();
+    }
 
     void begin() {
         tell_losses();
+        if (stands_alone()) return lone_triangle();
         c_.sdl.begin("mesh2");
         vertices();
-        if (mesh_.normals.present()) normals();
+        if (normals_.present()) normals();
         const size_t set = uv_set();
         const bool mapped = set < mesh_.uvs.size();
         if (mapped) uvs(mesh_.uvs[set]);
         textures();
         faces();
-        if (!mesh_.normals.corners.empty()) indices("normal_indices", mesh_.normals);
+        if (!normals_.corners.empty()) indices("normal_indices", normals_);
         if (mapped && !mesh_.uvs[set].corners.empty()) indices("uv_indices", mesh_.uvs[set]);
         if (mesh_.origin != Vec3(0)) c_.sdl.line("translate", mesh_.origin);
     }
@@ -53,11 +59,46 @@ class MeshText {
             }
     }
 
+    Vec3 position(size_t i) const { return mesh_.exact_positions.empty() ? Vec3(mesh_.positions[i]) : mesh_.exact_positions[i]; }
+
+    std::array<Vec3, 3> corners(uint32_t t) const { return {position(mesh_.triangles[t].x), position(mesh_.triangles[t].y), position(mesh_.triangles[t].z)}; }
+    std::array<Vec3, 3> corner_normals(uint32_t t) const {
+        const auto at = [&](int corner) { return Vec3(mesh_.normals.values[mesh_.normals.index(t, corner, mesh_.triangles[t])]); };
+        return {at(0), at(1), at(2)};
+    }
+
+    /// One that POV-Ray would draw flat only in a mesh.
+    bool stands_alone() const {
+        return mesh_.triangles.size() == 1 && finite_.size() == 1 && mesh_.normals.present() && mesh_.uvs.empty() && slots_.size() <= 1 && !colors_.present() && is_drawn_flat(corners(0), corner_normals(0));
+    }
+    void lone_triangle() {
+        const std::array<Vec3, 3> places = corners(0), normals = corner_normals(0);
+        c_.sdl.begin("smooth_triangle");
+        for (size_t k = 0; k < 3; ++k) c_.sdl.item(places[k]), c_.sdl.item(normals[k]);
+        c_.sdl.end_items();
+        if (mesh_.origin != Vec3(0)) c_.sdl.line("translate", mesh_.origin);
+    }
+
+    /// Where POV-Ray would draw a triangle flat, the normal of one corner is turned by a little more than it takes for nothing.
+    void keep_from_flatness() {
+        constexpr double kTurn = 1.5 * kSameNormal;
+        for (const uint32_t t : finite_) {
+            const std::array<Vec3, 3> normals = corner_normals(t);
+            if (!is_drawn_flat(corners(t), normals)) continue;
+            if (normals_.corners.empty())
+                for (const Index3& each : mesh_.triangles) normals_.corners.insert(normals_.corners.end(), {each.x, each.y, each.z});
+            Vec3 across, other;
+            orthonormal_basis(normals[2], across, other);
+            normals_.corners[3 * size_t(t) + 2] = uint32_t(normals_.values.size());
+            normals_.values.emplace_back(normals[2] + across * kTurn);
+        }
+    }
+
     void vertices() {
         c_.sdl.begin("vertex_vectors");
         c_.sdl.line(mesh_.positions.size(), ",");
         for (size_t i = 0; i < mesh_.positions.size(); ++i) {
-            const Vec3 p = mesh_.exact_positions.empty() ? Vec3(mesh_.positions[i]) : mesh_.exact_positions[i];
+            const Vec3 p = position(i);
             c_.sdl.item(is_finite(p) ? p : Vec3(0));   // what is not finite belongs to no triangle that is written
         }
         end();
@@ -66,8 +107,8 @@ class MeshText {
     void normals() {
         size_t without = 0;
         c_.sdl.begin("normal_vectors");
-        c_.sdl.line(mesh_.normals.values.size(), ",");
-        for (const Vec3f& n : mesh_.normals.values) {
+        c_.sdl.line(normals_.values.size(), ",");
+        for (const Vec3f& n : normals_.values) {
             const bool good = is_finite(n) && n != Vec3f(0.0f);
             without += !good;
             c_.sdl.item(good ? Vec3(n) : Vec3(0, 1, 0));
@@ -141,6 +182,7 @@ class MeshText {
     const ShapeContext& c_;
     std::vector<uint32_t> finite_;
     VertexColors colors_;
+    Attribute<Vec3f> normals_;
 };
 
 }  // namespace

@@ -239,6 +239,9 @@ std::vector<PovPicture> other_pictures() {
         {"Meshes", usual + "#declare R = texture { pigment { rgb <1,0,0> } }\nmesh { triangle { <-2,-1,0>, <0,-1,0>, <-1,1,0> texture { R } } smooth_triangle { <0,-1,0>, <-1,0,-2>, <2,-1,0>, <1,0,-1>, <1,1,0>, <0,1,-1> } pigment { rgb <.6,.2,.6> } } "
                          "mesh2 { vertex_vectors { 4, <-2,1,0>, <-1,1,0>, <-1,2,0>, <-2,2,0> } normal_vectors { 4, <-1,-1,-3>, <0,0,-2>, <.1,0,-.1>, <0,.5,-.5> } texture_list { 2, texture { pigment { rgb <1,1,0> } }, texture { "
                          "pigment { rgb <0,1,1> } finish { phong 1 } } } face_indices { 2, <0,1,2>, 0, <0,2,3>, 1 } }"},
+        {"NormalsThatAreOne", usual + "#declare N = <.6,.3,-.8>; union { mesh { smooth_triangle { <-2,-1,0>, N, <-.5,-1,0>, N, <-1,.5,0>, N+y*.9e-5 } smooth_triangle { <-2,.6,0>, N, <-.5,.6,0>, N, <-1,2,0>, N+y*4e-5 } } "
+                                      "smooth_triangle { <0,-1,0>, N, <1.5,-1,0>, N, <1,.5,0>, N } mesh2 { vertex_vectors { 4, <0,.6,0>, <1,.6,0>, <1,2,0>, <0,2,.3> } normal_vectors { 2, N, <0,0,-2> } "
+                                      "face_indices { 2, <0,1,2>, <0,2,3> } normal_indices { 2, <0,0,0>, <0,0,1> } } pigment { rgb 1 } }"},
         {"Visibility", usual + "plane { y, -1 pigment { rgb .5 } finish { reflection .5 } } union { sphere { <-1,.5,0>, .7 } sphere { <1,.5,0>, .7 no_reflection } pigment { rgb <1,.5,.2> } no_image } box { <-.3,-.5,-.3>, .3 no_reflection pigment { rgb 1 } }"},
         {"OpaqueFresnel", usual + "plane { y, -1 pigment { rgb <.8,.7,.5> } finish { reflection { .05, .4 fresnel } } interior { ior 1.4 } } sphere { y*.5, .8 pigment { rgb <.2,.5,1> } finish { reflection { .9 fresnel } } interior { ior 1.6 } }"},
         {"Difference", usual + "difference { sphere { 0, 1.5 pigment { rgb <1,.3,.2> } } box { <-2,0,-2>, <0,2,0> pigment { rgb <.3,1,.2> } } cylinder "

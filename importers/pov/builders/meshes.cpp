@@ -1,9 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "importers/pov/builders/shapes.h"
 
+#include "eval/flat_triangle.h"
 #include "importers/pov/builders/textures.h"
 
 #include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
 
 namespace alidade::pov {
 
@@ -33,7 +37,7 @@ void take_triangle(Mesh& mesh, Cursor& at, bool smooth) {
     mesh.triangles.emplace_back(first, first + 1, first + 2);
     for (int corner = 0; corner < 3; ++corner) {
         add_vertex(mesh, at.vector("a corner of a triangle"));
-        if (smooth) mesh.normals.values.emplace_back(normalized(at.vector("a normal of a triangle")));   // as POV-Ray does
+        if (smooth) mesh.normals.values.push_back(unit_normal(at.vector("a normal of a triangle")));
     }
 }
 
@@ -42,6 +46,23 @@ void fill_normals(Mesh& mesh) {
     const Index3& t = mesh.triangles.back();
     const Vec3 a = mesh.exact_positions[t.x], n = cross(mesh.exact_positions[t.y] - a, mesh.exact_positions[t.z] - a);
     mesh.normals.values.resize(mesh.positions.size(), Vec3f(normalized(n)));
+}
+
+std::array<Vec3, 3> corners_of(const Mesh& mesh, const Index3& t) { return {mesh.exact_positions[t.x], mesh.exact_positions[t.y], mesh.exact_positions[t.z]}; }
+
+/// Triangles that POV-Ray draws flat get their own normal. Before the exact positions are dropped.
+void flatten(Mesh& mesh) {
+    Attribute<Vec3f>& normals = mesh.normals;
+    for (size_t t = 0; t < mesh.triangles.size(); ++t) {
+        const Index3& corners = mesh.triangles[t];
+        const auto at = [&](int corner) { return Vec3(normals.values[normals.index(t, corner, corners)]); };
+        const std::array<Vec3, 3> places = corners_of(mesh, corners), three{at(0), at(1), at(2)};
+        if (!is_drawn_flat(places, three)) continue;
+        if (normals.corners.empty())
+            for (const Index3& each : mesh.triangles) normals.corners.insert(normals.corners.end(), {each.x, each.y, each.z});
+        std::fill_n(normals.corners.begin() + std::ptrdiff_t(3 * t), 3, uint32_t(normals.values.size()));
+        normals.values.emplace_back(own_normal(places, three[0]));
+    }
 }
 
 BuiltShape one_triangle(Cursor& at, bool smooth) {
@@ -200,6 +221,7 @@ void take_normals(Build& build, const Mesh2Parts& parts, Mesh& mesh, Place place
     if (!parts.normals) return;
     for (const Vec3& n : take_vectors(build, *parts.normals)) mesh.normals.values.push_back(unit_normal(n));
     if (!mesh.normals.values.empty()) take_corners(build, parts.normal_indices, "normals", "it is drawn flat", mesh, mesh.normals, place);
+    if (mesh.normals.present()) flatten(mesh);
 }
 
 void take_uvs(Build& build, const Mesh2Parts& parts, Mesh& mesh, Place place) {
@@ -240,6 +262,7 @@ BuiltShape build_mesh(Build& build, Cursor& at) {
     }
     if (mesh.triangles.empty()) build.p.fail(at.place(), "a mesh needs triangles");
     if (!mesh.uvs.empty()) mesh.uvs[0].values.resize(mesh.positions.size(), uv_of(Vec3(0)));
+    if (smooth_seen) flatten(mesh);
     drop_exact_copies(mesh);
     return {std::move(mesh), slots.take()};
 }
