@@ -48,13 +48,18 @@ Value vector_literal(Parser& p, Place at) {
     return v;
 }
 
-[[noreturn]] void fail_undeclared(Parser& p, const Token& name) {
-    const std::string_view text = p.names.text(name.id);
-    const std::string message = fmt::format("{} is not declared", text), file = include_that_declares(text);
-    if (!file.empty()) p.fail(name.place(), message, fmt::format("{0} declares it: #include \"{0}\"", file));
+std::string undeclared_hint(Parser& p, std::string_view text) {
+    if (const std::string file = include_that_declares(text); !file.empty()) return fmt::format("{0} declares it: #include \"{0}\"", file);
     constexpr size_t kShortestMeant = 4;   // shorter ones are near to everything
     const std::string_view near = text.size() < kShortestMeant ? "" : p.names.nearest(text, [&](WordId id) { return id < kWordCount || p.symbols.find(id) != nullptr; });
-    p.fail(name.place(), message, near.empty() ? "" : fmt::format("did you mean {}?", near));
+    return near.empty() ? "" : fmt::format("did you mean {}?", near);
+}
+
+[[noreturn]] void fail_undeclared(Parser& p, const Token& name) {
+    const std::string_view text = p.names.text(name.id);
+    const auto [hint, added] = p.undeclared_hints.try_emplace(name.id);
+    if (added) hint->second = undeclared_hint(p, text);
+    p.fail(name.place(), fmt::format("{} is not declared", text), hint->second);
 }
 
 void warn_if_deprecated(Parser& p, Slot& slot, const Token& name) {

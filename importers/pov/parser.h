@@ -9,6 +9,7 @@
 #include "importers/pov/token_stream.h"
 
 #include <exception>
+#include <map>
 #include <memory>
 
 namespace alidade::pov {
@@ -97,6 +98,7 @@ class Parser {
     Ref<Meter> elements{new Meter}, items{new Meter};   ///< of all arrays, of all blocks
     std::vector<std::pair<Place, Value>> defaults;    ///< #default, in order
     std::vector<Value> globals;                       ///< blocks of global_settings so far, in order
+    std::map<WordId, std::string> undeclared_hints;   ///< of names that were not declared: a loop comes to one again and again
     std::unique_ptr<class ObjectQueries> objects;     ///< made when an object is first asked for something
     std::unique_ptr<class SpaceFunctions> functions;  ///< made when the function of a pattern or a pigment is first called
 

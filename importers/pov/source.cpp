@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cctype>
 #include <fstream>
+#include <map>
 
 namespace alidade::pov {
 
@@ -112,19 +113,25 @@ bool declares(std::string_view text, std::string_view name) {
     return false;
 }
 
+/// The texts of the standard includes by their names.
+std::map<std::string, std::string> read_standard_includes() {
+    constexpr uint64_t kLargest = 1 << 22;
+    std::map<std::string, std::string> out;
+    std::error_code error;
+    for (const auto& entry : std::filesystem::directory_iterator(kStandardIncludes, error)) {
+        if (entry.path().extension() != ".inc") continue;
+        if (auto text = read_whole(entry.path().string(), kLargest)) out.emplace(entry.path().filename().string(), std::move(*text));
+    }
+    return out;
+}
+
 }  // namespace
 
 std::string include_that_declares(std::string_view name) {
-    constexpr uint64_t kLargest = 1 << 22;
-    std::string found;
-    std::error_code error;
-    for (const auto& entry : std::filesystem::directory_iterator(kStandardIncludes, error)) {
-        const std::string file = entry.path().filename().string();
-        if (entry.path().extension() != ".inc" || (!found.empty() && found < file)) continue;   // the first by name, in whatever order a folder lists them
-        const auto text = read_whole(entry.path().string(), kLargest);
-        if (text && declares(*text, name)) found = file;
-    }
-    return found;
+    static const std::map<std::string, std::string> includes = read_standard_includes();   // once: a scene can have many names that are not declared
+    for (const auto& [file, text] : includes)
+        if (declares(text, name)) return file;
+    return {};
 }
 
 }  // namespace alidade::pov
