@@ -33,6 +33,8 @@ class Surface {
     Color diffuse() const { return unlit_ ? Color(0) : diffuse_ * (1 - coat_.weight); }
     const Color& albedo() const { return albedo_; }
     const Vec3& normal() const { return normal_; }
+    /// That, turned to the eye where it looks away from it: at silhouettes of smooth meshes, and where a relief bends it.
+    Vec3 normal_towards_eye() const { return dot(normal_, wo_) < 0 ? -normal_ : normal_; }
     /// The part of the surface that is there: 1 for opaque ones.
     double coverage() const { return coverage_; }
     /// Is there any direction to follow?

@@ -37,7 +37,7 @@ Color filtered_light(Tracing& tracing, Ray ray, const InteriorStack& start, Occl
 void describe(const ShadePoint& point, const Surface& surface, double depth, FirstHit& first) {
     first.hit = true;
     first.depth = depth;
-    first.normal = surface.normal();
+    first.normal = surface.normal_towards_eye();
     first.albedo = surface.albedo();
     first.uv = point.uv(0);
     first.instance = point.instance;
