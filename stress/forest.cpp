@@ -30,15 +30,20 @@ StressScene make_forest(size_t triangles, uint64_t seed) {
     add_branch(scene, Vec3(0), Vec3(0, 2, 0), 0.08), add_branch(scene, Vec3(0, 2, 0), Vec3(0.1, 4, 0.1), 0.05);
     for (size_t i = 0; i < branches; ++i) {
         const double height = draws.uniform(0.8, 4), angle = draws.uniform(0, 2 * kPi), reach = 0.4 * (4.6 - height);
-        const Vec3 from(0, height, 0), to = from + reach * Vec3(std::cos(angle), draws.uniform(0.1, 0.6), std::sin(angle));
+        const double rise = draws.uniform(0.1, 0.6);
+        const Vec3 from(0, height, 0), to = from + reach * Vec3(std::cos(angle), rise, std::sin(angle));
         add_branch(scene, from, to, 0.015);
         while (scene.triangles.size() < (i + 1) * triangles / branches) {
-            add_leaf(scene, from + draws.uniform(0.3, 1) * (to - from) + 0.1 * draws.direction(), draws.uniform(0.03, 0.08), draws);
+            const Vec3 along = draws.uniform(0.3, 1) * (to - from), aside = 0.1 * draws.direction();
+            const double size = draws.uniform(0.03, 0.08);
+            add_leaf(scene, from + along + aside, size, draws);
         }
     }
     for (int i = 0; i < kTreesAside * kTreesAside; ++i) {
-        const Vec3 place(2.2 * (i % kTreesAside - kTreesAside / 2 + draws.uniform(-0.4, 0.4)), draws.uniform(-0.3, 0), 2.2 * (i / kTreesAside - kTreesAside / 2 + draws.uniform(-0.4, 0.4)));
-        scene.instances.push_back(Transform::translate(place) * Transform::rotate(Vec3(0, 1, 0), draws.uniform(0, 2 * kPi)) * Transform::scale(Vec3(draws.uniform(0.7, 1.3))));
+        const Vec3 off = draws.in_box(Vec3(-0.4, -0.3, -0.4), Vec3(0.4, 0, 0.4));
+        const Vec3 place(2.2 * (i % kTreesAside - kTreesAside / 2 + off.x), off.y, 2.2 * (i / kTreesAside - kTreesAside / 2 + off.z));
+        const double turn = draws.uniform(0, 2 * kPi), size = draws.uniform(0.7, 1.3);
+        scene.instances.push_back(Transform::translate(place) * Transform::rotate(Vec3(0, 1, 0), turn) * Transform::scale(Vec3(size)));
     }
     scene.eye = Vec3(-38, 9, -30), scene.target = Vec3(0, 1, 0), scene.lamp = Vec3(20, 60, -30);
     return scene;

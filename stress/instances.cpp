@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "stress/instances.h"
 
-#include "accel/slab.h"
-
 namespace alidade {
 
 namespace {
@@ -31,7 +29,7 @@ bool StressInstances::intersect(std::span<const uint32_t> ids, const Ray& ray, H
     bool found = false;
     for (const uint32_t id : ids) {
         Ray local = places_[id].to_mesh.ray(ray);
-        local.tmax = std::min(ray.tmax, padded_up(hit.t, 1e-9));   // what the clamp moves is less
+        local.tmax = std::min(ray.tmax, hit.t + 1e-9 * (std::abs(hit.t) + max_abs(ray.origin) / max_abs(ray.dir)));   // more than rounding and the clamp move a t by
         Hit candidate;
         if (!mesh_.intersect(local, candidate, work, id)) continue;
         candidate.t = clamped(candidate.t, ray, places_[id].bounds);

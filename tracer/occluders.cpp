@@ -26,7 +26,7 @@ bool leaves_plane(const CompiledScene& scene, uint32_t id, const ShadePoint& poi
 bool on_one_side(const CompiledScene& scene, uint32_t id, const Bounds& box) {
     const Instance& instance = scene.instances[id];
     const Geometry& geometry = scene.geometries[instance.geometry];
-    if (geometry.mesh || geometry.bounds.finite() || !geometry.ops->narrow) return false;
+    if (geometry.mesh || geometry.bounds.finite() || !geometry.ops->narrow || geometry.ops->costly) return false;   // a costly search, once a point, gains nothing
     const Bounds local = instance.to_local.bounds(box);
     return geometry.ops->narrow(*geometry.source, false, local).empty() || geometry.ops->narrow(*geometry.source, true, local).empty();
 }
@@ -34,9 +34,9 @@ bool on_one_side(const CompiledScene& scene, uint32_t id, const Bounds& box) {
 }  // namespace
 
 bool Occluders::find(const CompiledScene& scene, const ShadePoint& point, const Bounds& to) {
-    const Vec3 moved(3 * point.error);   // spawn_ray moves by 2
+    const Vec3 moved(3 * point.error);   // spawn_ray moves by 2, the end of a ray as its beginning
     if (!is_finite(point.position) || !is_finite(moved) || !to.finite()) return false;
-    const Shaft shaft({point.position - moved, point.position + moved}, to);
+    const Shaft shaft({point.position - moved, point.position + moved}, {to.min - moved, to.max + moved});
     if (!scene.top->candidates(shaft, kMostOccluders, ids_)) return false;
     std::erase_if(ids_, [&](uint32_t id) {
         if (!(scene.set->mask(id) & kMaskShadow)) return true;

@@ -9,8 +9,8 @@
 
 namespace alidade {
 
-/// A box as eight numbers, lower ends negated, so that one maximum of all eight extends it: -min x y z, spare, max x y z, spare.
-template <class R> struct alignas(32) BoxEnds {
+/// A box as eight numbers, lower ends negated, so that one maximum of all eight extends it: -min x y z, spare, max x y z, spare. Aligned to their size: they may be one vector.
+template <class R> struct alignas(8 * sizeof(R)) BoxEnds {
     R v[8];
 
     static BoxEnds none() {
@@ -41,9 +41,10 @@ template <class R> struct BvhReference : BoxEnds<R> {
         : BoxEnds<R>{{-b.min.x, -b.min.y, -b.min.z, std::bit_cast<R>(Bits(id)), b.max.x, b.max.y, b.max.z, R(0)}} {}
     uint32_t id() const { return uint32_t(std::bit_cast<Bits>(this->v[3])); }
 };
+static_assert(alignof(BvhReference<float>) == 32 && alignof(BvhReference<double>) == 64);
 
 /// Bounds of centroids; the fourth lane is spare.
-template <class R> struct alignas(32) CentroidBounds {
+template <class R> struct alignas(8 * sizeof(R)) CentroidBounds {
     R low[4], high[4];
 
     CentroidBounds() { std::fill(low, low + 4, std::numeric_limits<R>::infinity()), std::fill(high, high + 4, -std::numeric_limits<R>::infinity()); }

@@ -65,7 +65,7 @@ template <class Leaf> class Bvh {
     }
     /// Calls visit(first, count) for the leaves whose boxes the shaft meets, until it returns false; then that is returned.
     template <class Visit> bool visit_shaft(const Shaft& shaft, const Visit& visit) const {
-        uint32_t stack[kBvhDepth] = {0};
+        uint32_t stack[kBvhDepth + 1] = {0};   // both children of each inner node on the way, less the one that is taken
         for (uint32_t waiting = 1; waiting > 0;) {
             const BvhNode<R>& node = nodes_[stack[--waiting]];
             if (!shaft.meets(Bounds{Vec3(node.box.min), Vec3(node.box.max)})) continue;

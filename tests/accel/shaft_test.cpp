@@ -43,7 +43,7 @@ std::vector<ToySolid> solids_at(double scale, const Vec3& offset) {
     return solids;
 }
 
-void expect_all_met(const Accelerator& accelerator, const ToySet& set, Draws& draw, double scale, const Vec3& offset) {
+void expect_all_met(const Accelerator& accelerator, const ToySet& set, Draws& draw, double scale, const Vec3& offset, size_t& met) {
     const Ends ends(draw, scale, offset);
     std::vector<uint32_t> ids;
     ASSERT_TRUE(accelerator.candidates(Shaft(ends.from, ends.to), set.size(), ids));
@@ -53,6 +53,7 @@ void expect_all_met(const Accelerator& accelerator, const ToySet& set, Draws& dr
         std::vector<Hit> hits;
         WorkCounters work;
         accelerator.all_hits(ray, hits, work);
+        met += hits.size();
         for (const Hit& hit : hits) ASSERT_TRUE(std::find(ids.begin(), ids.end(), hit.primitive) != ids.end()) << "solid " << hit.primitive << " at " << hit.t << ", scale " << scale << ", offset " << offset.x;
     }
 }
@@ -63,10 +64,13 @@ TEST(Shaft, LeavesOutNothingThatItsRaysHit) {
             const Vec3 moved(offset * scale, -offset * scale, 0);
             const auto set = std::make_shared<ToySet>(solids_at(scale, moved));
             const auto bvh = find_accelerator("bvh")->over_set(set, {});
-            for (size_t i = 0; i < run_size(2000, 200000); ++i) {
+            const size_t count = run_size(2000, 200000);
+            size_t met = 0;
+            for (size_t i = 0; i < count; ++i) {
                 Draws draw(RandomKey(kSeed, uint64_t(offset), i, 0));
-                ASSERT_NO_FATAL_FAILURE(expect_all_met(*bvh, *set, draw, scale, moved)) << "seed " << kSeed << ", shaft " << i;
+                ASSERT_NO_FATAL_FAILURE(expect_all_met(*bvh, *set, draw, scale, moved, met)) << "seed " << kSeed << ", shaft " << i;
             }
+            EXPECT_GT(met, count) << "the rays must hit something";
         }
 }
 

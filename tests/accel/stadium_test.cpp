@@ -13,7 +13,7 @@ namespace {
 
 constexpr uint64_t kSeed = 20250404;
 
-/// The work of a ray against the BVH's, for the same rays; boxes, cells and triangles weigh the same. Measured: 4.4 at most (octree, 1e-6), a uniform grid 4500.
+/// The work of a ray against the BVH's, for the same rays; boxes, cells and triangles weigh the same. Measured: 4.4 at most (octree, 1e-6) where the BVH needs more than kFew / 6, a uniform grid 4500.
 constexpr double kMostOfBvh = 6;
 /// A BVH that answers any-hit rays after three nodes and a block, 32 in all, is no measure: so many are allowed everywhere (measured: 210, octree, 1e-6).
 constexpr double kFew = 240;
@@ -64,7 +64,7 @@ TEST_P(Stadium, CostsEveryStructureWhatItCostsTheBvh) {
         for (const StadiumRays& rays : stadium_rays()) {
             const double work = work_of(*accelerator, scene, rays, count), want = work_of(*bvh, scene, rays, count);
             fmt::print("    {}: {:.1f} a ray, {:.2f} of the BVH's\n", rays.name, work, work / want);
-            EXPECT_LE(work, std::max(kMostOfBvh * want, kFew)) << entry->name << ", " << rays.name;
+            EXPECT_LE(work, rays.any_hit ? std::max(kMostOfBvh * want, kFew) : kMostOfBvh * want) << entry->name << ", " << rays.name;
         }
         expect_same_answers(*accelerator, *bvh, entry->name, scene, run_size(200, 100000));
     }

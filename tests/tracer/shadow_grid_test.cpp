@@ -124,6 +124,19 @@ TEST(Jitter, ThreadsAndTilesDoNotShow) {
     EXPECT_NE(one.picture.values, rendered(penumbra(false), sampled(4, 1, 16)).picture.values);
 }
 
+/// A box less a ball, hung into the light's way.
+void add_cut_box(SceneBuilder& b, MaterialId material) {
+    Node whole;
+    whole.csg = CsgKind::difference;
+    for (const ShapeGeometry& part : {ShapeGeometry(Box{{0, 1.6, -0.6}, {0.8, 2, 0.2}}), ShapeGeometry(Sphere{{0.4, 1.8, -0.2}, 0.35})}) {
+        Node n;
+        n.what = b.shape(part);
+        n.materials = {material};
+        whole.children.push_back(b.node(n, false));
+    }
+    b.node(whole);
+}
+
 /// A room with a grid of light among things of all kinds: opaque and clear, bounded and endless (one plane cuts the light), whole and cut, seen by shadow rays or not.
 Scene room(ShadowGrid grid) {
     SceneBuilder b;
@@ -139,6 +152,8 @@ Scene room(ShadowGrid grid) {
         else b.object(square(), plain, turned);
         if (i % 11 == 0) b.scene.nodes.back().flags.shadow = false;
     }
+    b.object(Quadric{Vec3(1, 1, -1), Vec3(0), Vec3(0), -0.05}, plain, Transform::translate({1.2, 0.5, 1}));   // an endless hyperboloid
+    add_cut_box(b, plain);
     b.light(PointLight(), Color(40), Transform::translate({0.5, 3.5, -0.5}) * Transform::rotate({1, 0, 0}, 0.4));
     b.scene.lights[0].shadow_grid = grid;
     b.scene.lights[0].shadow_grid->axis1 = {1.5, 0, 0}, b.scene.lights[0].shadow_grid->axis2 = {0, 0, 1};
@@ -161,6 +176,20 @@ TEST(Occluders, AreThoseThatEachRayFinds) {
         EXPECT_EQ(want.stats.shadow_rays, got.stats.shadow_rays);
         EXPECT_LT(double(got.stats.work.filtered), 0.25 * double(want.stats.work.filtered));
     }
+}
+
+/// Where a point is known far less well than the shaft is wide, rays begin and end beside it: what is just behind the light is in their way.
+TEST(Occluders, ReachAsFarAsRays) {
+    SceneBuilder b;
+    b.object(Plane{{0, 1, 0}, -1e11}, b.material(b.lambert(Color(1))), Transform::translate({0, 1e11, 0}));
+    b.object(Box{{-5, 3.00002, -5}, {5, 3.1, 5}}, b.material(b.lambert(Color(1))));
+    b.light(PointLight(), Color(40), Transform::translate({0, 3, 0}));
+    b.scene.lights[0].shadow_grid = grid_of(4, 4);
+    b.scene.lights[0].shadow_grid->axis1 = {1, 0, 0}, b.scene.lights[0].shadow_grid->axis2 = {0, 0, 1};
+    b.camera({0, 2, 6}, {0, 0.3, 0}, 50);
+    CompileOptions each, once;
+    each.accel = "brute", once.accel = "bvh";
+    EXPECT_EQ(rendered(b.scene, centre_rays(32), each).picture.values, rendered(b.scene, centre_rays(32), once).picture.values);
 }
 
 TEST(Supersampling, ThreadsAndTilesDoNotShow) {

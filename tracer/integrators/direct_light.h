@@ -16,8 +16,8 @@ Color filtered_light(Tracing& tracing, Ray ray, const InteriorStack& inside, Occ
 /// What of the light `distance` away in the unit direction `direction` comes to the point. `kFilters` false: nothing in the scene lets a part of it through.
 /// Inline: once a light and a point, whatever the kernel can do else.
 template <bool kFilters> [[gnu::always_inline]] inline Color visible(Tracing& tracing, const ShadePoint& point, const RayState& state, const Vec3& direction, double distance, Occluders* among = nullptr) {
-    if (!(distance > 0)) return Color(1);
     ++tracing.stats.shadow_rays;
+    if (!(distance > 0)) return Color(1);
     Ray ray = spawn_ray(point, direction, distance);
     ray.mask = kMaskShadow;
     ray.time = state.time;
