@@ -7,6 +7,9 @@
 #include "tests/exporters/samples.h"
 #include "tests/scene/sample_scene.h"
 
+#include <algorithm>
+#include <array>
+#include <cmath>
 #include <filesystem>
 #include <fmt/format.h>
 #include <fstream>
@@ -157,6 +160,34 @@ TEST_F(PovFile, NamesCannotEndAComment) {
     EXPECT_THAT(written, Not(HasSubstr("sphere {")));
     EXPECT_THAT(written, Not(HasSubstr("#include \"")));
     EXPECT_EQ(again().shapes.size(), 1u);
+}
+
+/// A square whose normals are all `normal`, at its four corners.
+Scene square_with(const Vec3f& normal) {
+    Mesh mesh;
+    mesh.positions = {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}};
+    mesh.triangles = {{0, 1, 2}, {0, 2, 3}};
+    mesh.normals.values.assign(4, normal);
+    return scene_of(std::move(mesh));
+}
+
+/// POV-Ray draws a triangle of a mesh flat whose normals are one: one corner's is turned by nothing that shows, however long they are.
+TEST_F(PovFile, NormalsThatAreNotUnitAreKept) {
+    for (const float size : {0.01f, 0.5f, 1.0f, 2.0f, 100.0f}) {
+        exported(square_with(Vec3f(0.6f, 0, 0.8f) * size));
+        const Scene read = again();
+        const Mesh& mesh = std::get<Mesh>(read.shapes.at(0).geometry);
+        for (size_t t = 0; t < 2; ++t)
+            for (int corner = 0; corner < 3; ++corner) EXPECT_LT(length(Vec3(mesh.normals.values[mesh.normals.index(t, corner, mesh.triangles[t])]) - Vec3(0.6, 0, 0.8)), 2e-5) << size;
+    }
+}
+
+TEST_F(PovFile, NormalsWithoutDirectionTurnNothing) {
+    EXPECT_THAT(exported(square_with(Vec3f(0))), Not(HasSubstr("normal_indices")));
+    EXPECT_THAT(lost_, HasSubstr("normals without direction"));
+    const Scene read = again();
+    const Mesh& mesh = std::get<Mesh>(read.shapes.at(0).geometry);
+    for (const Vec3f& n : mesh.normals.values) EXPECT_LT(std::abs(n.x), 1e-6f);
 }
 
 }  // namespace
