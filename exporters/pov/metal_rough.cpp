@@ -235,13 +235,13 @@ class Surface {
     void write_coat() {
         constexpr double kCoat = 0.04;   // ((1.5 - 1) / (1.5 + 1))^2
         const double coat = scalar(*s_.clearcoat, "clear coat"), rough = s_.clearcoat_roughness ? scalar(*s_.clearcoat_roughness, "roughness of the coat") : 0;
-        if (coat <= 0) return;
+        if (coat * alpha_ <= 0) return;
         sdl_.begin("texture");
         sdl_.line("pigment { color rgbt <0,0,0,1> }");
         PovFinish f;
         f.ambient = Color(0), f.diffuse = 0;
         if (rough * rough >= kSmallestAlpha) set_highlight(f, {&highlights_({rough * rough, coat * kCoat, coat, false, false}), 1, 0, false}, 0);
-        const double k = coat * (1 - rough) * (1 - rough);
+        const double k = coat * (1 - rough) * (1 - rough) * alpha_;
         f.reflection_min = Color(k * kCoat), f.reflection_max = Color(k), f.reflection_falloff = 5;
         write_finish(sdl_, f);
         sdl_.end();

@@ -190,5 +190,29 @@ TEST_F(PovFile, NormalsWithoutDirectionTurnNothing) {
     for (const Vec3f& n : mesh.normals.values) EXPECT_LT(std::abs(n.x), 1e-6f);
 }
 
+SignalId constant(Scene& scene, const Vec4& value) {
+    scene.signals.push_back({ConstantSignal{value}, {}});
+    return {uint32_t(scene.signals.size() - 1)};
+}
+
+/// A clear coat is there as much as what is under it.
+TEST_F(PovFile, ClearCoatsAreThereByAlpha) {
+    for (const double alpha : {0.0, 0.25, 1.0})
+        for (const double rough : {0.0, 0.5}) {
+            Scene scene = triangle_scene();
+            GltfPbr pbr;
+            pbr.alpha_mode = AlphaMode::blend, pbr.base_color = constant(scene, Vec4(1, 1, 1, alpha));
+            pbr.clearcoat = constant(scene, Vec4(0.8)), pbr.clearcoat_roughness = constant(scene, Vec4(rough));
+            scene.materials.push_back({"coated", {pbr}, {}});
+            scene.nodes[0].materials = {MaterialId{0}};
+            exported(scene);
+            const Scene read = again();
+            Color most(0);
+            for (const Material& material : read.materials)
+                for (const auto& layer : material.layers) most = glm::max(most, std::get<PovFinish>(layer).reflection_max);
+            EXPECT_NEAR(most.x, 0.8 * (1 - rough) * (1 - rough) * alpha, 1e-9) << alpha << " " << rough;
+        }
+}
+
 }  // namespace
 }  // namespace alidade::test
