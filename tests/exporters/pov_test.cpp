@@ -29,9 +29,9 @@ class PovFile : public FolderTest {
         const std::string path = (folder_ / "scene.pov").string();
         const auto done = export_scene(scene, path);
         EXPECT_TRUE(done) << (done ? "" : done.error());
-        lost_.clear();
+        lost_.clear(), told_.clear();
         if (done)
-            for (const Loss& loss : done->losses) lost_ += loss.what + "\n";
+            for (const Loss& loss : done->losses) lost_ += loss.what + "\n", told_ += loss.instead + "\n";
         return text("scene.pov");
     }
 
@@ -43,7 +43,7 @@ class PovFile : public FolderTest {
         return std::move(read->scene);
     }
 
-    std::string lost_;
+    std::string lost_, told_;
 };
 
 Scene scene_of(ShapeGeometry geometry) {
@@ -212,6 +212,49 @@ TEST_F(PovFile, ClearCoatsAreThereByAlpha) {
                 for (const auto& layer : material.layers) most = glm::max(most, std::get<PovFinish>(layer).reflection_max);
             EXPECT_NEAR(most.x, 0.8 * (1 - rough) * (1 - rough) * alpha, 1e-9) << alpha << " " << rough;
         }
+}
+
+/// Of a spot's light, what KHR_lights_punctual has at an angle from the axis.
+double gltf_cone(double inner, double outer, double angle) {
+    const double x = std::clamp((std::cos(angle) - std::cos(outer)) / std::max(0.001, std::cos(inner) - std::cos(outer)), 0.0, 1.0);
+    return x * x;
+}
+
+/// What POV-Ray's lights have there: the sum of 3u^2 - 2u^3 of their ramps (docs/pov-support.md).
+double written_cones(const Scene& scene, double intensity, double angle) {
+    double sum = 0;
+    for (const Light& light : scene.lights) {
+        const ConeLight& cone = std::get<ConeLight>(light.kind);
+        EXPECT_LT(cone.radius, cone.falloff);
+        const double begin = std::cos(cone.falloff), u = std::clamp((std::cos(angle) - begin) / (std::cos(cone.radius) - begin), 0.0, 1.0), near = light.fade.value().distance;
+        sum += light.intensity.x * 2 * kPi * near * near / intensity * u * u * (3 - 2 * u);
+    }
+    return sum;
+}
+
+/// Whether the ramp ends before the axis, at it (glTF's default), or, in spots of less than 2.6 degrees, not at all: what is said to be lost is what is.
+TEST_F(PovFile, SpotsHaveGltfsConeAndTellByHowMuchTheyDoNot) {
+    constexpr double kIntensity = 7;
+    const std::array<Vec2, 11> cones{{{0, 1.5}, {0, kPi / 4}, {0, 0.3}, {0, 0.045}, {0, 0.03}, {0.01, 0.03}, {0.015, 0.02}, {0, 0.01}, {0.1, 0.6}, {0.3, 0.6}, {0.5, 1.2}}};
+    for (const Vec2& c : cones) {
+        Scene scene = triangle_scene();
+        Light light;
+        light.kind = SpotLight{c.x, c.y}, light.intensity = Color(kIntensity);
+        Node node;
+        node.what = LightId{0};
+        scene.roots.push_back({uint32_t(scene.nodes.size())});
+        scene.lights = {light}, scene.nodes.push_back(node);
+        exported(scene);
+        const Scene read = again();
+        double most = 0;
+        for (int i = 0; i <= 2000; ++i) {
+            const double angle = 1.1 * c.y * i / 2000;
+            most = std::max(most, std::abs(written_cones(read, kIntensity, angle) - gltf_cone(c.x, c.y, angle)));
+        }
+        EXPECT_LT(most, 0.031) << c.x << " " << c.y;
+        EXPECT_THAT(told_, HasSubstr(fmt::format("{:.1f} % of the light", 100 * most))) << c.x << " " << c.y;
+        EXPECT_GT(written_cones(read, kIntensity, 0), 0.999 * gltf_cone(c.x, c.y, 0));
+    }
 }
 
 }  // namespace
