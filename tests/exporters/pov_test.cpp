@@ -214,6 +214,33 @@ TEST_F(PovFile, ClearCoatsAreThereByAlpha) {
         }
 }
 
+/// What is partly metal gives as diffuse light what glTF 2.0, appendix B.3, has straight on, colour by colour; the metal's own lobe of it has the base's colour.
+TEST_F(PovFile, DiffuseLightOfWhatIsPartlyMetalIsWhatIsNotReflected) {
+    const Color base(0.9, 0.6, 0.2);
+    for (const double metallic : {0.1, 0.3, 0.5, 0.8}) {
+        Scene scene = triangle_scene();
+        GltfPbr pbr;
+        pbr.base_color = constant(scene, Vec4(base.x, base.y, base.z, 1));
+        pbr.metallic = constant(scene, Vec4(metallic)), pbr.roughness = constant(scene, Vec4(0.6));
+        scene.materials.push_back({"mixed", {pbr}, {}});
+        scene.nodes[0].materials = {MaterialId{0}};
+        exported(scene);
+        const Scene read = again();
+        const auto& layers = read.materials.at(0).layers;
+        Color diffuse(0);
+        for (const auto& layer : layers) {
+            const auto& finish = std::get<PovFinish>(layer);
+            const Vec3 pigment(std::get<ConstantSignal>(read.signals.at(finish.pigment.index).what).value);
+            const double covers = finish.diffuse > 1000 ? std::exp2(-20) : 1;   // a clear layer
+            if (pigment != Vec3(1)) diffuse += Color(pigment) * (finish.diffuse * covers);
+        }
+        const auto of_metal = [&](int c) { return diffuse[c] / base[c] - (1 - metallic) * (1 - 0.04 * (1 - metallic) - base[c] * metallic); };
+        EXPECT_GE(of_metal(0), 0) << metallic;
+        EXPECT_LT(of_metal(0), 0.3 * metallic) << metallic;
+        for (int c = 1; c < 3; ++c) EXPECT_NEAR(of_metal(c), of_metal(0), 1e-6) << metallic << " " << c;
+    }
+}
+
 /// Of a spot's light, what KHR_lights_punctual has at an angle from the axis.
 double gltf_cone(double inner, double outer, double angle) {
     const double x = std::clamp((std::cos(angle) - std::cos(outer)) / std::max(0.001, std::cos(inner) - std::cos(outer)), 0.0, 1.0);
