@@ -74,11 +74,11 @@ bool ImageWriter::has_alpha(const ImageSignal& image) {
     return bytes && !is_jpeg(*bytes) && (!is_png(*bytes) || png_has_alpha(*bytes));
 }
 
-double ImageWriter::mean(const ImageSignal& image, int channel) {
-    const auto [at, added] = means_.try_emplace({image.image.index, channel}, 1);
+double ImageWriter::mean(const ImageSignal& image, int channel, Encoding encoding) {
+    const auto [at, added] = means_.try_emplace({image.image.index, channel, encoding}, 1);
     if (!added) return at->second;
     const std::string* bytes = encoded(image.image);
-    const auto picture = bytes ? decoded(*bytes, Encoding::linear) : tl::unexpected(std::string());
+    const auto picture = bytes ? decoded(*bytes, encoding) : tl::unexpected(std::string());
     if (!picture || picture->values.empty()) return 1;
     const int c = picture->channels < 3 ? 0 : std::clamp(channel, 0, picture->channels - 1);
     double sum = 0;

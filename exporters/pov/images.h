@@ -2,12 +2,14 @@
 /// Pictures beside the file, and the pigments that show them.
 #pragma once
 
+#include "core/image.h"
 #include "exporters/output_files.h"
 #include "exporters/pov/sdl.h"
 #include "exporters/surfaces.h"
 
 #include <functional>
 #include <map>
+#include <tuple>
 
 namespace alidade::pov_export {
 
@@ -30,8 +32,8 @@ class ImageWriter {
     /// What moves a pattern, behind all that it has, to where the texture coordinates look the picture up.
     void place(const ImageSignal& image);
     bool has_alpha(const ImageSignal& image);
-    /// The mean of one channel, of the stored numbers; 1 if the picture cannot be read.
-    double mean(const ImageSignal& image, int channel);
+    /// The mean of one channel; 1 if the picture cannot be read.
+    double mean(const ImageSignal& image, int channel, Encoding encoding = Encoding::linear);
     /// The block `word { }` of a picture in space: image_map, image_pattern, bump_map or material_map, which `more` ends. False, and nothing written, if it cannot be read.
     bool pattern(const std::string& word, const PatternPicture& picture, const std::function<void()>& more = nullptr);
     /// `image_map { }` of a picture that is no texture, around a sphere. False if it cannot be read.
@@ -62,7 +64,7 @@ class ImageWriter {
     Losses& losses_;
     std::map<uint32_t, tl::expected<std::string, std::string>> bytes_;
     std::map<Key, File> made_;
-    std::map<std::pair<uint32_t, int>, double> means_;
+    std::map<std::tuple<uint32_t, int, Encoding>, double> means_;
 };
 
 }  // namespace alidade::pov_export

@@ -87,10 +87,11 @@ class MeshText {
             if (!is_drawn_flat(corners(t), normals)) continue;
             if (normals_.corners.empty())
                 for (const Index3& each : mesh_.triangles) normals_.corners.insert(normals_.corners.end(), {each.x, each.y, each.z});
+            const Vec3 unit = normalized(normals[2]);   // as POV-Ray makes it before it compares
             Vec3 across, other;
-            orthonormal_basis(normals[2], across, other);
+            orthonormal_basis(unit, across, other);
             normals_.corners[3 * size_t(t) + 2] = uint32_t(normals_.values.size());
-            normals_.values.emplace_back(normals[2] + across * kTurn);
+            normals_.values.emplace_back(unit + across * kTurn);
         }
     }
 

@@ -5,6 +5,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 namespace alidade::pov_export {
 
 namespace {
@@ -25,6 +27,7 @@ class Surface {
         cut_out_ = s.base_color.picture && s.alpha_mode != AlphaMode::opaque && images_.has_alpha(*s.base_color.picture);
         if (cut_out_) alpha_ = 1;   // write_cut_out mixes whole textures
         if (s.alpha_mode == AlphaMode::mask && !cut_out_) alpha_ = s.base_color.factor.w < s.alpha_cutoff ? 0 : 1;
+        partly_metal_ = metallic_ > 0 && metallic_ < 1 && !s.base_color.picture && !s.unlit && !cut_out_ && mirrors == MirrorImages::all && through_ <= 0;
         if (s.emissive) glow_ = Color(s.emissive->factor) * s.emissive_strength;
     }
 
@@ -38,6 +41,7 @@ class Surface {
         finish(inside_base);
         sdl_.end();
         write_gleams();
+        if (partly_metal_) write_other_diffuse();
         if (!inside_base && !is_black(glow_)) write_glow();
         if (s_.clearcoat) write_coat();
     }
@@ -72,6 +76,14 @@ class Surface {
         const Color tint = s_.specular_color ? Color(s_.specular_color->factor) : Color(1);
         const Color metal = s_.base_color.picture ? Color(max_component(base_)) : base_;
         return glm::min(tint * dielectric(), Color(1)) * (1 - metallic_) + metal * metallic_;
+    }
+    /// What is left for diffuse light, of the colours together: a picture's pigment is as it is.
+    double unreflected() {
+        const double d = std::min(dielectric(), 1.0);
+        if (metallic_ <= 0 || metallic_ >= 1) return 1 - d;
+        double base = 0;
+        for (int i = 0; i < 3; ++i) base += base_[i] * (s_.base_color.picture ? images_.mean(*s_.base_color.picture, i, Encoding::srgb) : 1) / 3;
+        return 1 - (d * (1 - metallic_) + base * metallic_);
     }
     double highlight() const { return dielectric() * (1 - metallic_) + metallic_; }
 
@@ -124,7 +136,7 @@ class Surface {
 
     void finish(bool emits) {
         PovFinish f;
-        f.diffuse = (1 - metallic_) * (1 - std::min(dielectric(), 1.0));
+        f.diffuse = (1 - metallic_) * (partly_metal_ ? 1 - max_component(f0()) : unreflected());
         f.ambient = sky_ * f.diffuse;
         if (emits) f.emission = glow_;
         if (const std::vector<Gleam> parts = gleams(); !parts.empty()) {
@@ -190,6 +202,19 @@ class Surface {
         sdl_.end();
     }
 
+    /// Of what is partly metal: colours of which less is reflected than of the base's brightest have more diffuse light.
+    void write_other_diffuse() {
+        const Color more = base_ * (Color(max_component(f0())) - f0());
+        const double most = max_component(more);
+        if (most <= 0) return;
+        PovFinish f;
+        f.diffuse = (1 - metallic_) * most / kVeil * alpha_, f.ambient = sky_ * f.diffuse;
+        sdl_.begin("texture");
+        sdl_.line("pigment {", Rgbft{more / most, 0, 1 - kVeil}, "}");
+        write_finish(sdl_, f);
+        sdl_.end();
+    }
+
     void set_reflection(PovFinish& f) const {
         constexpr double kWeak = 0.25;
         const double k = mirror() * alpha_;
@@ -235,13 +260,13 @@ class Surface {
     void write_coat() {
         constexpr double kCoat = 0.04;   // ((1.5 - 1) / (1.5 + 1))^2
         const double coat = scalar(*s_.clearcoat, "clear coat"), rough = s_.clearcoat_roughness ? scalar(*s_.clearcoat_roughness, "roughness of the coat") : 0;
-        if (coat <= 0) return;
+        if (coat * alpha_ <= 0) return;
         sdl_.begin("texture");
         sdl_.line("pigment { color rgbt <0,0,0,1> }");
         PovFinish f;
         f.ambient = Color(0), f.diffuse = 0;
         if (rough * rough >= kSmallestAlpha) set_highlight(f, {&highlights_({rough * rough, coat * kCoat, coat, false, false}), 1, 0, false}, 0);
-        const double k = coat * (1 - rough) * (1 - rough);
+        const double k = coat * (1 - rough) * (1 - rough) * alpha_;
         f.reflection_min = Color(k * kCoat), f.reflection_max = Color(k), f.reflection_falloff = 5;
         write_finish(sdl_, f);
         sdl_.end();
@@ -257,7 +282,8 @@ class Surface {
     MirrorImages mirrors_;
     double metallic_ = 0, roughness_ = 1, through_ = 0, alpha_ = 1;
     Color base_{1}, tint_{1}, glow_{0};
-    bool cut_out_ = false;   ///< by the alpha of its picture
+    bool cut_out_ = false;        ///< by the alpha of its picture
+    bool partly_metal_ = false;   ///< and has layers of diffuse light
 };
 
 }  // namespace

@@ -7,6 +7,9 @@
 #include "tests/exporters/samples.h"
 #include "tests/scene/sample_scene.h"
 
+#include <algorithm>
+#include <array>
+#include <cmath>
 #include <filesystem>
 #include <fmt/format.h>
 #include <fstream>
@@ -26,9 +29,9 @@ class PovFile : public FolderTest {
         const std::string path = (folder_ / "scene.pov").string();
         const auto done = export_scene(scene, path);
         EXPECT_TRUE(done) << (done ? "" : done.error());
-        lost_.clear();
+        lost_.clear(), told_.clear();
         if (done)
-            for (const Loss& loss : done->losses) lost_ += loss.what + "\n";
+            for (const Loss& loss : done->losses) lost_ += loss.what + "\n", told_ += loss.instead + "\n";
         return text("scene.pov");
     }
 
@@ -40,7 +43,7 @@ class PovFile : public FolderTest {
         return std::move(read->scene);
     }
 
-    std::string lost_;
+    std::string lost_, told_;
 };
 
 Scene scene_of(ShapeGeometry geometry) {
@@ -157,6 +160,128 @@ TEST_F(PovFile, NamesCannotEndAComment) {
     EXPECT_THAT(written, Not(HasSubstr("sphere {")));
     EXPECT_THAT(written, Not(HasSubstr("#include \"")));
     EXPECT_EQ(again().shapes.size(), 1u);
+}
+
+/// A square whose normals are all `normal`, at its four corners.
+Scene square_with(const Vec3f& normal) {
+    Mesh mesh;
+    mesh.positions = {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}};
+    mesh.triangles = {{0, 1, 2}, {0, 2, 3}};
+    mesh.normals.values.assign(4, normal);
+    return scene_of(std::move(mesh));
+}
+
+/// POV-Ray draws a triangle of a mesh flat whose normals are one: one corner's is turned by nothing that shows, however long they are.
+TEST_F(PovFile, NormalsThatAreNotUnitAreKept) {
+    for (const float size : {0.01f, 0.5f, 1.0f, 2.0f, 100.0f}) {
+        exported(square_with(Vec3f(0.6f, 0, 0.8f) * size));
+        const Scene read = again();
+        const Mesh& mesh = std::get<Mesh>(read.shapes.at(0).geometry);
+        for (size_t t = 0; t < 2; ++t)
+            for (int corner = 0; corner < 3; ++corner) EXPECT_LT(length(Vec3(mesh.normals.values[mesh.normals.index(t, corner, mesh.triangles[t])]) - Vec3(0.6, 0, 0.8)), 2e-5) << size;
+    }
+}
+
+TEST_F(PovFile, NormalsWithoutDirectionTurnNothing) {
+    EXPECT_THAT(exported(square_with(Vec3f(0))), Not(HasSubstr("normal_indices")));
+    EXPECT_THAT(lost_, HasSubstr("normals without direction"));
+    const Scene read = again();
+    const Mesh& mesh = std::get<Mesh>(read.shapes.at(0).geometry);
+    for (const Vec3f& n : mesh.normals.values) EXPECT_LT(std::abs(n.x), 1e-6f);
+}
+
+SignalId constant(Scene& scene, const Vec4& value) {
+    scene.signals.push_back({ConstantSignal{value}, {}});
+    return {uint32_t(scene.signals.size() - 1)};
+}
+
+/// A clear coat is there as much as what is under it.
+TEST_F(PovFile, ClearCoatsAreThereByAlpha) {
+    for (const double alpha : {0.0, 0.25, 1.0})
+        for (const double rough : {0.0, 0.5}) {
+            Scene scene = triangle_scene();
+            GltfPbr pbr;
+            pbr.alpha_mode = AlphaMode::blend, pbr.base_color = constant(scene, Vec4(1, 1, 1, alpha));
+            pbr.clearcoat = constant(scene, Vec4(0.8)), pbr.clearcoat_roughness = constant(scene, Vec4(rough));
+            scene.materials.push_back({"coated", {pbr}, {}});
+            scene.nodes[0].materials = {MaterialId{0}};
+            exported(scene);
+            const Scene read = again();
+            Color most(0);
+            for (const Material& material : read.materials)
+                for (const auto& layer : material.layers) most = glm::max(most, std::get<PovFinish>(layer).reflection_max);
+            EXPECT_NEAR(most.x, 0.8 * (1 - rough) * (1 - rough) * alpha, 1e-9) << alpha << " " << rough;
+        }
+}
+
+/// What is partly metal gives as diffuse light what glTF 2.0, appendix B.3, has straight on, colour by colour; the metal's own lobe of it has the base's colour.
+TEST_F(PovFile, DiffuseLightOfWhatIsPartlyMetalIsWhatIsNotReflected) {
+    const Color base(0.9, 0.6, 0.2);
+    for (const double metallic : {0.1, 0.3, 0.5, 0.8}) {
+        Scene scene = triangle_scene();
+        GltfPbr pbr;
+        pbr.base_color = constant(scene, Vec4(base.x, base.y, base.z, 1));
+        pbr.metallic = constant(scene, Vec4(metallic)), pbr.roughness = constant(scene, Vec4(0.6));
+        scene.materials.push_back({"mixed", {pbr}, {}});
+        scene.nodes[0].materials = {MaterialId{0}};
+        exported(scene);
+        const Scene read = again();
+        const auto& layers = read.materials.at(0).layers;
+        Color diffuse(0);
+        for (const auto& layer : layers) {
+            const auto& finish = std::get<PovFinish>(layer);
+            const Vec3 pigment(std::get<ConstantSignal>(read.signals.at(finish.pigment.index).what).value);
+            const double covers = finish.diffuse > 1000 ? std::exp2(-20) : 1;   // a clear layer
+            if (pigment != Vec3(1)) diffuse += Color(pigment) * (finish.diffuse * covers);
+        }
+        const auto of_metal = [&](int c) { return diffuse[c] / base[c] - (1 - metallic) * (1 - 0.04 * (1 - metallic) - base[c] * metallic); };
+        EXPECT_GE(of_metal(0), 0) << metallic;
+        EXPECT_LT(of_metal(0), 0.3 * metallic) << metallic;
+        for (int c = 1; c < 3; ++c) EXPECT_NEAR(of_metal(c), of_metal(0), 1e-6) << metallic << " " << c;
+    }
+}
+
+/// Of a spot's light, what KHR_lights_punctual has at an angle from the axis.
+double gltf_cone(double inner, double outer, double angle) {
+    const double x = std::clamp((std::cos(angle) - std::cos(outer)) / std::max(0.001, std::cos(inner) - std::cos(outer)), 0.0, 1.0);
+    return x * x;
+}
+
+/// What POV-Ray's lights have there: the sum of 3u^2 - 2u^3 of their ramps (docs/pov-support.md).
+double written_cones(const Scene& scene, double intensity, double angle) {
+    double sum = 0;
+    for (const Light& light : scene.lights) {
+        const ConeLight& cone = std::get<ConeLight>(light.kind);
+        EXPECT_LT(cone.radius, cone.falloff);
+        const double begin = std::cos(cone.falloff), u = std::clamp((std::cos(angle) - begin) / (std::cos(cone.radius) - begin), 0.0, 1.0), near = light.fade.value().distance;
+        sum += light.intensity.x * 2 * kPi * near * near / intensity * u * u * (3 - 2 * u);
+    }
+    return sum;
+}
+
+/// Whether the ramp ends before the axis, at it (glTF's default), or, in spots of less than 2.6 degrees, not at all: what is said to be lost is what is.
+TEST_F(PovFile, SpotsHaveGltfsConeAndTellByHowMuchTheyDoNot) {
+    constexpr double kIntensity = 7;
+    const std::array<Vec2, 11> cones{{{0, 1.5}, {0, kPi / 4}, {0, 0.3}, {0, 0.045}, {0, 0.03}, {0.01, 0.03}, {0.015, 0.02}, {0, 0.01}, {0.1, 0.6}, {0.3, 0.6}, {0.5, 1.2}}};
+    for (const Vec2& c : cones) {
+        Scene scene = triangle_scene();
+        Light light;
+        light.kind = SpotLight{c.x, c.y}, light.intensity = Color(kIntensity);
+        Node node;
+        node.what = LightId{0};
+        scene.roots.push_back({uint32_t(scene.nodes.size())});
+        scene.lights = {light}, scene.nodes.push_back(node);
+        exported(scene);
+        const Scene read = again();
+        double most = 0;
+        for (int i = 0; i <= 2000; ++i) {
+            const double angle = 1.1 * c.y * i / 2000;
+            most = std::max(most, std::abs(written_cones(read, kIntensity, angle) - gltf_cone(c.x, c.y, angle)));
+        }
+        EXPECT_LT(most, 0.031) << c.x << " " << c.y;
+        EXPECT_THAT(told_, HasSubstr(fmt::format("{:.1f} % of the light", 100 * most))) << c.x << " " << c.y;
+        EXPECT_GT(written_cones(read, kIntensity, 0), 0.999 * gltf_cone(c.x, c.y, 0));
+    }
 }
 
 }  // namespace
