@@ -9,7 +9,7 @@
 namespace alidade {
 
 /// POV-Ray takes normals that lie no farther than this from the first one for the same.
-constexpr double kSameNormal = 1e-5;
+inline constexpr double kSameNormal = 1e-5;
 
 /// A triangle's own unit normal, on the side of `n`.
 inline Vec3 own_normal(const std::array<Vec3, 3>& corners, const Vec3& n) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "exporters/gltf/lights.h"
 
+#include "exporters/gltf/merged_cones.h"
 #include "exporters/shown_nodes.h"
 #include "scene/queries.h"
 
@@ -41,8 +42,13 @@ double LightWriter::strength_at_middle(LightId id) {
     return kPi * (std::isfinite(faded) ? faded : 1) * (is_parallel(light) ? 1 : distance * distance);
 }
 
+LightWriter::LightWriter(const Scene& scene, Document& document, Losses& losses) : scene_(scene), document_(document), losses_(losses), merged_(merged_cones(scene)) {}
+
 std::optional<Json> LightWriter::write(LightId id) {
-    const Light& light = scene_.lights[id.index];
+    const auto merged = merged_.find(id);
+    if (merged != merged_.end() && !merged->second) return std::nullopt;
+    if (merged != merged_.end()) losses_.add("spot lights of which others take light away", 1, "one like their sum");
+    const Light& light = merged != merged_.end() ? *merged->second : scene_.lights[id.index];
     const bool dark = std::min({light.intensity.x, light.intensity.y, light.intensity.z}) < 0;
     if (std::holds_alternative<AreaLight>(light.kind)) return losses_.add("area lights"), std::nullopt;
     if (dark || !is_finite(light.intensity)) return losses_.add("lights of negative or endless intensity"), std::nullopt;

@@ -10,7 +10,7 @@ namespace alidade::gltf_export {
 /// exporter has it; the importer knows by the generator's name that it must divide by as much.
 class LightWriter {
   public:
-    LightWriter(const Scene& scene, Document& document, Losses& losses) : scene_(scene), document_(document), losses_(losses) {}
+    LightWriter(const Scene& scene, Document& document, Losses& losses);
 
     /// Nothing for lights that glTF does not have.
     std::optional<size_t> add(LightId id);
@@ -23,6 +23,7 @@ class LightWriter {
     const Scene& scene_;
     Document& document_;
     Losses& losses_;
+    std::map<LightId, std::optional<Light>> merged_;   ///< merged_cones
     std::map<LightId, std::optional<size_t>> known_;
     std::map<LightId, double> distances_;   ///< of those that are shown, from the middle of the scene; found when one is asked for
 };

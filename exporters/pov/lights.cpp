@@ -1,14 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "exporters/pov/lights.h"
 
+#include "exporters/pov/spot_rim.h"
 #include "scene/queries.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <span>
 
 namespace alidade::pov_export {
 
@@ -16,63 +15,14 @@ namespace {
 
 constexpr double kNear = 1e-5;
 constexpr double kDegrees = 180 / kPi;
+/// Of a spot's light: what its rim differs by is told from here on.
+constexpr double kTold = 5e-4;
 /// How many points an area light gets along each side.
 constexpr int kSide = 9;
 
 /// Is light spread over a surface as glTF has it, by radiometry? (POV-Ray's own lights are colours.)
 bool is_radiometric(const Light& light) {
     return light.inverse_square && !light.fade && !std::holds_alternative<ConeLight>(light.kind) && !std::holds_alternative<CylinderLight>(light.kind);
-}
-
-/// A light whose rim is 3u^2 - 2u^3 of the ramp from x = `begin` to x = `end`.
-struct RimPart {
-    double share, begin, end;
-};
-/// Together they are nearest to KHR_lights_punctual's rim, which is x^2 and ends with a kink at x = 1: no more than 0.027 of the light is too much or too little.
-/// (The best of one part is off by 0.061, that of three by 0.017.)
-constexpr std::array<RimPart, 2> kRim{{{0.65445, 0.1088, 1.0480}, {0.34555, 0.6530, 1.0623}}};
-/// No cosine is above 1: where the ramp ends at the axis, or nearly, the parts end with it, and it takes three. Off by 0.031.
-/// (The best of two is off by 0.037, but dark where the rim begins: three times the FLIP.)
-constexpr std::array<RimPart, 3> kRimToAxis{{{0.4509, 0.00575, 1}, {0.33878, 0.42365, 1}, {0.21032, 0.86088, 1}}};
-constexpr std::array<RimPart, 1> kNarrowRim{{{1, 0.2045, 1.1407}}};
-
-/// Of the cosines: a rim of less looks hard.
-constexpr double kNarrowest = 1e-3;
-
-struct Rim {
-    std::span<const RimPart> parts;
-    double outer, ramp;   ///< cosines: where it begins, and how far it goes
-    double light;         ///< of the spot's, at its end
-};
-
-Rim rim_of(const SpotLight& spot) {
-    const double outer = std::cos(spot.outer_angle), width = std::cos(spot.inner_angle) - outer, ramp = std::max(kNarrowest, width);
-    const double axis = (1 - outer) / ramp;   // where the ramp is cut off
-    if (width <= kNarrowest && axis >= kNarrowRim[0].end) return {kNarrowRim, outer, ramp, 1};
-    if (axis >= kRim[1].end) return {kRim, outer, ramp, 1};
-    const double reached = std::min(axis, 1.0);
-    return {kRimToAxis, outer, ramp * reached, reached * reached};   // a part of a parabola is one
-}
-
-SpotLight angles_of(const Rim& rim, const RimPart& part) {
-    const auto at = [&](double x) { return std::acos(std::clamp(rim.outer + x * rim.ramp, -1.0, 1.0)); };
-    return {at(part.end), at(part.begin)};
-}
-
-/// The most by which the parts together differ from the rim, of the spot's light.
-double most_off(const Rim& rim) {
-    constexpr int kSteps = 500;
-    double most = 0;
-    for (int i = 0; i <= kSteps; ++i) {
-        const double x = double(i) / kSteps;
-        double sum = 0;
-        for (const RimPart& part : rim.parts) {
-            const double u = std::clamp((x - part.begin) / (part.end - part.begin), 0.0, 1.0);
-            sum += part.share * u * u * (3 - 2 * u);
-        }
-        most = std::max(most, std::abs(sum - x * x));
-    }
-    return most * rim.light;
 }
 
 void spotlight(Sdl& sdl, double radius, double falloff, double tightness) {
@@ -91,10 +41,7 @@ Expression LightWriter::colour(const Light& light, size_t part) const {
     if (!is_radiometric(light)) return {light.intensity};
     if (std::holds_alternative<DirectionalLight>(light.kind)) return {light.intensity / kPi};
     double seen = 1;
-    if (const auto* spot = std::get_if<SpotLight>(&light.kind)) {
-        const Rim rim = rim_of(*spot);
-        seen = rim.parts[part].share * rim.light;
-    }
+    if (const auto* spot = std::get_if<SpotLight>(&light.kind)) seen = spot_rim(*spot).parts[part].share;
     if (const auto* a = std::get_if<AreaLight>(&light.kind))   // seen from afar: radiance times the area that is seen
         seen = a->form == AreaLight::Form::rectangle ? a->width * a->height : kPi * a->radius * a->radius;
     return {light.intensity * (seen / (2 * kPi * near_ * near_))};
@@ -107,14 +54,16 @@ void LightWriter::fade(const Light& light) {
 
 void LightWriter::tell_losses(const Light& light) {
     losses_.add("ranges of lights", std::isfinite(light.range), "light that goes on");
-    if (const size_t several = parts(light); several > 1)
-        losses_.add("rims of spot lights", 1, fmt::format("{} lights, whose rims differ by up to {:.1f} % of the light", several, 100 * most_off(rim_of(std::get<SpotLight>(light.kind)))));
+    if (const auto* spot = std::get_if<SpotLight>(&light.kind)) {
+        const SpotRim rim = spot_rim(*spot);
+        losses_.add("rims of spot lights", rim.off >= kTold, fmt::format("a sum of POV-Ray's, off by up to {:.1f} % of the light", 100 * rim.off));
+    }
     losses_.add("lights with an extent", std::holds_alternative<AreaLight>(light.kind), fmt::format("{0} x {0} points", kSide));
 }
 
 size_t LightWriter::parts(const Light& light) {
     const auto* spot = std::get_if<SpotLight>(&light.kind);
-    return spot ? rim_of(*spot).parts.size() : 1;
+    return spot ? spot_rim(*spot).parts.size() : 1;
 }
 
 void LightWriter::kind(const Light& light, const Transform& to_parent, size_t part) {
@@ -125,9 +74,8 @@ void LightWriter::kind(const Light& light, const Transform& to_parent, size_t pa
     const bool directional = std::holds_alternative<DirectionalLight>(light.kind), flat = area && area->form != AreaLight::Form::sphere;
     if (directional || (light.parallel && !round)) sdl_.line("parallel");
     if (spot) {
-        const Rim rim = rim_of(*spot);
-        const SpotLight angles = angles_of(rim, rim.parts[part]);
-        spotlight(sdl_, angles.inner_angle, angles.outer_angle, 0);
+        const RimPart written = spot_rim(*spot).parts[part];
+        spotlight(sdl_, written.radius, written.falloff, written.tightness);
     }
     if (cone) spotlight(sdl_, cone->radius, cone->falloff, cone->tightness);
     else if (round) sdl_.line("cylinder radius", round->radius, "falloff", round->falloff, "tightness", round->tightness);

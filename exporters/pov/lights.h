@@ -13,7 +13,7 @@ class LightWriter {
   public:
     LightWriter(const Scene& scene, Sdl& sdl, Losses& losses);
 
-    /// How many of POV-Ray's lights it takes to be like it: the rims of two or three make that of a spot.
+    /// How many of POV-Ray's lights it takes to be like it: that of a spot is a sum.
     static size_t parts(const Light& light);
     /// `light_source { ...` of a part, placed by `to_parent` and left open for modifiers.
     void begin(const Light& light, const Transform& to_parent, size_t part = 0);
