@@ -8,7 +8,7 @@ set_target_properties(alidade_all PROPERTIES EXPORT_NAME alidade)
 add_library(alidade::alidade ALIAS alidade_all)
 
 set(installed_folders ${ALIDADE_FOLDERS})
-list(REMOVE_ITEM installed_folders tools)
+list(REMOVE_ITEM installed_folders numerics tools)
 foreach(folder ${installed_folders})
   if(TARGET alidade_${folder})
     install(TARGETS alidade_${folder} EXPORT alidadeTargets)

@@ -11,10 +11,11 @@ MAY = {
     "stress": "core accel",
     "topology": "core scene",
     "eval": "core scene accel",
+    "numerics": "core scene accel eval",
     "importers": "core scene eval",
     "exporters": "core scene eval",
     "tracer": "core scene accel eval",
-    "tools": "core scene accel stress eval topology importers exporters tracer",
+    "tools": "core scene accel stress eval topology numerics importers exporters tracer",
 }
 INCLUDE = re.compile(r'\s*#\s*include\s+["<](?:\.\./)*([^">]+)[">]')
 

@@ -10,6 +10,9 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include <iterator>
+#include <variant>
+
 namespace alidade {
 
 namespace {
@@ -41,12 +44,13 @@ Json cameras(const Scene& scene) {
 }
 
 Json lights(const Scene& scene) {
-    static constexpr const char* kKind[] = {"point", "spot", "directional", "area"};
-    static constexpr const char* kUnit[] = {"W/sr", "W/sr", "W/m^2", "W/(sr m^2)"};
+    static constexpr const char* kKind[] = {"point", "spot", "directional", "area", "POV-Ray spotlight", "POV-Ray cylinder"};
+    static constexpr const char* kUnit[] = {"W/sr", "W/sr", "W/m^2", "W/(sr m^2)", "W/sr", "W/sr"};
+    static_assert(std::size(kKind) == std::variant_size_v<decltype(Light::kind)> && std::size(kUnit) == std::size(kKind));
     Json list = Json::array();
     for (const Light& light : scene.lights)
-        list.push_back({{"number", list.size()}, {"name", light.name}, {"kind", kKind[light.kind.index()]}, {"intensity", triple(light.intensity)},
-                        {"unit", kUnit[light.kind.index()]}});
+        list.push_back({{"number", list.size()}, {"name", light.name}, {"kind", light.parallel ? "POV-Ray parallel" : kKind[light.kind.index()]}, {"intensity", triple(light.intensity)},
+                        {"unit", light.inverse_square ? kUnit[light.kind.index()] : "POV-Ray's colour"}});
     return list;
 }
 

@@ -22,6 +22,7 @@ constexpr Verb kVerbs[] = {
      "0 pass, 1 warn, 2 fail, 3 incomparable, 4 file or usage", run_diff, 4},
     {"compare", "compare SCENE | --corpus LIST --out DIR [options] [-- POV-Ray's words]", "renders with POV-Ray or Cycles too, and tells how far the pictures are apart",
      "as diff, the worst of a list; 2 also if a program made no picture; 4 also if the other program is missing", run_compare, 4},
+    {"selftest", "selftest --numerics [ROW ...] [options]", "asks this machine for the program's numbers, and compares them with exact ones", "0 all goals are met, 1 some are not, 2 interrupted, 64 usage", run_selftest},
 };
 
 std::string help() {

@@ -154,6 +154,12 @@ class Info(InFolder):
         self.assertEqual(said["messages"], [])
         self.assertIn("triangle", run("info", self.scene).stdout)
 
+    def test_every_kind_of_light_is_named(self):
+        scene = self.folder / "lights.pov"
+        scene.write_text("""#version 3.7; light_source { 1, 1 } light_source { 1, 1 spotlight point_at 0 } light_source { 1, 1 cylinder point_at 0 } light_source { 1, 1 parallel point_at 0 } sphere { 0, 1 }""")
+        said = json.loads(run("info", scene, "--json").stdout)
+        self.assertEqual([light["kind"] for light in said["lights"]], ["point", "POV-Ray spotlight", "POV-Ray cylinder", "POV-Ray parallel"])
+
     def test_surfaces_and_their_defects(self):
         said = json.loads(run("info", self.scene, "--json").stdout)
         self.assertEqual(said["surfaces"], [{"shape": 0, "name": said["surfaces"][0]["name"], "triangles": 1, "vertices": 3, "edges": 3, "components": 1,

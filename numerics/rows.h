@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: Apache-2.0
+/// The rows' cases, one file a subject.
+#pragma once
+
+#include "numerics/suite.h"
+
+namespace alidade::numerics {
+
+using Check = std::function<void(uint64_t number, NumericsTally&)>;
+
+Check sphere_far();
+Check sphere_tangent();
+Check quadric_cancel();
+Check quartic_far();
+
+}  // namespace alidade::numerics

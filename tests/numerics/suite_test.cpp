@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "numerics/suite.h"
+
+#include "tests/accel/run_size.h"
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <set>
+
+namespace alidade::test {
+namespace {
+
+class Numerics : public testing::TestWithParam<const NumericsRow*> {};
+
+TEST_P(Numerics, MeetsItsGoal) {
+    const NumericsRow& row = *GetParam();
+    const NumericsTally tally = run_numerics(row, 0, run_size(row.ci, row.full));
+    fmt::print("{} {}: {} asked, {} wrong, worst {:.3g} (case {})\n", row.id, row.name, tally.asked(), tally.wrong(), tally.worst(), tally.worst_case());
+    EXPECT_GT(tally.asked(), run_size(row.ci, row.full) / 4) << "most cases ask something";
+    EXPECT_EQ(tally.wrong(), 0u) << row.id << " case " << tally.first_wrong() << ": " << tally.why();
+}
+
+std::vector<const NumericsRow*> rows() {
+    std::vector<const NumericsRow*> list;
+    for (const NumericsRow& row : numerics_suite()) list.push_back(&row);
+    return list;
+}
+
+INSTANTIATE_TEST_SUITE_P(Suite, Numerics, testing::ValuesIn(rows()), [](const auto& row) { return std::string(row.param->id); });
+
+TEST(NumericsSuite, IdsAreInOrderAndFound) {
+    std::string last;
+    for (const NumericsRow& row : numerics_suite()) {
+        EXPECT_LT(last, row.id);
+        last = row.id;
+        EXPECT_EQ(find_numerics(row.id), &row);
+        EXPECT_EQ(find_numerics(row.name), &row);
+    }
+    EXPECT_EQ(find_numerics("T99"), nullptr);
+}
+
+}  // namespace
+}  // namespace alidade::test

@@ -1,0 +1,33 @@
+# SPDX-License-Identifier: Apache-2.0
+"""`alidade selftest` as its users meet it."""
+import json
+import unittest
+
+from program import run
+
+
+class Selftest(unittest.TestCase):
+    def test_a_few_cases_of_every_row(self):
+        done = run("selftest", "--numerics", "--share", 0.02, "--json")
+        self.assertEqual(done.returncode, 0, done.stderr)
+        document = json.loads(done.stdout)
+        self.assertEqual(document["failures"], [])
+        self.assertGreater(len(document["rows"]), 3)
+        for row in document["rows"]:
+            self.assertGreater(row["asked"], 10, row["id"])
+            self.assertEqual(row["wrong"], 0, row["id"])
+
+    def test_one_case_is_asked_again(self):
+        done = run("selftest", "--numerics", "sphere-far", "--case", 11382, "--json")
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertEqual([row["id"] for row in json.loads(done.stdout)["rows"]], ["T07"])
+
+    def test_wrong_words(self):
+        done = run("selftest", "--numerics", "sphere-fra")
+        self.assertEqual(done.returncode, 64)
+        self.assertIn("did you mean 'sphere-far'?", done.stderr)
+        self.assertEqual(run("selftest").returncode, 64)
+
+
+if __name__ == "__main__":
+    unittest.main()
