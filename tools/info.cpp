@@ -49,7 +49,7 @@ Json lights(const Scene& scene) {
     static_assert(std::size(kKind) == std::variant_size_v<decltype(Light::kind)> && std::size(kUnit) == std::size(kKind));
     Json list = Json::array();
     for (const Light& light : scene.lights)
-        list.push_back({{"number", list.size()}, {"name", light.name}, {"kind", light.parallel ? "POV-Ray parallel" : kKind[light.kind.index()]}, {"intensity", triple(light.intensity)},
+        list.push_back({{"number", list.size()}, {"name", light.name}, {"kind", light.parallel && std::holds_alternative<PointLight>(light.kind) ? "POV-Ray parallel" : kKind[light.kind.index()]}, {"intensity", triple(light.intensity)},
                         {"unit", light.inverse_square ? kUnit[light.kind.index()] : "POV-Ray's colour"}});
     return list;
 }
