@@ -45,6 +45,7 @@ struct StoredPicture {
     double gamma = 0;      ///< of a PNG that says by a gAMA chunk, without an sRGB chunk: stored = linear ^ gamma; 0: it does not say
     bool srgb = false;     ///< of a PNG that has an sRGB chunk
     std::vector<uint8_t> palette = {};   ///< of a PNG with a palette: the number of each pixel's colour
+    std::vector<std::string> left_out = {};   ///< what else the file says, and is not in `picture`: a clause each
 };
 tl::expected<StoredPicture, std::string> read_stored_picture(const std::string& path);
 /// The same for a picture held in memory.
@@ -68,7 +69,7 @@ bool image_module_loaded();
 /// All bytes of a file, or why not (the error names it); refuses what is not a regular file and files over `limit` bytes.
 tl::expected<std::vector<std::byte>, std::string> read_file(const std::string& path, uint64_t limit = uint64_t(1) << 34);
 
-/// Writes all or nothing: to a temporary name beside `path`, which is then renamed.
+/// Writes all or nothing: to a temporary name beside `path`, which is then renamed. Links are followed; what is no regular file (a device, a pipe) is written into.
 tl::expected<void, std::string> write_file(const std::string& path, std::span<const std::byte> bytes);
 
 }  // namespace alidade

@@ -103,7 +103,7 @@ Haze rainbows(const CompiledScene& scene, const Vec3& direction, double distance
 
 Haze haze(const CompiledScene& scene, const Vec3& origin, const Vec3& direction, double distance) {
     Haze out;
-    distance = std::min(distance, kFarAway);
+    if (!std::isfinite(distance)) distance = kFarAway;
     const std::vector<Fog>& fogs = scene.scene.atmosphere.fogs;
     for (size_t i = fogs.size(); i-- > 0;) {
         const Fog& fog = fogs[i];

@@ -4,6 +4,7 @@
 #include "core/image/codec.h"
 
 #include <ImfChannelList.h>
+#include <ImfChromaticities.h>
 #include <ImfFrameBuffer.h>
 #include <ImfHeader.h>
 #include <ImfIO.h>
@@ -11,6 +12,7 @@
 #include <ImfMultiPartInputFile.h>
 #include <ImfOutputFile.h>
 #include <ImfPartType.h>
+#include <ImfStandardAttributes.h>
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -137,22 +139,45 @@ Picture joined(std::vector<Picture> parts) {
 
 std::string part_name(const Imf::Header& header, int number) { return header.hasName() ? header.name() : fmt::format("part{}", number); }
 
+bool is_within(const Window& a, const Window& b) { return a.x >= b.x && a.y >= b.y && a.x + a.width <= b.x + b.width && a.y + a.height <= b.y + b.height; }
+
+/// What a file says of a part beyond what is read of it.
+void tell_left_out(const Imf::Header& header, std::vector<std::string>& left_out) {
+    const auto add = [&](const char* clause) {
+        if (std::find(left_out.begin(), left_out.end(), clause) == left_out.end()) left_out.push_back(clause);
+    };
+    if (!is_within(Window(header.dataWindow()), Window(header.displayWindow()))) add("pixels outside of its display window");
+    const Imf::Chromaticities usual, own = Imf::hasChromaticities(header) ? Imf::chromaticities(header) : usual;
+    constexpr float kSame = 1e-3f;
+    const auto same = [](const Imath::V2f& a, const Imath::V2f& b) { return a.equalWithAbsError(b, kSame); };
+    if (!same(own.red, usual.red) || !same(own.green, usual.green) || !same(own.blue, usual.blue) || !same(own.white, usual.white)) add("its chromaticities, which are not Rec. 709's");
+}
+
 Result<Stored> decode(std::span<const std::byte> bytes) {
     MemoryInput input(bytes);
     Imf::MultiPartInputFile file(input, 0);
     if (is_deep(file.header(0))) return tl::unexpected(std::string("deep EXR pictures are not supported"));
     std::vector<Picture> parts;
-    size_t channels = 0;
+    std::vector<std::string> left_out;
+    size_t channels = 0, other_parts = 0;
     for (int i = 0; i < file.parts(); ++i) {
-        if (is_deep(file.header(i))) continue;
+        if (is_deep(file.header(i))) {
+            ++other_parts;
+            continue;
+        }
         auto part = decode_part(file, i, channels, bytes.size());
         if (!part) return tl::unexpected(part.error());
-        if (i > 0 && (part->width != parts[0].width || part->height != parts[0].height)) continue;
+        if (i > 0 && (part->width != parts[0].width || part->height != parts[0].height)) {
+            ++other_parts;
+            continue;
+        }
+        tell_left_out(file.header(i), left_out);
         for (std::string& name : part->names) name = i == 0 ? name : part_name(file.header(i), i) + "." + name;
         channels += part->names.size();
         parts.push_back(std::move(*part));
     }
-    return Stored{joined(std::move(parts)), 0};
+    if (other_parts > 0) left_out.push_back(fmt::format("{} parts that are deep or of another size", other_parts));
+    return Stored{joined(std::move(parts)), 0, 0, false, {}, std::move(left_out)};
 }
 
 Bytes encode(const Picture& picture) {

@@ -11,9 +11,12 @@
 #include <cerrno>
 #include <cstdio>
 #include <cstring>
+#include <filesystem>
 
 namespace alidade {
 namespace {
+
+namespace fs = std::filesystem;
 
 /// An open file descriptor, closed at the end of its scope.
 class File {
@@ -53,6 +56,32 @@ bool write_all(File& file, std::span<const std::byte> bytes) {
     return file.close();
 }
 
+/// A device, a pipe, or a descriptor by its name: what stands there stays, and takes the bytes. A pipe without a reader is an error, and not waited for.
+bool is_written_in_place(const std::string& path) {
+    struct stat status {};
+    const bool there = ::stat(path.c_str(), &status) == 0;
+    return there && (!S_ISREG(status.st_mode) || path.starts_with("/dev/") || path.starts_with("/proc/"));
+}
+
+tl::expected<void, std::string> write_in_place(const std::string& path, std::span<const std::byte> bytes) {
+    File file(::open(path.c_str(), O_WRONLY | O_CLOEXEC | O_NONBLOCK));
+    if (!file.is_open()) return failure("write", path, last_error());
+    ::fcntl(file.get(), F_SETFL, 0);
+    if (!write_all(file, bytes)) return failure("write", path, last_error());
+    return {};
+}
+
+/// The file that a chain of symbolic links ends at, there or not.
+std::string behind_links(const std::string& path) {
+    std::error_code error;
+    fs::path at = path;
+    for (int links = 0; links < 40 && fs::is_symlink(at, error); ++links) {
+        const fs::path to = fs::read_symlink(at, error);
+        at = to.is_absolute() ? to : at.parent_path() / to;
+    }
+    return at.string();
+}
+
 }  // namespace
 
 tl::expected<std::vector<std::byte>, std::string> read_file(const std::string& path, uint64_t limit) {
@@ -78,11 +107,12 @@ tl::expected<std::vector<std::byte>, std::string> read_file(const std::string& p
 }
 
 tl::expected<void, std::string> write_file(const std::string& path, std::span<const std::byte> bytes) {
+    if (is_written_in_place(path)) return write_in_place(path, bytes);
     static std::atomic<unsigned> count{0};
-    const std::string temporary = fmt::format("{}.{}-{}.part", path, ::getpid(), count++);
+    const std::string target = behind_links(path), temporary = fmt::format("{}.{}-{}.part", target, ::getpid(), count++);
     File file(::open(temporary.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666));
     if (!file.is_open()) return failure("write", path, last_error());
-    if (write_all(file, bytes) && std::rename(temporary.c_str(), path.c_str()) == 0) return {};
+    if (write_all(file, bytes) && std::rename(temporary.c_str(), target.c_str()) == 0) return {};
     const std::string why = last_error();
     ::unlink(temporary.c_str());
     return failure("write", path, why);

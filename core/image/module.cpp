@@ -108,6 +108,8 @@ float* allocate(AlidadeImageCall* call, const AlidadeImageInfo* info) try {
         return nullptr;
     }
     decoding.stored.picture = Picture(int(info->width), int(info->height), std::vector<std::string>(info->names, info->names + info->channels));
+    if (info->more_pages) decoding.stored.left_out.push_back("further pages");
+    if (info->orientation > 1 && info->orientation <= 8) decoding.stored.left_out.push_back(fmt::format("its orientation ({}, as Exif counts them)", info->orientation));
     decoding.stored.levels = info->bits ? (1u << info->bits) - 1 : 0;
     return decoding.stored.picture.values.data();
 } catch (const std::bad_alloc&) {
@@ -156,7 +158,7 @@ Result<Bytes> encode_by_module(const Picture& picture, const std::string& ending
     if (!opened) return tl::unexpected(opened.error());
 
     const char* const names[] = {"R", "G", "B", "A"};
-    const AlidadeImageInfo info{uint32_t(picture.width), uint32_t(picture.height), with_alpha ? 4u : 3u, target->floats ? 0u : 8u, names};
+    const AlidadeImageInfo info{uint32_t(picture.width), uint32_t(picture.height), with_alpha ? 4u : 3u, target->floats ? 0u : 8u, names, 0, 1};
     Bytes bytes;
     AlidadeImageCall call{&bytes, nullptr, keep_file, ""};
     const auto encode = [&](const void* pixels) { return (*opened)->encode(target->format, &info, pixels, &call); };

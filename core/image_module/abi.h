@@ -7,15 +7,17 @@
 #include <stddef.h>
 #include <stdint.h>
 
-#define ALIDADE_IMAGE_ABI 1
+#define ALIDADE_IMAGE_ABI 2
 #define ALIDADE_IMAGE_ENTRY "alidade_image_module"
 
 extern "C" {
 
-/* Rows from the top, channels interleaved. `bits` of the file's samples: 8, 16, or 0 for floats. */
+/* Rows from the top, channels interleaved. `bits` of the file's samples: 8, 16, or 0 for floats. Decode: `more_pages` is 1 if the file has further pictures,
+ * `orientation` is Exif's, 1 for none; the pixels are as they are stored. */
 struct AlidadeImageInfo {
     uint32_t width, height, channels, bits;
     const char* const* names;
+    uint32_t more_pages, orientation;
 };
 
 /* The program's side of one call. A callback that returns null or 0 has refused, and has written why into `error`. */

@@ -31,10 +31,32 @@ void divide_by_alpha(float* pixels, size_t count) {
         for (int c = 0; c < 3 && p[3] > 0; ++c) p[c] = std::min(1.0f, std::round(p[c] / p[3] * 255) / 255);
 }
 
+/// Are the file's colours multiplied by its alpha? OpenImageIO gives what a TIFF file has, and says which it was.
+bool is_associated_tiff(const char* format, const OIIO::ImageSpec& spec) {
+    return format == std::string_view("tiff") && spec.alpha_channel == spec.nchannels - 1 && spec.get_int_attribute("oiio:UnassociatedAlpha") == 0;
+}
+
+/// Alpha is the last channel.
+void make_straight(float* pixels, size_t count, int channels) {
+    for (float* p = pixels; p != pixels + size_t(channels) * count; p += channels)
+        for (int c = 0; c + 1 < channels && p[channels - 1] > 0; ++c) p[c] /= p[channels - 1];
+}
+
 /// OpenImageIO makes k * (1 / levels) of an integer k, other codecs k / levels: the same file in two formats would differ in the last digit.
 void round_to(float* pixels, size_t count, uint32_t bits) {
     const double levels = double((1u << bits) - 1);
     for (size_t i = 0; i < count; ++i) pixels[i] = float(std::round(double(pixels[i]) * levels) / levels);
+}
+
+/// Asked of a second reader: going on and back again would read the first page twice.
+uint32_t has_more_pages(const char* format, const void* bytes, size_t size) {
+    if (format != std::string_view("tiff")) return 0;   // GIF and PSD count frames and layers as pages
+    OIIO::Filesystem::IOMemReader proxy(const_cast<void*>(bytes), size);
+    const auto input = OIIO::ImageInput::create(format);
+    OIIO::ImageSpec spec;
+    const bool more = input && input->set_ioproxy(&proxy) && input->open("memory.tiff", spec, OIIO::ImageSpec()) && input->seek_subimage(1, 0);
+    if (input) input->close();
+    return more;
 }
 
 int decode_with(OIIO::ImageInput& input, const char* format, const void* bytes, size_t size, AlidadeImageCall* call) {
@@ -48,13 +70,15 @@ int decode_with(OIIO::ImageInput& input, const char* format, const void* bytes, 
     std::vector<const char*> names;
     for (const std::string& name : spec.channelnames) names.push_back(name.c_str());
     if (spec.nchannels == 1) names = {"Y"};
-    const AlidadeImageInfo info{uint32_t(spec.width), uint32_t(spec.height), uint32_t(names.size()), bits_of(spec.format), names.data()};
+    const AlidadeImageInfo info{uint32_t(spec.width), uint32_t(spec.height), uint32_t(names.size()), bits_of(spec.format), names.data(),
+                                has_more_pages(format, bytes, size), uint32_t(spec.get_int_attribute("Orientation", 1))};
     float* pixels = call->allocate(call, &info);
     if (!pixels) return 0;
     const bool complete = input.read_image(0, 0, 0, spec.nchannels, OIIO::TypeDesc::FLOAT, pixels);
     if (!complete || input.has_error()) return refuse(call, input.geterror());
     const size_t pixel_count = size_t(spec.width) * size_t(spec.height);
     if (info.bits > 0) round_to(pixels, pixel_count * size_t(spec.nchannels), info.bits);
+    if (info.bits > 0 && is_associated_tiff(format, spec)) make_straight(pixels, pixel_count, spec.nchannels);   // of floats, colours are expected to be multiplied
     if (format == std::string_view("webp") && spec.nchannels == 4) divide_by_alpha(pixels, pixel_count);
     return 1;
 }

@@ -196,6 +196,25 @@ TEST_F(ImageFiles, ReadFileKeepsItsLimitAndRefusesPipes) {
     EXPECT_THAT(read_file(path("pipe")).error(), HasSubstr("not a regular file")) << "and it does not wait for a writer";
 }
 
+TEST_F(ImageFiles, LinksAreFollowedAndWhatIsNoFileStays) {
+    ASSERT_TRUE(write_file(path("real"), std::vector<std::byte>(3)));
+    fs::create_symlink("real", path("link"));
+    fs::create_symlink(path("new"), path("dangling"));
+    ASSERT_TRUE(write_file(path("link"), std::vector<std::byte>(7)));
+    ASSERT_TRUE(write_file(path("dangling"), std::vector<std::byte>(9)));
+    EXPECT_TRUE(fs::is_symlink(path("link")));
+    EXPECT_TRUE(fs::is_symlink(path("dangling")));
+    EXPECT_EQ(fs::file_size(path("real")), 7u);
+    EXPECT_EQ(fs::file_size(path("new")), 9u);
+    ASSERT_EQ(mkfifo(path("pipe").c_str(), 0600), 0);
+    EXPECT_THAT(write_file(path("pipe"), std::vector<std::byte>(1)).error(), HasSubstr("pipe")) << "and it does not wait for a reader";
+    EXPECT_TRUE(fs::is_fifo(path("pipe")));
+    fs::create_symlink("/dev/full", path("full"));   // a link, so that a fault here spoils no device
+    EXPECT_THAT(write_file(path("full"), std::vector<std::byte>(1)).error(), HasSubstr("No space left"));
+    EXPECT_TRUE(fs::is_symlink(path("full")));
+    EXPECT_TRUE(fs::is_character_file("/dev/full"));
+}
+
 TEST(Image, KnowsTheEndingsThatNeedNoModule) {
     for (const char* name : {"a.png", "b/c.EXR", "x.ppm", "y.pfm"}) EXPECT_TRUE(can_write_picture(name)) << name;
     for (const char* name : {"a.jpg", "png", "a.png/b", "", "a."}) EXPECT_FALSE(can_write_picture(name)) << name;

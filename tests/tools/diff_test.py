@@ -1,12 +1,25 @@
 # SPDX-License-Identifier: Apache-2.0
 """`alidade diff`: the table of pairs with known answers, its files and its words."""
 import json
+import struct
 import unittest
 import xml.etree.ElementTree
 
 from diff_pairs import CODES, files, pairs
 from pictures import changed, png_bytes, pfm_bytes, scene, write
 from program import InFolder, read_png, run
+
+
+def tiff_bytes(pages, orientation):
+    """Gray pictures of 4 x 4 pixels, one a page."""
+    out = b"II*\0" + struct.pack("<I", 8)
+    for page in range(pages):
+        tags = [(256, 3, 1, 4), (257, 3, 1, 4), (258, 3, 1, 8), (259, 3, 1, 1), (262, 3, 1, 1), (273, 4, 1, 0), (274, 3, 1, orientation), (277, 3, 1, 1), (278, 3, 1, 4), (279, 4, 1, 16)]
+        size = 2 + 12 * len(tags) + 4
+        pixels = len(out) + size
+        out += struct.pack("<H", len(tags)) + b"".join(struct.pack("<HHII", tag, kind, count, pixels if tag == 273 else value) for tag, kind, count, value in tags)
+        out += struct.pack("<I", pixels + 16 if page + 1 < pages else 0) + bytes([100 + page] * 16)
+    return out
 
 
 class Diff(InFolder):
@@ -119,6 +132,41 @@ class Diff(InFolder):
         told = self.document(self.picture("a.png", a), self.picture("b.png", [row[2:] + [row[-1]] * 2 for row in a]), "--align")
         self.assertAlmostEqual(told["shift"]["x"], -2, 2)
         self.assertAlmostEqual(told["shift"]["y"], 0, 2)
+
+    def test_far_shifts_are_found_or_not_told(self):
+        a = scene(256, 192)
+        for far, told in ((12, True), (27, True), (90, False)):
+            shift = self.document(self.picture("a.png", a), self.picture("b.png", [row[far:] + [row[-1]] * far for row in a]), "--align")["shift"]
+            if told:
+                self.assertAlmostEqual(shift["x"], -far, 1)
+                self.assertAlmostEqual(shift["y"], 0, 1)
+            else:
+                self.assertLess(max(abs(shift["x"]), abs(shift["y"])), 33)
+
+    def test_the_heat_map_shows_nan_and_alpha(self):
+        a = [[(0.5, 0.5, 0.5) for x in range(32)] for _ in range(24)]
+        write(self.folder / "a.pfm", pfm_bytes(a))
+        write(self.folder / "b.pfm", pfm_bytes(changed(a, lambda x, y, pixel: (float("nan"), 0.5, 0.5) if (x, y) == (5, 7) else pixel)))
+        clear = changed(scene(), lambda x, y, pixel: (0, 0, 0, 0.75))
+        paths = [self.picture("c.png", clear), self.picture("d.png", changed(clear, lambda x, y, pixel: (0, 0, 0, 0.1) if (x, y) == (5, 7) else pixel))]
+        for pair in (["a.pfm", "b.pfm"], paths):
+            self.assertEqual(self.diff(*pair, "--heatmap", "heat.ppm").returncode, 2)
+            width, data = self.ppm("heat.ppm")
+            self.assertEqual([i // 3 for i in range(0, len(data), 3) if data[i] > 100], [7 * width + 5])
+
+    def test_further_pages_and_orientation_are_told(self):
+        for name, pages, orientation in (("one.tif", 1, 1), ("two.tif", 2, 1), ("turned.tif", 1, 6)):
+            write(self.folder / name, tiff_bytes(pages, orientation))
+        self.assertEqual(self.document("one.tif", "one.tif")["notes"], [])
+        self.assertIn("not compared of two.tif: further pages", self.document("one.tif", "two.tif")["notes"])
+        self.assertIn("orientation (6", " ".join(self.document("one.tif", "turned.tif")["notes"]))
+
+    def ppm(self, name):
+        """The width, and the bytes of the pixels."""
+        _, size, _, data = (self.folder / name).read_bytes().split(b"\n", 3)
+        width, height = map(int, size.split())
+        self.assertEqual(len(data), 3 * width * height)
+        return width, data
 
     def test_files(self):
         a = scene()

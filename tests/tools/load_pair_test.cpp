@@ -4,11 +4,14 @@
 #include "tools/diff/words.h"
 
 #include <ImfChannelList.h>
+#include <ImfChromaticities.h>
 #include <ImfFrameBuffer.h>
 #include <ImfHeader.h>
 #include <ImfMultiPartOutputFile.h>
+#include <ImfOutputFile.h>
 #include <ImfOutputPart.h>
 #include <ImfPartType.h>
+#include <ImfStandardAttributes.h>
 #include <fmt/format.h>
 
 #include <filesystem>
@@ -18,8 +21,10 @@ namespace alidade::test {
 namespace {
 
 namespace fs = std::filesystem;
+using testing::AllOf;
 using testing::Contains;
 using testing::HasSubstr;
+using testing::Not;
 
 constexpr float kNan = std::numeric_limits<float>::quiet_NaN(), kInfinite = std::numeric_limits<float>::infinity();
 
@@ -64,6 +69,28 @@ TEST_F(LoadPair, ALayerThatIsNoColourIsComparedByChannel) {
     EXPECT_THAT(refused.judgement.reason, HasSubstr("has 4 channels, which are no colours: --layer V.W compares one of them"));
     EXPECT_EQ(compare(a, b, "V.Y").judgement.verdict, Verdict::pass);
     EXPECT_EQ(compare(a, b, "V.Z").judgement.verdict, Verdict::fail);
+}
+
+TEST_F(LoadPair, ALayerOfTwoNumbersIsCompared) {
+    const auto a = file("a.exr", picture({"uv.U", "uv.V"}, {0.25F, 0.5F})), b = file("b.exr", picture({"uv.U", "uv.V"}, {0.25F, 0.5F}, {0.25F, 0.75F}));
+    EXPECT_EQ(compare(a, a, "uv").judgement.verdict, Verdict::pass);
+    const Comparison found = compare(a, b, "uv");
+    EXPECT_EQ(found.judgement.verdict, Verdict::fail);
+    EXPECT_EQ(*found.measured.at("max_abs").find("value"), 0.25);
+}
+
+/// The report and the heat map show what is no number, and what differs in alpha alone.
+TEST_F(LoadPair, WhatIsNoNumberIsKeptForShowing) {
+    const auto a = file("a.exr", picture({"R", "G", "B"}, {0.5F, 0.5F, 0.5F})), b = file("b.exr", picture({"R", "G", "B"}, {0.5F, 0.5F, 0.5F}, {kNan, 0.5F, 0.5F}));
+    const Comparison found = compare(a, b);
+    const size_t odd = 7 * 32 + 5;
+    ASSERT_EQ(found.loaded->odd.size(), 32u * 24);
+    EXPECT_EQ(error_map(found)[odd], 1);
+    EXPECT_EQ(std::count(found.loaded->odd.begin(), found.loaded->odd.end(), 1), 1);
+    EXPECT_TRUE(std::isnan(found.loaded->shown[1].values[3 * odd]));
+    EXPECT_EQ(found.loaded->shown[0].values[3 * odd], 0.5F);
+    const auto c = file("c.exr", picture({"R", "G", "B", "A"}, {0, 0, 0, 0.5F})), d = file("d.exr", picture({"R", "G", "B", "A"}, {0, 0, 0, 0.5F}, {0, 0, 0, 0.125F}));
+    EXPECT_EQ(error_map(compare(c, d))[odd], 0.375F);
 }
 
 /// What is no number is found even in channels that the other file does not have.
@@ -140,6 +167,34 @@ TEST_F(LoadPair, FurtherPartsAreLayers) {
     EXPECT_THAT(colours.loaded->notes, Contains(HasSubstr("3 other channels are not")));
     EXPECT_EQ(compare(a, b, "right").judgement.verdict, Verdict::fail);
     EXPECT_EQ(compare(a, a, "right").judgement.verdict, Verdict::pass);
+}
+
+/// One number everywhere in 6 x 5 pixels, of which 4 x 3 are displayed.
+std::string with_surroundings(const std::string& path, bool other_primaries) {
+    Imf::Header header(4, 3);
+    header.dataWindow() = Imath::Box2i({-1, -1}, {4, 3});
+    Imf::Chromaticities wide;
+    wide.red = {0.7F, 0.29F};
+    if (other_primaries) Imf::addChromaticities(header, wide);
+    for (const char* channel : {"R", "G", "B"}) header.channels().insert(channel, Imf::Channel(Imf::FLOAT));
+    std::vector<float> values(30, 0.5F);
+    Imf::FrameBuffer frame;
+    for (const char* channel : {"R", "G", "B"}) frame.insert(channel, Imf::Slice::Make(Imf::FLOAT, values.data(), header.dataWindow(), sizeof(float), 6 * sizeof(float)));
+    Imf::OutputFile file(path.c_str(), header);
+    file.setFrameBuffer(frame);
+    file.writePixels(5);
+    return path;
+}
+
+TEST_F(LoadPair, WhatAFileSaysBesidesIsTold) {
+    const auto a = with_surroundings((folder_ / "a.exr").string(), false), b = with_surroundings((folder_ / "b.exr").string(), true);
+    const Comparison found = compare(a, b);
+    EXPECT_EQ(found.judgement.verdict, Verdict::pass);
+    EXPECT_THAT(found.loaded->notes, Contains(AllOf(HasSubstr("b.exr"), HasSubstr("chromaticities"))));
+    EXPECT_THAT(found.loaded->notes, Contains(AllOf(HasSubstr("a.exr"), HasSubstr("outside of its display window"))));
+    EXPECT_THAT(found.loaded->notes, Not(Contains(AllOf(HasSubstr("a.exr"), HasSubstr("chromaticities")))));
+    const auto plain = file("p.exr", picture({"R", "G", "B"}, {0.5F}));
+    EXPECT_TRUE(compare(plain, plain).loaded->notes.empty());
 }
 
 }  // namespace

@@ -102,7 +102,7 @@ Found shift(const Difference& all) {
 }
 
 Found pixels(const Difference& all) {
-    if (all.pixels > 4 || all.pixels * 4 > all.pair.pixels()) return std::nullopt;
+    if (all.pixels == 0 || all.pixels > 4 || all.pixels * 4 > all.pair.pixels()) return std::nullopt;
     const size_t first = size_t(std::find_if(all.sizes.begin(), all.sizes.end(), [&](float size) { return double(size) > all.over; }) - all.sizes.begin());
     return Cause{"pixels", fmt::format("{} pixel{} differ{}, the first at {},{}", all.pixels, all.pixels == 1 ? "" : "s", all.pixels == 1 ? "s" : "",
                                        first % size_t(all.pair.width()), first / size_t(all.pair.width()))};

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 
 namespace alidade {
 namespace {
@@ -113,10 +114,23 @@ std::string as_junit(const Comparison& c) {
                        escaped_xml(c.test), escaped_xml(c.reference), tests, failures, cases);
 }
 
+std::vector<float> error_map(const Comparison& c) {
+    const auto hdr = c.measured.find("hdr_flip");
+    std::vector<float> errors = (hdr == c.measured.end() ? c.measured.at("flip") : hdr->second).map;
+    const PicturePair& pair = c.loaded->pair;
+    const size_t channels = size_t(pair.reference.channels);
+    const bool has_alpha = pair.reference.names.back() == "A";
+    for (size_t p = 0; p < errors.size(); ++p) {
+        const size_t last = (p + 1) * channels - 1;
+        if (has_alpha) errors[p] = std::max(errors[p], std::abs(pair.test.values[last] - pair.reference.values[last]));
+        if (!c.loaded->odd.empty() && c.loaded->odd[p]) errors[p] = 1;
+    }
+    return errors;
+}
+
 Picture heat_map(const Comparison& c) {
     constexpr std::array<std::array<double, 3>, 6> kColors = {{{0, 0, 0}, {0.26, 0.08, 0.42}, {0.66, 0.17, 0.40}, {0.93, 0.38, 0.24}, {0.99, 0.71, 0.22}, {1, 1, 0.85}}};
-    const auto hdr = c.measured.find("hdr_flip");
-    const std::vector<float>& errors = (hdr == c.measured.end() ? c.measured.at("flip") : hdr->second).map;
+    const std::vector<float> errors = error_map(c);
     Picture out(c.loaded->pair.width(), c.loaded->pair.height(), {"R", "G", "B"});
     for (size_t p = 0; p < errors.size(); ++p) {
         if (!c.marked.empty() && c.marked[p]) {

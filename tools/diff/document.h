@@ -28,7 +28,10 @@ std::string as_lines(const Comparison& comparison);
 /// A JUnit file: one test case a rule, or one that says why there is nothing to measure.
 std::string as_junit(const Comparison& comparison);
 
-/// FLIP's error map (HDR-FLIP's where there is one), from black over purple and orange to white; marked pixels are green.
+/// The error that pictures of it show, 0 .. 1 for each pixel: FLIP's (HDR-FLIP's where there is one), or the difference of alpha where that is more; 1 where one
+/// picture alone is NaN or infinite.
+std::vector<float> error_map(const Comparison& comparison);
+/// error_map(), from black over purple and orange to white; marked pixels are green.
 Picture heat_map(const Comparison& comparison);
 
 }  // namespace alidade

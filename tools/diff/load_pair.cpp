@@ -23,6 +23,7 @@ struct Side {
     double gamma = 0;
     bool premultiplied = false;
     size_t others = 0;     ///< channels that are left out
+    std::vector<std::string> left_out;   ///< as in StoredPicture
 };
 
 int channel_at(const Picture& picture, const std::string& name) {
@@ -43,9 +44,18 @@ std::vector<int> layer_channels(const Picture& picture, const std::string& layer
     return all;
 }
 
+/// Two that are not a gray with its alpha, as texture coordinates: a third that is 0 makes them comparable.
+bool is_two_numbers(const Picture& picture, const std::vector<int>& channels) { return channels.size() == 2 && !picture.names[size_t(channels[1])].ends_with(".A"); }
+
+Picture with_third(const Picture& two) {
+    Picture out(two.width, two.height, {"R", "G", "B"});
+    for (size_t p = 0; 2 * p < two.values.size(); ++p) std::copy_n(&two.values[2 * p], 2, &out.values[3 * p]);
+    return out;
+}
+
 /// One number or three can be compared as colours are, and three with alpha.
 bool is_comparable(const Picture& picture, const std::vector<int>& channels) {
-    return channels.size() == 1 || channels.size() == 3 || (channels.size() == 4 && picture.names[size_t(channels[3])].ends_with(".A"));
+    return channels.size() == 1 || is_two_numbers(picture, channels) || channels.size() == 3 || (channels.size() == 4 && picture.names[size_t(channels[3])].ends_with(".A"));
 }
 
 tl::expected<Side, NoPair> read_side(const std::string& path, const std::string& layer) {
@@ -64,7 +74,9 @@ tl::expected<Side, NoPair> read_side(const std::string& path, const std::string&
     if (from.size() <= 2) names = {"Y", "A"};
     else names = {"R", "G", "B", "A"};
     names.resize(from.size());
-    return Side{select_channels(stored->picture, from, names), stored->levels, stored->gamma, stored->levels == 0, stored->picture.names.size() - from.size()};
+    Picture picture = select_channels(stored->picture, from, names);
+    if (!layer.empty() && is_two_numbers(stored->picture, from)) picture = with_third(picture);
+    return Side{std::move(picture), stored->levels, stored->gamma, stored->levels == 0, stored->picture.names.size() - from.size(), std::move(stored->left_out)};
 }
 
 bool has_alpha(const Picture& picture) { return picture.names.back() == "A"; }
@@ -204,19 +216,21 @@ Odd odd_values(const PicturePair& pair, size_t pixel) {
     return odd;
 }
 
-/// Takes pixels that are not finite out of the count, and tells of them.
-NonFinite take_out_non_finite(PicturePair& pair) {
+/// Takes pixels that are not finite out of the count, tells of them, and marks those that differ in `differ`.
+NonFinite take_out_non_finite(PicturePair& pair, std::vector<uint8_t>& differ) {
     NonFinite found;
+    differ.assign(pair.pixels(), 0);
     for (size_t p = 0; p < pair.pixels(); ++p) {
         const Odd odd = pair.counts[p] ? odd_values(pair, p) : Odd();
         if (!odd.any) continue;
-        pair.counts[p] = 0;
+        pair.counts[p] = 0, differ[p] = odd.differ;
         size_t& kind = odd.differ ? found.in_one : odd.nan ? found.nan_in_both : found.inf_in_both;
         const bool first = ++kind == 1 && (odd.differ || (odd.nan && found.in_one == 0));
         if (!first) continue;
         found.nan = odd.nan, found.in_test = odd.in_test;
         found.x = int(p % size_t(pair.width())), found.y = int(p / size_t(pair.width()));
     }
+    if (found.in_one == 0) differ.clear();
     return found;
 }
 
@@ -279,6 +293,8 @@ tl::expected<LoadedPair, NoPair> load_pair(const std::string& reference_path, co
     out.same_files = same_bytes(paths[0], paths[1]);
     if (options.layer.empty() && reference->others + test->others > 0)
         out.notes.push_back(fmt::format("only colours are compared: {} other channels are not (--layer names one)", std::max(reference->others, test->others)));
+    for (const auto& [side, path] : {std::pair{&*reference, &paths[0]}, {&*test, &paths[1]}})
+        for (const std::string& clause : side->left_out) out.notes.push_back(fmt::format("not compared of {}: {}", *path, clause));
     const Picture whole(a.width, a.height, {});
     if (auto fits = crop_both(reference->picture, test->picture, options); !fits) return tl::unexpected(fits.error());
     auto counts = read_counts(options, whole, reference->picture);
@@ -286,10 +302,12 @@ tl::expected<LoadedPair, NoPair> load_pair(const std::string& reference_path, co
     if (auto fits = match_alpha(*reference, *test, *counts, paths, out.notes); !fits) return tl::unexpected(fits.error());
     if (auto fits = match_colors(*reference, *test, *counts, paths, out.notes); !fits) return tl::unexpected(fits.error());
     out.pair.hdr = reference->levels == 0 && test->levels == 0;
+    out.fine = !out.pair.hdr && std::min(reference->levels - 1, test->levels - 1) >= 256;   // 0, for floats, is the most
     if (!out.pair.hdr) match_values(*reference, *test, out.notes);
     out.pair.reference = std::move(reference->picture), out.pair.test = std::move(test->picture);
     out.pair.counts = std::move(*counts), out.pair.threads = options.threads;
-    out.non_finite = take_out_non_finite(out.pair);
+    out.non_finite = take_out_non_finite(out.pair, out.odd);
+    if (!out.odd.empty()) out.shown[0] = out.pair.reference, out.shown[1] = out.pair.test;
     if (out.non_finite.inf_in_both > 0) out.notes.push_back(fmt::format("{} pixels are infinite in both pictures: they are equal", out.non_finite.inf_in_both));
     clear_uncounted(out.pair);
     return out;

@@ -28,7 +28,10 @@ struct NonFinite {
 
 struct LoadedPair {
     PicturePair pair;
+    bool fine = false;                ///< display values of more than 8 bits
     NonFinite non_finite;
+    std::vector<uint8_t> odd;         ///< one a pixel: 1 where one picture has a NaN or an infinity that the other has not; empty for none
+    Picture shown[2];                 ///< reference and test with their NaN and infinities, where there are any; else empty
     std::vector<std::string> notes;   ///< what was done to make them comparable, a sentence each
     bool same_files = false;          ///< byte for byte
 };

@@ -20,12 +20,13 @@ ReportPair report_pair(const Comparison& comparison, const std::string& name, st
     out.document = to_json(comparison);
     out.commands = std::move(commands);
     if (!comparison.loaded || comparison.measured.empty()) return out;
-    const PicturePair& pair = comparison.loaded->pair;
-    const auto hdr = comparison.measured.find("hdr_flip");
-    out.reference = linear_picture(pair, pair.reference);
-    out.test = linear_picture(pair, pair.test);
-    out.linear = pair.hdr;
-    out.map = (hdr == comparison.measured.end() ? comparison.measured.at("flip") : hdr->second).map;
+    const LoadedPair& loaded = *comparison.loaded;
+    const PicturePair& pair = loaded.pair;
+    const bool odd = !loaded.odd.empty();
+    out.reference = linear_picture(pair, odd ? loaded.shown[0] : pair.reference);
+    out.test = linear_picture(pair, odd ? loaded.shown[1] : pair.test);
+    out.linear = pair.hdr || loaded.fine || odd;   // a page's picture has 8 bits, and no NaN
+    out.map = error_map(comparison);
     out.counts = pair.counts;
     return out;
 }

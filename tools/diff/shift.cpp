@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 namespace alidade {
 namespace {
@@ -46,7 +47,8 @@ struct Whole {
     int x = 0, y = 0;
 };
 
-Whole best_whole_shift(const Gray& reference, const Gray& test, const Interior& inside, int most) {
+/// Of the shifts `about` +- most.
+Whole best_whole_shift(const Gray& reference, const Gray& test, const Interior& inside, int most, Whole about = {}) {
     Whole best;
     double least = INFINITY;
     for (int ring = 0; ring <= most; ++ring)   // from the middle: of equal ones the smallest
@@ -54,10 +56,37 @@ Whole best_whole_shift(const Gray& reference, const Gray& test, const Interior& 
             for (int x = -ring; x <= ring; ++x) {
                 if (std::max(std::abs(x), std::abs(y)) != ring) continue;
                 double error = 0;
-                inside.each(reference, [&](int u, int v) { error += square(double(test.at(u + x, v + y)) - reference.at(u, v)); });
-                if (error < least) least = error, best = {x, y};
+                inside.each(reference, [&](int u, int v) { error += square(double(test.at(u + about.x + x, v + about.y + y)) - reference.at(u, v)); });
+                if (error < least) least = error, best = {about.x + x, about.y + y};
             }
     return best;
+}
+
+/// The means of blocks of `times` x `times` pixels.
+Gray shrunk(const Gray& picture, int times) {
+    Gray out{picture.width / times, picture.height / times, std::vector<float>(size_t(picture.width / times) * size_t(picture.height / times))};
+    for (int y = 0; y < out.height * times; ++y)
+        for (int x = 0; x < out.width * times; ++x) out.values[size_t(y / times) * size_t(out.width) + size_t(x / times)] += picture.at(x, y) / float(times * times);
+    return out;
+}
+
+/// How far shifts are looked for in a picture of this size: pixels are left to judge them by.
+int most_of(const Gray& picture) { return std::min(8, (std::min(picture.width, picture.height) - 4) / 4); }
+
+/// Of a large picture, some rows and columns are enough.
+Interior interior(const Gray& picture, int margin) { return {margin, std::max(1, int(std::sqrt(double(picture.width) * picture.height / 60000)))}; }
+
+bool is_farthest(const Whole& w, int farthest) { return std::max(std::abs(w.x), std::abs(w.y)) == farthest; }
+
+/// Up to 32 pixels, found in pictures of a quarter of the size. A shift that is one of the farthest is no minimum.
+std::optional<Whole> far_shift(const Gray& reference, const Gray& test) {
+    constexpr int kTimes = 4;
+    const Gray small_reference = shrunk(reference, kTimes), small_test = shrunk(test, kTimes);
+    const int most = most_of(small_reference);
+    if (most < 1) return std::nullopt;
+    const Whole small = best_whole_shift(small_reference, small_test, interior(small_reference, most + 3), most);
+    if (is_farthest(small, most)) return std::nullopt;
+    return best_whole_shift(reference, test, interior(reference, kTimes * (most + 1) + 3), kTimes, {kTimes * small.x, kTimes * small.y});
 }
 
 /// One step of Lucas and Kanade: how much further test lies than `at`.
@@ -80,16 +109,30 @@ double squared_error(const Gray& reference, const Gray& test, const Interior& in
     return error;
 }
 
+/// Up to 8 pixels, or farther where that leaves more than a twentieth of the squared error.
+std::optional<Whole> whole_shift(const Gray& reference, const Gray& test) {
+    const int most = most_of(reference);
+    if (most < 1) return std::nullopt;
+    const auto error = [&](const Interior& inside, const Whole& w) { return squared_error(reference, test, inside, {double(w.x), double(w.y), 0}); };
+    const Interior inside = interior(reference, most + 3);
+    const Whole near = best_whole_shift(reference, test, inside, most);
+    if (!is_farthest(near, most) && error(inside, near) <= 0.05 * error(inside, {})) return near;
+    const std::optional<Whole> far = far_shift(reference, test);
+    if (!far) return is_farthest(near, most) ? std::nullopt : std::optional(near);
+    const Interior both = interior(reference, std::max({std::abs(far->x), std::abs(far->y), most}) + 3);
+    return error(both, *far) < error(both, near) ? far : near;
+}
+
 }  // namespace
 
 Shift find_shift(const PicturePair& pair) {
     const Gray reference = gray_of(pair.reference, pair.colors()), test = gray_of(pair.test, pair.colors());
-    const int side = std::min(pair.width(), pair.height()), most = std::min(8, (side - 4) / 4);
-    if (most < 1) return {};
-    const Interior inside{most + 3, std::max(1, int(std::sqrt(double(pair.pixels()) / 60000)))};
+    const std::optional<Whole> found = whole_shift(reference, test);
+    if (!found) return {};
+    const Whole whole = *found;
+    const Interior inside = interior(reference, std::max({std::abs(whole.x), std::abs(whole.y), most_of(reference)}) + 3);
     const double before = squared_error(reference, test, inside, {});
     if (before == 0) return {};
-    const Whole whole = best_whole_shift(reference, test, inside, most);
     Shift best{double(whole.x), double(whole.y), 0};
     double least = squared_error(reference, test, inside, best);
     for (Shift at = best; const int i [[maybe_unused]] : {0, 1, 2, 3, 4, 5}) {

@@ -2,6 +2,8 @@
 #include "tools/metrics/differences.h"
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 
 namespace alidade {
 
@@ -23,7 +25,7 @@ std::vector<float> pixel_differences(const PicturePair& pair) {
         double largest = 0;
         for (size_t i = p * channels; i < (p + 1) * channels; ++i)
             largest = std::max(largest, std::abs(double(pair.test.values[i]) - double(pair.reference.values[i])));
-        differences[p] = float(largest);
+        differences[p] = float(std::min(largest, double(std::numeric_limits<float>::max())));
     }
     return differences;
 }

@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <array>
 #include <bit>
+#include <cmath>
 #include <functional>
 #include <span>
 #include <tuple>
@@ -60,6 +61,7 @@ Picture of_objects(const ReportPair& pair) {
 uint32_t half_of(float value) {
     const auto bits = std::bit_cast<uint32_t>(value);
     const uint32_t sign = bits >> 16 & 0x8000u, size = bits & 0x7fffffffu;
+    if (std::isnan(value)) return 0x7e00;
     if (std::bit_cast<float>(size) < 0x1p-14f) return sign | uint32_t(std::lround(std::bit_cast<float>(size) * 0x1p24f));
     const uint32_t rounded = size + 0xfff + (size >> 13 & 1);   // ties to even
     return sign | std::min((rounded - (112u << 23)) >> 13, 0x7c00u);

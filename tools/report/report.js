@@ -75,7 +75,7 @@ async function decodeLinear(what, index) {
   if (!high) return null;
   return Float32Array.from(high.values, (byte, i) => {
     const bits = byte * 256 + low.values[i], exponent = (bits >> 10) & 31, mantissa = bits & 1023;
-    const size = exponent === 0 ? mantissa * 2 ** -24 : exponent === 31 ? Infinity : (1 + mantissa / 1024) * 2 ** (exponent - 15);
+    const size = exponent === 0 ? mantissa * 2 ** -24 : exponent === 31 ? (mantissa ? NaN : Infinity) : (1 + mantissa / 1024) * 2 ** (exponent - 15);
     return bits >> 15 ? -size : size;
   });
 }
