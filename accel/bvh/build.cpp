@@ -12,8 +12,6 @@ namespace alidade {
 
 namespace {
 
-template <class R> double area(const BoundsT<R>& box) { return Bounds{Vec3(box.min), Vec3(box.max)}.half_area(); }
-
 struct FreeLarge {
     void operator()(void* memory) const noexcept { free_large(memory); }
 };

@@ -18,6 +18,9 @@ template <class R> struct BvhNode {
     bool leaf() const { return count > 0; }
 };
 
+/// Half the surface, in double: that of boxes 2^120 wide does not fit float.
+template <class R> double area(const BoundsT<R>& box) { return Bounds{Vec3(box.min), Vec3(box.max)}.half_area(); }
+
 struct BvhLimits {
     uint32_t block = 1;      ///< references that one leaf test handles at once; leaves start at multiples of it
     uint32_t max_leaf = 1;

@@ -37,7 +37,6 @@ template <class Query> using WideTraversal = void (*)(const WideNode<typename Qu
 
 /// The traversals for each question on one kind of machine. All test the same boxes, bit for bit, in the same order.
 template <class R> struct WideTraversals {
-    Isa isa;
     WideTraversal<ClosestQuery<TriangleLeaf<R>>> closest;
     WideTraversal<AnyQuery<TriangleLeaf<R>>> any;
     WideTraversal<AllQuery<TriangleLeaf<R>>> all;

@@ -8,8 +8,6 @@ namespace alidade {
 
 namespace {
 
-template <class R> double area(const BoundsT<R>& box) { return Bounds{Vec3(box.min), Vec3(box.max)}.half_area(); }
-
 /// Nodes of the binary tree that become the places of one wide node, in their order from left to right.
 struct Places {
     std::array<uint32_t, kWide> node;
