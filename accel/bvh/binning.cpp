@@ -54,12 +54,12 @@ HWY_ATTR size_t partition(std::span<BvhReference<R>> references, BvhReference<R>
     for (const BvhReference<R>& at : references) {
         const bool is_right = map.bin(at, axis) >= bin;
         extend<R>(sides[is_right], at);
-        copy(at, spare[rights]), copy(at, references[lefts]);
+        copy(at, spare[lefts]), copy(at, references[rights]);
         lefts += !is_right, rights += is_right;
     }
-    for (size_t i = 0; i < rights; ++i) copy(spare[i], references[lefts + i]);
+    for (size_t i = 0; i < lefts; ++i) copy(spare[i], references[rights + i]);
     left = sides[0], right = sides[1];
-    return lefts;
+    return rights;
 }
 
 template <class R> constexpr BinningPasses<R> passes() { return {fill_bins<R>, partition<R>}; }

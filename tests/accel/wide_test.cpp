@@ -178,9 +178,9 @@ TYPED_TEST(Wide, PassesDoWhatTheyAreNamedFor) {
             }
             auto sorted = references, spare = references, want = references;
             CentroidBounds<R> left, right;
-            const auto is_left = [&](const auto& reference) { return map.bin(reference, axis) < 7; };
-            const size_t lefts = binning_passes<R>(isa).partition(sorted, spare.data(), map, axis, 7, left, right);
-            EXPECT_EQ(std::ptrdiff_t(lefts), std::stable_partition(want.begin(), want.end(), is_left) - want.begin());
+            const auto is_right = [&](const auto& reference) { return map.bin(reference, axis) >= 7; };
+            const size_t rights = binning_passes<R>(isa).partition(sorted, spare.data(), map, axis, 7, left, right);
+            EXPECT_EQ(std::ptrdiff_t(rights), std::stable_partition(want.begin(), want.end(), is_right) - want.begin());
             for (size_t i = 0; i < want.size(); ++i) ASSERT_EQ(sorted[i].id(), want[i].id()) << name(isa);
             EXPECT_LT(left.low[axis], left.high[axis]);
             EXPECT_LT(left.high[axis], right.low[axis]) << name(isa);
