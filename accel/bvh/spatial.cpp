@@ -180,21 +180,24 @@ template <class R> class Slabs {
     std::array<Bin, kSpatialBins> bins_;
 };
 
-/// So many of the small ones are looked at, of a node that has more. Large is what has this part of the node's area, and so lies across slabs.
-constexpr size_t kSampled = 1024;
+/// So many of the small ones are looked at, of a node that has more, and so many of the large ones, which are fewer and decide. Large is what has this part of the node's area, and so lies across slabs.
+constexpr size_t kSampled = 256;
 constexpr double kLargePart = 256;
 
+/// A reference, and how many it stands for.
 template <class R> using Sampled = std::pair<const BvhReference<R>*, uint32_t>;
 
-/// All that are large, which are few and decide; of the many small ones some, that stand for as many.
 template <class R> std::vector<Sampled<R>> sampled(std::span<const BvhReference<R>> references, double area) {
-    const size_t stride = std::max(size_t(1), references.size() / kSampled);
     const R large = R(std::sqrt(area / kLargePart));
+    const auto is_large = [&](const BvhReference<R>& reference) { return size_t(reference.largest() > large); };
+    std::array<size_t, 2> count{}, stride{}, seen{};
+    for (const BvhReference<R>& reference : references) ++count[is_large(reference)];
+    for (size_t i = 0; i < 2; ++i) stride[i] = std::max(size_t(1), count[i] / kSampled);
     std::vector<Sampled<R>> sample;
-    sample.reserve(std::min(references.size(), 2 * kSampled));
-    for (size_t i = 0; i < references.size(); ++i) {
-        const bool is_large = stride == 1 || references[i].largest() > large;
-        if (is_large || i % stride == 0) sample.emplace_back(&references[i], is_large ? 1 : uint32_t(stride));
+    sample.reserve(count[0] / stride[0] + count[1] / stride[1] + 2);
+    for (const BvhReference<R>& reference : references) {
+        const size_t i = is_large(reference);
+        if (seen[i]++ % stride[i] == 0) sample.emplace_back(&reference, uint32_t(stride[i]));
     }
     return sample;
 }
