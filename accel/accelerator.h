@@ -4,6 +4,7 @@
 /// Every structure gives the answer of brute force, bit for bit: the same t, ids, u, v. It knows nothing of scenes: this folder sees core alone.
 #pragma once
 
+#include "accel/isa.h"
 #include "accel/stats.h"
 #include "core/bounds.h"
 #include "core/ray.h"
@@ -63,12 +64,6 @@ struct TriangleView {
     std::span<const Vec3> exact_positions;   ///< empty, or as many: read instead of `positions` by double-precision accelerators
     std::span<const Index3> triangles;
 };
-
-/// Which instructions the triangle filter may use. `best`: what the machine has. All give the same hits.
-enum class Isa { best, scalar, sse4, avx2, avx512 };
-/// Those that this machine can run, `scalar` first.
-std::span<const Isa> available_isas();
-const char* name(Isa isa);
 
 enum class Precision { float_, double_ };
 

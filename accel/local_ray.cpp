@@ -18,9 +18,9 @@ double above(double x) { return x == 0 ? 0x1p-600 : next_up(x); }
 
 }  // namespace
 
-double LocalRay::upper(double caller) const { return padded_up((above(caller) - shift * to_caller) * to_local); }
+double LocalRay::upper(double caller) const { return padded_up((above(caller) - shift * to_caller) * to_local, kHitPad); }
 
-double LocalRay::lower(double caller) const { return padded_down((-above(-caller) - shift * to_caller) * to_local); }
+double LocalRay::lower(double caller) const { return padded_down((-above(-caller) - shift * to_caller) * to_local, kHitPad); }
 
 namespace {
 

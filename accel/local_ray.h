@@ -17,6 +17,9 @@ inline double quantized(double x) {
 }
 inline Vec3 quantized(const Vec3& v) { return {quantized(v.x), quantized(v.y), quantized(v.z)}; }
 
+/// More than a hit's t may be off, relatively (kDepthError of triangles/decide.cpp), and the roundings around it: a box that holds the exact hit is not culled by the computed one.
+inline constexpr double kHitPad = 0x1p-29;
+
 /// The ray that structures and leaves see. From here on (origin, dir) *is* the ray: every decision is about these numbers, exactly, and they
 /// depend on the caller's ray and on the bounds alone, so that all structures decide the same.
 struct LocalRay {

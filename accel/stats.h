@@ -26,6 +26,8 @@ struct BuildStats {
     double seconds = 0;
     size_t primitives = 0;     ///< that can be hit: the given ones less those removed
     size_t references = 0;     ///< entries in leaves or cells; more than `primitives` where one lies in several
+    size_t splits = 0;         ///< nodes of a tree that were split in space, so that primitives are in several leaves
+    size_t split_candidates = 0;   ///< nodes where that was tried: with primitives large enough to lie across others
     size_t nodes = 0, leaves = 0, depth = 0;
     size_t bytes = 0;          ///< of the finished structure, primitives as packed in leaves included
     double sah_cost = 0;       ///< expected box tests + primitive tests of a ray that hits the box

@@ -32,7 +32,7 @@ class OwnPeer : public Peer {
     size_t bytes() const override { return mesh_->stats().bytes + (top_ ? top_->stats().bytes : 0); }
     std::string work() const override {
         const double n = double(count_);
-        return fmt::format("{:.1f} boxes, {:.1f} triangles filtered, {:.2f} decided", double(work_.boxes) / n, double(work_.filtered) / n, double(work_.primitives) / n);
+        return fmt::format("{:.1f} boxes, {:.1f} triangles filtered, {:.2f} decided; {} references, {} spatial splits of {} tried", double(work_.boxes) / n, double(work_.filtered) / n, double(work_.primitives) / n, mesh_->stats().references, mesh_->stats().splits, mesh_->stats().split_candidates);
     }
 
   private:

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "accel/bvh/binning.h"
 
-#include "accel/triangles/edge_filter.h"
-
 // This file is compiled once for each of these targets, by including itself.
 #define HWY_DISABLED_TARGETS (HWY_SSSE3 | HWY_AVX3_DL)
 #undef HWY_TARGET_INCLUDE
@@ -56,12 +54,12 @@ HWY_ATTR size_t partition(std::span<BvhReference<R>> references, BvhReference<R>
     for (const BvhReference<R>& at : references) {
         const bool is_right = map.bin(at, axis) >= bin;
         extend<R>(sides[is_right], at);
-        copy(at, spare[rights]), copy(at, references[lefts]);
+        copy(at, spare[lefts]), copy(at, references[rights]);
         lefts += !is_right, rights += is_right;
     }
-    for (size_t i = 0; i < rights; ++i) copy(spare[i], references[lefts + i]);
+    for (size_t i = 0; i < lefts; ++i) copy(spare[i], references[rights + i]);
     left = sides[0], right = sides[1];
-    return lefts;
+    return rights;
 }
 
 template <class R> constexpr BinningPasses<R> passes() { return {fill_bins<R>, partition<R>}; }
@@ -75,7 +73,13 @@ namespace alidade {
 
 namespace {
 
-template <class R> constexpr std::pair<Isa, BinningPasses<R>> kPasses[] = {
+template <class R> struct PassesEntry {
+    Isa isa;
+    BinningPasses<R> passes;
+};
+
+/// What was compiled, from the plainest to the widest.
+template <class R> constexpr PassesEntry<R> kPasses[] = {
     {Isa::scalar, HWY_NAMESPACE::passes<R>()},
 #if HWY_TARGETS & HWY_SSE4
     {Isa::sse4, N_SSE4::passes<R>()},
@@ -88,18 +92,10 @@ template <class R> constexpr std::pair<Isa, BinningPasses<R>> kPasses[] = {
 #endif
 };
 
-template <class R> const BinningPasses<R>& choose(Isa isa) {
-    const BinningPasses<R>* chosen = &kPasses<R>[0].second;
-    for (const auto& [of, passes] : kPasses<R>) {
-        if (machine_has(of) && (isa == Isa::best || isa == of)) chosen = &passes;
-    }
-    return *chosen;
-}
-
 }  // namespace
 
-template <> const BinningPasses<float>& binning_passes<float>(Isa isa) { return choose<float>(isa); }
-template <> const BinningPasses<double>& binning_passes<double>(Isa isa) { return choose<double>(isa); }
+template <> const BinningPasses<float>& binning_passes<float>(Isa isa) { return chosen(kPasses<float>, isa).passes; }
+template <> const BinningPasses<double>& binning_passes<double>(Isa isa) { return chosen(kPasses<double>, isa).passes; }
 
 }  // namespace alidade
 

@@ -4,12 +4,19 @@
 
 #include "accel/accelerator.h"
 
+#include <algorithm>
 #include <bit>
+#include <cmath>
+#include <limits>
+#include <span>
 #include <type_traits>
 
 namespace alidade {
 
-/// A box as eight numbers, lower ends negated, so that one maximum of all eight extends it: -min x y z, spare, max x y z, spare. Aligned to their size: they may be one vector.
+/// Half the surface, in double: that of boxes 2^120 wide does not fit float.
+template <class R> double area(const BoundsT<R>& box) { return Bounds{Vec3(box.min), Vec3(box.max)}.half_area(); }
+
+/// A box as eight numbers, lower ends negated, so that one maximum of all eight extends it: -min x y z, spare, max x y z, largest. Aligned to their size: they may be one vector.
 template <class R> struct alignas(8 * sizeof(R)) BoxEnds {
     R v[8];
 
@@ -19,6 +26,7 @@ template <class R> struct alignas(8 * sizeof(R)) BoxEnds {
     }
     R min(int axis) const { return -v[axis]; }
     R max(int axis) const { return v[4 + axis]; }
+    R largest() const { return v[7]; }   ///< the largest reference within: the root of its area
     BoundsT<R> box() const { return {{min(0), min(1), min(2)}, {max(0), max(1), max(2)}}; }
     /// Twice the centre: halving would cost a bit of denormal numbers.
     R centroid(int axis) const { return v[4 + axis] - v[axis]; }
@@ -38,7 +46,7 @@ template <class R> struct BvhReference : BoxEnds<R> {
 
     BvhReference() = default;
     BvhReference(const BoundsT<R>& b, uint32_t id)
-        : BoxEnds<R>{{-b.min.x, -b.min.y, -b.min.z, std::bit_cast<R>(Bits(id)), b.max.x, b.max.y, b.max.z, R(0)}} {}
+        : BoxEnds<R>{{-b.min.x, -b.min.y, -b.min.z, std::bit_cast<R>(Bits(id)), b.max.x, b.max.y, b.max.z, R(std::sqrt(area(b)))}} {}
     uint32_t id() const { return uint32_t(std::bit_cast<Bits>(this->v[3])); }
 };
 static_assert(alignof(BvhReference<float>) == 32 && alignof(BvhReference<double>) == 64);
@@ -83,7 +91,7 @@ template <class R> struct Bins {
 template <class R> struct BinningPasses {
     /// Sorts the references into bins along each axis.
     void (*fill)(std::span<const BvhReference<R>> references, const CentroidMap<R>& map, Bins<R>& bins);
-    /// Moves those below `bin` to the front, and returns their number; keeps the order within both parts, and tells the bounds of their centroids. `spare` has room for all.
+    /// Moves those not below `bin` to the front, and returns their number; keeps the order within both parts, and tells the bounds of their centroids. `spare` has room for all.
     size_t (*partition)(std::span<BvhReference<R>> references, BvhReference<R>* spare, const CentroidMap<R>& map, int axis, int bin, CentroidBounds<R>& left,
                         CentroidBounds<R>& right);
 };

@@ -28,7 +28,7 @@ struct WideLeaf {
     static constexpr uint32_t count(uint32_t child) { return (child & (kLanes - 1)) + 1; }
 };
 
-/// The binary tree with the inner nodes between joined: each place of a node is opened, the largest box first, while there are places left. Depth-first order.
+/// The binary tree with the inner nodes between joined, so that the area of all wide nodes is the least that there is. Depth-first order.
 /// Replaces the nodes, depth and cost of `stats`.
 template <class R> LargeVector<WideNode<R>> widened(const LargeVector<BvhNode<R>>& nodes, BuildStats& stats);
 
@@ -37,7 +37,6 @@ template <class Query> using WideTraversal = void (*)(const WideNode<typename Qu
 
 /// The traversals for each question on one kind of machine. All test the same boxes, bit for bit, in the same order.
 template <class R> struct WideTraversals {
-    Isa isa;
     WideTraversal<ClosestQuery<TriangleLeaf<R>>> closest;
     WideTraversal<AnyQuery<TriangleLeaf<R>>> any;
     WideTraversal<AllQuery<TriangleLeaf<R>>> all;

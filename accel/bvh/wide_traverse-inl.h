@@ -14,20 +14,13 @@ HWY_BEFORE_NAMESPACE();
 namespace alidade::HWY_NAMESPACE {
 
 /// a > b ? a : b, and so b where one is NaN, as SlabRay::narrow wants it: x86 has an instruction for it, which Highway's Max is.
-template <class V> HWY_INLINE HWY_ATTR V larger(V a, V b) {
 #if HWY_ARCH_X86
-    return hn::Max(a, b);
+template <class V> HWY_INLINE HWY_ATTR V larger(V a, V b) { return hn::Max(a, b); }
+template <class V> HWY_INLINE HWY_ATTR V smaller(V a, V b) { return hn::Min(a, b); }
 #else
-    return hn::IfThenElse(hn::Gt(a, b), a, b);
+template <class V> HWY_INLINE HWY_ATTR V larger(V a, V b) { return hn::IfThenElse(hn::Gt(a, b), a, b); }
+template <class V> HWY_INLINE HWY_ATTR V smaller(V a, V b) { return hn::IfThenElse(hn::Lt(a, b), a, b); }
 #endif
-}
-template <class V> HWY_INLINE HWY_ATTR V smaller(V a, V b) {
-#if HWY_ARCH_X86
-    return hn::Min(a, b);
-#else
-    return hn::IfThenElse(hn::Lt(a, b), a, b);
-#endif
-}
 
 /// A SlabRay, each number in all lanes. The operations below are those of SlabRay::enter, in their order: so is the proof of docs/numerics.md.
 template <class R> class VectorBoxes {
@@ -136,7 +129,7 @@ template <class Machine, class Query>
 HWY_ATTR void wide_traverse(const WideNode<typename Query::Real>* nodes, const LocalRay& ray, Query& query, WorkCounters& work) {
     using R = typename Query::Real;
     WideWaiting stack[(kWide - 1) * kBvhDepth + kWide];
-    const SlabRay<R> slab(ray.origin, ray.dir, ray.reach);
+    const auto& slab = slab_of<R>(ray);
     const typename Machine::Boxes boxes(slab);
     const R start = slab.start(ray.tmin);
     R limit = slab.limit(query.limit());

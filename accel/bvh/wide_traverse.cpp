@@ -15,8 +15,8 @@ template <class R> HWY_ATTR uint32_t enter_boxes(const WideNode<R>& node, const 
     return VectorBoxes<R>(ray).enter(node, start, limit, entries);
 }
 
-template <class Machine, class R> constexpr WideTraversals<R> traversals_of(Isa isa) {
-    return {isa, wide_traverse<Machine, ClosestQuery<TriangleLeaf<R>>>, wide_traverse<Machine, AnyQuery<TriangleLeaf<R>>>, wide_traverse<Machine, AllQuery<TriangleLeaf<R>>>};
+template <class Machine, class R> constexpr WideTraversals<R> traversals_of() {
+    return {wide_traverse<Machine, ClosestQuery<TriangleLeaf<R>>>, wide_traverse<Machine, AnyQuery<TriangleLeaf<R>>>, wide_traverse<Machine, AllQuery<TriangleLeaf<R>>>};
 }
 
 }  // namespace alidade::HWY_NAMESPACE
@@ -57,38 +57,31 @@ template <class R> uint32_t enter_boxes_scalar(const WideNode<R>& node, const Sl
 }
 
 template <class R> struct WideEntry {
+    Isa isa;
     WideTraversals<R> traversals;
     WideBoxTest<R> boxes;
 };
 
 /// What was compiled, from the plainest to the widest.
 template <class R> constexpr WideEntry<R> kWideEntries[] = {
-    {HWY_NAMESPACE::traversals_of<ScalarMachine<R>, R>(Isa::scalar), enter_boxes_scalar<R>},
+    {Isa::scalar, HWY_NAMESPACE::traversals_of<ScalarMachine<R>, R>(), enter_boxes_scalar<R>},
 #if HWY_TARGETS & HWY_SSE4
-    {N_SSE4::traversals_of<N_SSE4::VectorMachine<R>, R>(Isa::sse4), N_SSE4::enter_boxes<R>},
+    {Isa::sse4, N_SSE4::traversals_of<N_SSE4::VectorMachine<R>, R>(), N_SSE4::enter_boxes<R>},
 #endif
 #if HWY_TARGETS & HWY_AVX2
-    {N_AVX2::traversals_of<N_AVX2::VectorMachine<R>, R>(Isa::avx2), N_AVX2::enter_boxes<R>},
+    {Isa::avx2, N_AVX2::traversals_of<N_AVX2::VectorMachine<R>, R>(), N_AVX2::enter_boxes<R>},
 #endif
 #if HWY_TARGETS & HWY_AVX3
-    {N_AVX3::traversals_of<N_AVX3::VectorMachine<R>, R>(Isa::avx512), N_AVX3::enter_boxes<R>},
+    {Isa::avx512, N_AVX3::traversals_of<N_AVX3::VectorMachine<R>, R>(), N_AVX3::enter_boxes<R>},
 #endif
 };
 
-template <class R> const WideEntry<R>& choose(Isa isa) {
-    const WideEntry<R>* chosen = &kWideEntries<R>[0];
-    for (const WideEntry<R>& entry : kWideEntries<R>) {
-        if (machine_has(entry.traversals.isa) && (isa == Isa::best || isa == entry.traversals.isa)) chosen = &entry;
-    }
-    return *chosen;
-}
-
 }  // namespace
 
-template <> const WideTraversals<float>& wide_traversals<float>(Isa isa) { return choose<float>(isa).traversals; }
-template <> const WideTraversals<double>& wide_traversals<double>(Isa isa) { return choose<double>(isa).traversals; }
-template <> WideBoxTest<float> wide_box_test<float>(Isa isa) { return choose<float>(isa).boxes; }
-template <> WideBoxTest<double> wide_box_test<double>(Isa isa) { return choose<double>(isa).boxes; }
+template <> const WideTraversals<float>& wide_traversals<float>(Isa isa) { return chosen(kWideEntries<float>, isa).traversals; }
+template <> const WideTraversals<double>& wide_traversals<double>(Isa isa) { return chosen(kWideEntries<double>, isa).traversals; }
+template <> WideBoxTest<float> wide_box_test<float>(Isa isa) { return chosen(kWideEntries<float>, isa).boxes; }
+template <> WideBoxTest<double> wide_box_test<double>(Isa isa) { return chosen(kWideEntries<double>, isa).boxes; }
 
 }  // namespace alidade
 

@@ -5,7 +5,6 @@
 #include "accel/local_ray.h"
 
 #include <array>
-#include <optional>
 
 namespace alidade {
 
@@ -27,16 +26,11 @@ struct GridRay {
             inverse[a] = step[a] ? 1 / ray.dir[a] : 0;
         }
     }
-    /// For box tests; made when first asked for, as most rays never need one.
-    const SlabRay<double>& slab() const {
-        if (!made_slab) made_slab.emplace(ray.origin, ray.dir, ray.reach);
-        return *made_slab;
-    }
+    const SlabRay<double>& slab() const { return slab_of<double>(ray); }   ///< for box tests
 
     const LocalRay& ray;
     int step[3];         ///< sign of the direction
     double inverse[3];   ///< of the direction, 0 where it is 0
-    mutable std::optional<SlabRay<double>> made_slab;
 };
 
 class Lattice {

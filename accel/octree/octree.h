@@ -66,7 +66,7 @@ template <class Leaf> class Octree {
 
     template <class Query> void traverse(const LocalRay& ray, Query& query, WorkCounters& work) const {
         std::array<Cell, 7 * kOctreeDepth + 8> stack;
-        const SlabRay<double> slab(ray.origin, ray.dir, ray.reach);
+        const SlabRay<double>& slab = slab_of<double>(ray);
         stack[0] = {box_.min, box_.max, ray.tmin, 0};
         for (size_t waiting = 1; waiting > 0;) {
             const Cell cell = stack[--waiting];

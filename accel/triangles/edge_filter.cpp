@@ -56,52 +56,10 @@ template <class T> constexpr FilterEntry<T> kFilters[] = {
 #endif
 };
 
-template <class T> EdgeFilter<T> choose(Isa isa) {
-    EdgeFilter<T> chosen = filter_scalar<T>;
-    for (const FilterEntry<T>& entry : kFilters<T>) {
-        if (machine_has(entry.isa) && (isa == Isa::best || isa == entry.isa)) chosen = entry.filter;
-    }
-    return chosen;
-}
-
 }  // namespace
 
-bool machine_has(Isa isa) {
-    static const int64_t targets = hwy::SupportedTargets();   // asks the processor, which takes long on a virtual machine
-    switch (isa) {
-        case Isa::best:
-        case Isa::scalar: return true;
-        case Isa::sse4: return (targets & HWY_SSE4) != 0;
-        case Isa::avx2: return (targets & HWY_AVX2) != 0;
-        case Isa::avx512: return (targets & HWY_AVX3) != 0;
-    }
-    return false;
-}
-
-template <> EdgeFilter<float> edge_filter<float>(Isa isa) { return choose<float>(isa); }
-template <> EdgeFilter<double> edge_filter<double>(Isa isa) { return choose<double>(isa); }
-
-std::span<const Isa> available_isas() {
-    static const std::vector<Isa> isas = [] {
-        std::vector<Isa> found;
-        for (const auto& entry : kFilters<float>) {
-            if (machine_has(entry.isa)) found.push_back(entry.isa);
-        }
-        return found;
-    }();
-    return isas;
-}
-
-const char* name(Isa isa) {
-    switch (isa) {
-        case Isa::best: return "best";
-        case Isa::scalar: return "scalar";
-        case Isa::sse4: return "sse4";
-        case Isa::avx2: return "avx2";
-        case Isa::avx512: return "avx512";
-    }
-    return "unknown";
-}
+template <> EdgeFilter<float> edge_filter<float>(Isa isa) { return chosen(kFilters<float>, isa).filter; }
+template <> EdgeFilter<double> edge_filter<double>(Isa isa) { return chosen(kFilters<double>, isa).filter; }
 
 }  // namespace alidade
 

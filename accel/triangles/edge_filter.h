@@ -70,7 +70,4 @@ template <class T> EdgeFilter<T> edge_filter(Isa isa);
 template <> EdgeFilter<float> edge_filter<float>(Isa isa);
 template <> EdgeFilter<double> edge_filter<double>(Isa isa);
 
-/// Can this machine run them?
-bool machine_has(Isa isa);
-
 }  // namespace alidade

@@ -26,6 +26,7 @@ constexpr LargeMesh kMeshes[] = {
     {"stretched_torus", [] { return moved(torus(400, 120), Vec3(3, 2, 1), Vec3(1e3, 0, -1e4), "torus, stretched, + 1e4"); }, 1},
     {"cube_lattice", [] { return cube_lattice(20, 20, 20); }, 4},
     {"slivers", [] { return slivers(20000, 1e-3, 5); }, 8},
+    {"battens", [] { return battens(4000); }, 4},
     {"stadium", [] { return stadium(16, 16); }, 20},
 };
 

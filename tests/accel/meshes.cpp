@@ -194,6 +194,21 @@ Mesh slivers(int count, double width, uint64_t seed) {
     return {fmt::format("slivers({}, {}, {})", count, width, seed), std::move(vertices), std::move(triangles)};
 }
 
+Mesh battens(int count) {
+    std::vector<Vec3> vertices;
+    std::vector<Index3> triangles;
+    const Vec3 along = normalized(Vec3(2, 1, 0.4)), up = normalized(cross(along, Vec3(0.2, -1, 1))), out = cross(along, up);
+    for (int i = 0; i < count; ++i) {
+        for (const int side : {0, 1}) {
+            const Vec3 at = (0.6 * i / count) * up + (0.1 * side) * out, wide = (0.3 / count) * (side ? out : up);
+            const auto first = uint32_t(vertices.size());
+            vertices.insert(vertices.end(), {at, at + along, at + along + wide, at + wide});
+            triangles.emplace_back(first, first + 1, first + 2), triangles.emplace_back(first, first + 2, first + 3);
+        }
+    }
+    return {fmt::format("battens({})", count), std::move(vertices), std::move(triangles)};
+}
+
 Mesh stadium(int inner_frequency, int outer_frequency) {
     return joined(fmt::format("stadium({}, {})", inner_frequency, outer_frequency),
                   {scaled(geodesic_sphere(inner_frequency), 1e-3), geodesic_sphere(outer_frequency)});
@@ -207,6 +222,13 @@ Mesh moved(const Mesh& mesh, const Vec3& scale, const Vec3& offset, const std::s
 
 Mesh scaled(const Mesh& mesh, double scale) { return moved(mesh, Vec3(scale), Vec3(0), fmt::format("{} * {}", mesh.name, scale)); }
 
+Mesh turned(const Mesh& mesh, const std::string& name) {
+    const Vec3 x = normalized(Vec3(2, 1, 0.4)), y = normalized(cross(x, Vec3(0.2, -1, 1))), z = cross(x, y);
+    std::vector<Vec3> vertices = mesh.vertices;
+    for (Vec3& v : vertices) v = v.x * x + v.y * y + v.z * z;
+    return {name, std::move(vertices), mesh.triangles, box_around(Vec3(0), 0.5 * std::min({mesh.inside.max.x, mesh.inside.max.y, mesh.inside.max.z}))};
+}
+
 std::vector<Mesh> small_meshes() {
     const Mesh sphere = geodesic_sphere(4);
     return {sphere,
@@ -218,6 +240,8 @@ std::vector<Mesh> small_meshes() {
             stadium(3, 2),
             wild_soup(12, 4),
             slivers(200, 1e-4, 3),
+            battens(80),
+            moved(battens(40), Vec3(1), Vec3(1e5), "battens + 1e5"),
             moved(sphere, Vec3(1, 1, 1e-6), Vec3(0), "flat sphere"),
             moved(sphere, Vec3(1e4, 1, 1), Vec3(0), "needle sphere"),
             moved(sphere, Vec3(1), Vec3(1e3, -7e2, 3e2), "sphere + 1e3")};
@@ -233,6 +257,7 @@ const std::vector<Mesh>& closed_meshes() {
                                           moved(sphere, Vec3(1), Vec3(1e6), "sphere + 1e6"),
                                           moved(sphere, Vec3(1, 1, 1e-6), Vec3(0), "flat sphere"),
                                           moved(sphere, Vec3(1e4, 1, 1), Vec3(0), "needle sphere"),
+                                          turned(moved(sphere, Vec3(1e2, 1, 1e-2), Vec3(0), ""), "blade askew"),
                                           scaled(sphere, 1e-15),
                                           scaled(sphere, 1e15)};
     return meshes;

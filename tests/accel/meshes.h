@@ -42,16 +42,20 @@ Mesh soup(int count, double size, uint64_t seed);
 Mesh wild_soup(int count, uint64_t seed);
 /// Slivers: from one side of [-1, 1]^3 to the other, `width` wide, in any direction.
 Mesh slivers(int count, double width, uint64_t seed);
+/// Pairs of long thin triangles, side by side askew, as battens of a rotated building: most of their boxes is empty, and spatial splits pay. 4 count triangles.
+Mesh battens(int count);
 /// A sphere of size 1/1000 in the middle of one of size 1: what uniform structures cannot adapt to.
 Mesh stadium(int inner_frequency, int outer_frequency);
 
 /// Each vertex v becomes scale * v + offset, computed in double.
 Mesh moved(const Mesh& mesh, const Vec3& scale, const Vec3& offset, const std::string& name);
 Mesh scaled(const Mesh& mesh, double scale);
+/// Turned about the origin, which it must enclose.
+Mesh turned(const Mesh& mesh, const std::string& name);
 
 /// Of at most 320 triangles, of every kind above: brute force can follow.
 std::vector<Mesh> small_meshes();
-/// Ten closed ones: sizes 1e-15 to 1e15, flat, needle-like, far from the origin with their offset baked into float vertices.
+/// Closed ones: sizes 1e-15 to 1e15, flat, needle-like, askew, far from the origin with their offset baked into float vertices.
 const std::vector<Mesh>& closed_meshes();
 
 /// Is every directed edge matched by exactly one opposite one?

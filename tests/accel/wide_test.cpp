@@ -79,9 +79,9 @@ TYPED_TEST(Wide, BoxesAreEnteredAsOneAtATime) {
     EXPECT_GT(nans, count / 1000) << "and planes on which a ray without slope runs";
 }
 
-template <class R> LargeVector<BvhReference<R>> random_references(size_t count) {
+template <class R> LargeVector<BvhReference<R>> random_references(size_t count, uint64_t seed = 0) {
     LargeVector<BvhReference<R>> references;
-    Draws draws(RandomKey(32, 0, count, 0));
+    Draws draws(RandomKey(32, 0, count, seed));
     for (uint32_t id = 0; id < count; ++id) {
         const Vec3T<R> a(draws.in_box(Vec3(-1), Vec3(1)));
         references.emplace_back(BoundsT<R>{a, a + Vec3T<R>(draws.in_box(Vec3(0), Vec3(0.1)))}, id);
@@ -133,6 +133,52 @@ TYPED_TEST(Wide, TreeHoldsEveryReferenceOnce) {
     }
 }
 
+/// All sets of at most eight nodes that stand for a whole subtree.
+template <class R> std::vector<std::vector<uint32_t>> cuts(const LargeVector<BvhNode<R>>& nodes, uint32_t node) {
+    std::vector<std::vector<uint32_t>> all{{node}};
+    if (nodes[node].leaf()) return all;
+    for (const auto& left : cuts(nodes, nodes[node].first)) {
+        for (const auto& right : cuts(nodes, nodes[node].first + 1)) {
+            if (left.size() + right.size() > kWide) continue;
+            all.push_back(left);
+            all.back().insert(all.back().end(), right.begin(), right.end());
+        }
+    }
+    return all;
+}
+
+/// The least area of wide nodes that a subtree can become, by trying everything.
+template <class R> double least_area(const LargeVector<BvhNode<R>>& nodes, uint32_t node) {
+    if (nodes[node].leaf()) return 0;
+    double least = kInf;
+    for (const auto& cut : cuts(nodes, node)) {
+        if (cut.size() == 1) continue;
+        double sum = area(nodes[node].box);
+        for (const uint32_t child : cut) sum += least_area(nodes, child);
+        least = std::min(least, sum);
+    }
+    return least;
+}
+
+/// No other way to join binary nodes gives wide nodes of less area: a ray meets the fewest.
+TYPED_TEST(Wide, NodesHaveTheLeastArea) {
+    using R = TypeParam;
+    for (const size_t count : {9u, 11u, 13u}) {
+        for (uint64_t seed = 0; seed < 20; ++seed) {
+            std::vector<uint32_t> order;
+            BuildStats stats;
+            const auto binary = build_bvh<R>(random_references<R>(count, seed), {1, 1, Isa::best}, order, stats);
+            double sum = area(binary[0].box);
+            for (const WideNode<R>& node : widened(binary, stats)) {
+                for (uint32_t i = 0; i < kWide; ++i) {
+                    if (!WideLeaf::is(node.child[i])) sum += area(box_of(node, i));
+                }
+            }
+            EXPECT_NEAR(sum, least_area(binary, 0), 1e-5 * sum) << count << " references, seed " << seed;
+        }
+    }
+}
+
 /// The tree that the scalar passes make, for every instruction set.
 TYPED_TEST(Wide, TreeIsTheSameForEveryIsa) {
     using R = TypeParam;
@@ -178,9 +224,9 @@ TYPED_TEST(Wide, PassesDoWhatTheyAreNamedFor) {
             }
             auto sorted = references, spare = references, want = references;
             CentroidBounds<R> left, right;
-            const auto is_left = [&](const auto& reference) { return map.bin(reference, axis) < 7; };
-            const size_t lefts = binning_passes<R>(isa).partition(sorted, spare.data(), map, axis, 7, left, right);
-            EXPECT_EQ(std::ptrdiff_t(lefts), std::stable_partition(want.begin(), want.end(), is_left) - want.begin());
+            const auto is_right = [&](const auto& reference) { return map.bin(reference, axis) >= 7; };
+            const size_t rights = binning_passes<R>(isa).partition(sorted, spare.data(), map, axis, 7, left, right);
+            EXPECT_EQ(std::ptrdiff_t(rights), std::stable_partition(want.begin(), want.end(), is_right) - want.begin());
             for (size_t i = 0; i < want.size(); ++i) ASSERT_EQ(sorted[i].id(), want[i].id()) << name(isa);
             EXPECT_LT(left.low[axis], left.high[axis]);
             EXPECT_LT(left.high[axis], right.low[axis]) << name(isa);
