@@ -22,6 +22,8 @@ constexpr Verb kVerbs[] = {
      "0 pass, 1 warn, 2 fail, 3 incomparable, 4 file or usage", run_diff, 4},
     {"compare", "compare SCENE | --corpus LIST --out DIR [options] [-- POV-Ray's words]", "renders with POV-Ray or Cycles too, and tells how far the pictures are apart",
      "as diff, the worst of a list; 2 also if a program made no picture; 4 also if the other program is missing", run_compare, 4},
+    {"tradeoff", "tradeoff SCENE --vary NAME=V1,V2,... [options]", "measures what accuracy costs: settings of a render, their errors and costs, and which of them are worth it",
+     "0 done, 1 error in input or run, or an option changed a picture that it may not, 2 no setting meets a --require, or interrupted, 64 usage", run_tradeoff},
 };
 
 std::string help() {
