@@ -38,6 +38,7 @@ std::string why_no_file(const std::string& path) {
     const fs::path file(path), folder = file.has_parent_path() ? file.parent_path() : fs::path(".");
     std::error_code ignored;
     if (!file.has_filename() || fs::is_directory(file, ignored)) return fmt::format("'{}' is a folder", path);
+    if (fs::exists(file, ignored) && !fs::is_regular_file(file, ignored)) return fmt::format("'{}' is no regular file: a file would take its place", path);
     if (!fs::is_directory(folder, ignored)) return fmt::format("'{}': there is no folder '{}'", path, folder.string());
     if (access(folder.c_str(), W_OK) != 0) return fmt::format("'{}': the folder '{}' may not be written to", path, folder.string());
     return {};

@@ -72,6 +72,10 @@ class Words(InFolder):
             with self.subTest(words=words):
                 self.expect_usage(says, self.scene, *words)
 
+    def test_limits(self):
+        for words in (("--error", "-1"), ("--error", "nan"), ("--budget", "soon"), ("--repeat", "0")):
+            self.expect_usage(words[0], self.scene, "--vary", "spp=1,4", *words)
+
     def expect_error(self, says, *words):
         said = run("tradeoff", *words, "--size", "8x6", "--repeat", 1, cwd=self.folder)
         self.assertEqual((said.returncode, said.stdout), (1, ""), said)
@@ -87,6 +91,7 @@ class Words(InFolder):
         (self.folder / "small.pfm").write_bytes(pfm_bytes([[(1, 1, 1)] * 3] * 3))
         self.expect_error("small.pfm has 3 x 3 pixels, the settings' pictures have 8 x 6", self.scene, *vary, "--reference", "small.pfm")
         self.expect_error("there is no camera 'none'", self.scene, *vary, "--camera", "none")
+        self.expect_error("no regular file", self.scene, *vary, "--csv", "/dev/null")
         self.expect_error("there is no folder 'none'", self.scene, *vary, "--csv", "none/out.csv")
         self.expect_error("false --out", self.scene, "--external", "false --out {out}")
         self.expect_error("cannot run no-such-program", self.scene, "--external", "no-such-program {out}")
@@ -176,6 +181,16 @@ class Measurements(InFolder):
         rows = list(csv.DictReader((self.folder / "out.csv").read_text().splitlines()))
         self.assertEqual([row["set_spp"] for row in rows], ["", "1", "16"])
         self.assertGreater(float(rows[1]["rmse"]), float(rows[2]["rmse"]))
+
+    def test_every_key_is_documented(self):
+        text = (pathlib.Path(__file__).resolve().parents[2] / "docs" / "tradeoff.md").read_text()
+        said = document(self.scene, *self.WORDS, "--vary", "spp=1,16", "--seeds", 8)
+        keys = set(said) | set(said["rows"][0]) | set(said["recommended"]) | set(said["reference"]) | set(said["rows"][0]["counts"]) | set(said["rows"][0]["errors"])
+        self.assertEqual([key for key in sorted(keys) if f"`{key}`" not in text], [])
+        help_text = run("tradeoff", "--help").stdout
+        for option in ("--vary", "--mode", "--external", "--reference", "--reference-with", "--metric", "--error", "--budget", "--require", "--repeat", "--seeds", "--instructions", "--timeout", "--out", "--csv", "--report", "--json"):
+            self.assertIn(option, help_text)
+            self.assertIn(f"`{option}", text)
 
     def test_noise_is_variance_and_a_shorter_path_is_bias(self):
         said = document("analytic:sphere-plane", "--size", "16x16", "--repeat", 1, "--vary", "spp=4,16", "--sampler", "random", "--seeds", 16)

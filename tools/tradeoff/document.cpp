@@ -32,9 +32,10 @@ Json ratio(double value, double usual) { return usual > 0 ? number(value / usual
 Json row_of(const Experiment& e, const Verdicts& v, size_t i) {
     const Row& row = e.rows[i];
     const Cost time = row.time();
+    const Interval interval = median_interval(row.seconds);
     Json out = {{"name", row.name(e.job)}, {"program", row.external < 0 ? "alidade" : e.job.externals[size_t(row.external)].words[0]}, {"setting", setting_of(row)},
                 {"command", row.command}, {"default", row.is_default}, {"front", bool(v.front[i])}, {"within_reference_error", bool(v.uncertain[i])},
-                {"cpu_seconds", number(time.median)}, {"cpu_seconds_mad", number(time.deviation)}, {"build_seconds", number(median(row.build_seconds))},
+                {"cpu_seconds", number(time.median)}, {"cpu_seconds_mad", number(time.deviation)}, {"cpu_seconds_95", {interval.low, interval.high}}, {"build_seconds", number(median(row.build_seconds))},
                 {"rounds", row.seconds}, {"counts", row.counts}, {"instructions", row.instructions ? number(*row.instructions) : Json()}};
     Json& errors = out["errors"] = Json::object();
     for (const ErrorColumn& column : error_columns())
@@ -97,7 +98,7 @@ std::string as_csv(const Experiment& e, const Verdicts& v) {
     for (size_t i = 0; i < e.rows.size(); ++i) {
         std::vector<std::pair<std::string, std::string>> cells;
         Json row = row_of(e, v, i);
-        for (const char* left_out : {"rounds", "setting"}) row.erase(left_out);
+        for (const char* left_out : {"rounds", "setting", "cpu_seconds_95"}) row.erase(left_out);
         Json settings = Json::object();
         for (const Axis& axis : e.job.axes) settings["set_" + axis.name] = Json();   // a column an axis, empty where it is not varied
         for (const Choice& choice : e.rows[i].setting) settings["set_" + choice.name] = choice.value;

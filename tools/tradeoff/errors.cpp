@@ -19,18 +19,19 @@ constexpr ErrorColumn kColumns[] = {
     {"over4", "over4", "value", true, 1, "share of pixels that differ by more than 4/255 of display values"},
 };
 
+bool is_finite(const Picture& picture, size_t pixel) {
+    const float* values = &picture.values[pixel * size_t(picture.channels)];
+    return std::all_of(values, values + picture.channels, [](float value) { return std::isfinite(value); });
+}
+
 /// Takes what is no number out of both pictures and out of the count.
-size_t clear_non_finite(PicturePair& pair) {
-    size_t found = 0;
+void clear_non_finite(PicturePair& pair) {
     const auto channels = size_t(pair.reference.channels);
     for (size_t p = 0; p < pair.pixels(); ++p) {
-        const float *a = &pair.reference.values[p * channels], *b = &pair.test.values[p * channels];
-        const auto finite = [](float value) { return std::isfinite(value); };
-        if (std::all_of(a, a + channels, finite) && std::all_of(b, b + channels, finite)) continue;
-        ++found, pair.counts[p] = 0;
+        if (is_finite(pair.reference, p) && is_finite(pair.test, p)) continue;
+        pair.counts[p] = 0;
         for (size_t c = 0; c < channels; ++c) pair.reference.values[p * channels + c] = pair.test.values[p * channels + c] = 0;
     }
-    return found;
 }
 
 template <class Change> void change_values(PicturePair& pair, Change&& change) {
@@ -51,11 +52,18 @@ const ErrorColumn* find_error(std::string_view name) {
     return found == std::end(kColumns) ? nullptr : found;
 }
 
+size_t count_non_finite(const Picture& picture) {
+    size_t found = 0;
+    for (size_t p = 0; p < size_t(picture.width) * size_t(picture.height); ++p) found += !is_finite(picture, p);
+    return found;
+}
+
 MeasuredErrors measure_errors(const Picture& reference, const Picture& test, bool clip) {
     MeasuredErrors out;
     PicturePair linear{reference, test, true, std::vector<uint8_t>(size_t(reference.width) * size_t(reference.height), 1), 0};
-    out.non_finite = clear_non_finite(linear);
-    if (out.non_finite == linear.pixels()) return out;
+    out.non_finite = count_non_finite(test);
+    clear_non_finite(linear);
+    if (std::none_of(linear.counts.begin(), linear.counts.end(), [](uint8_t counts) { return counts != 0; })) return out;
     if (clip) change_values(linear, [](float value) { return std::clamp(value, 0.0F, 1.0F); });
     PicturePair display = linear;
     display.hdr = false;

@@ -28,10 +28,13 @@ using Errors = std::map<std::string, double>;   ///< by the column's name
 struct MeasuredErrors {
     Errors values;
     std::vector<float> flip;      ///< error of each pixel, 0 .. 1
-    size_t non_finite = 0;        ///< pixels with a NaN or an infinity in either picture: not measured
+    size_t non_finite = 0;        ///< pixels of the test with a NaN or an infinity: like those of the reference, they are not measured
 };
 /// Both linear, R G B, of one size, with `clip` cut off at 0 and 1 (what a file of 8 bits can hold).
 MeasuredErrors measure_errors(const Picture& reference, const Picture& test, bool clip);
+
+/// Pixels with a NaN or an infinity.
+size_t count_non_finite(const Picture& picture);
 
 /// What is left of the reference's own error, from its two halves.
 Errors errors_of_halves(const Picture& a, const Picture& b, bool clip);

@@ -140,7 +140,7 @@ class Measuring {
             measure(run->picture, row, seed);
             spread.add(run->picture);
         }
-        if (job_.seeds > 1 && row.external < 0 && row.non_finite == 0) row.noise = spread.against(e_.reference.picture);
+        if (job_.seeds > 1 && row.external < 0 && row.non_finite + count_non_finite(e_.reference.picture) == 0) row.noise = spread.against(e_.reference.picture);
         if (row.errors.contains("rmse")) row.errors["rmse"] = std::sqrt(row.errors["rmse"]);
         return true;
     }
@@ -220,6 +220,8 @@ Value<bool> count_instructions(const Job& job, Row& row, Store& store) {
 void warn(Experiment& e) {
     for (const Row& row : e.rows)
         if (row.non_finite > 0) e.warnings.push_back(fmt::format("{}: {} pixels are not finite; the others are measured, and it is in no front", row.name(e.job), row.non_finite));
+    if (const size_t odd = count_non_finite(e.reference.picture)) e.warnings.push_back(fmt::format("{} pixels of the reference are not finite; they are left out", odd));
+    if (e.job.repeat < 3) e.warnings.push_back("fewer than 3 rounds do not say how far apart times of one setting lie: every difference is taken for one (--repeat)");
     if (e.clip) e.warnings.push_back("values are cut off at 0 and 1, which is all that a picture of display values holds");
 }
 

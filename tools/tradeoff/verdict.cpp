@@ -13,7 +13,7 @@ bool is_measured(const Row& row) { return row.non_finite == 0 && !row.errors.emp
 
 std::vector<Point> points_of(const Experiment& e, const std::string& metric) {
     std::vector<Point> points;
-    for (const Row& row : e.rows) points.push_back({row.time(), row.error(metric)});
+    for (const Row& row : e.rows) points.push_back({row.time(), is_measured(row) ? row.error(metric) : kInf});
     return points;
 }
 

@@ -86,6 +86,20 @@ TEST(TradeoffStatistics, MediansAndDeviations) {
     EXPECT_TRUE(differ({1, 0}, {1.0001, 0})) << "what is counted differs by any amount";
 }
 
+/// The interval of the median of 40 values holds the true one in 95 of 100 cases, or nearly: the percentile method is known to be a little narrow.
+TEST(TradeoffStatistics, IntervalsHoldTheMedian) {
+    int held = 0;
+    for (uint64_t trial = 0; trial < 300; ++trial) {
+        std::vector<double> values;
+        for (uint64_t i = 0; i < 40; ++i) values.push_back(RandomKey(trial, 1, 2).uniform(i));
+        const Interval interval = median_interval(values);
+        held += interval.low <= 0.5 && 0.5 <= interval.high;
+    }
+    EXPECT_GE(held, 270);
+    EXPECT_LT(held, 300);
+    EXPECT_EQ(median_interval({2}).low, 2);
+}
+
 TEST(TradeoffStatistics, ShufflesAreFair) {
     std::vector<int> first(5);
     for (uint64_t i = 0; i < 5000; ++i) {
@@ -148,6 +162,44 @@ TEST(TradeoffRequirements, HaveAnErrorAndACost) {
         ASSERT_FALSE(wrong) << bad;
         EXPECT_NE(wrong.error().find(says), std::string::npos) << wrong.error();
     }
+}
+
+/// Two settings that differ in what must not matter alone.
+Experiment with_two_accelerators(const std::string& second_spp) {
+    Experiment e;
+    e.job.scene = "analytic:lambert-sphere";
+    e.job.axes = {{"accel", {"bvh", "grid"}}};
+    for (const char* accel : {"bvh", "grid"}) {
+        Row row;
+        row.setting = {{"accel", accel}};
+        row.options = {{"accel", accel}, {"size", "8x8"}, {"spp", "1"}};
+        Setting real = row.options;
+        if (!e.rows.empty()) real.back().value = second_spp;
+        row.request = *parse_request(e.job.scene, real);
+        row.errors["rmse"] = 0.5;
+        row.seconds = {1};
+        row.fingerprint = second_spp == "1" ? 0 : e.rows.size();
+        e.rows.push_back(row);
+    }
+    return e;
+}
+
+TEST(TradeoffVerdict, AFreeAxisThatChangesThePictureIsTold) {
+    const Verdicts fine = judge(with_two_accelerators("1"), {});
+    EXPECT_EQ(fine.free_axes, (std::vector<std::string>{"accel"}));
+    EXPECT_TRUE(fine.not_free.empty());
+    const Verdicts bad = judge(with_two_accelerators("4"), {});
+    ASSERT_EQ(bad.not_free.size(), 1u);
+    EXPECT_EQ(bad.not_free[0].sentence.rfind("accel=bvh and accel=grid made different pictures, which is a bug: pixel ", 0), 0u) << bad.not_free[0].sentence;
+}
+
+TEST(TradeoffVerdict, WhatIsWithinTheReferencesErrorIsMarked) {
+    Experiment e = with_two_accelerators("1");
+    e.reference.own["rmse"] = 0.1;
+    e.rows[0].errors["rmse"] = 0.1, e.rows[1].errors["rmse"] = 0.11;
+    EXPECT_EQ(judge(e, {}).uncertain, (std::vector<bool>{true, false}));
+    e.rows[0].non_finite = 1;
+    EXPECT_EQ(judge(e, {}).front, (std::vector<bool>{false, true})) << "what is no picture beats nothing";
 }
 
 /// The mean of the point's form factor over the first disc is the discs', by Simpson's rule over the radius.
