@@ -169,24 +169,32 @@ void add_render_options(CLI::App& app, Request& request) {
     group_options(app, "The picture");
 }
 
-std::optional<int> parse_words(CLI::App& app, const Verb& verb, const Words& words) {
-    app.name(fmt::format("alidade {}", verb.name));
-    app.description(fmt::format("alidade {}: {}", verb.usage, verb.doc));
-    app.footer(fmt::format("Exit codes: {}.", verb.exits));
+std::string why_not_parsed(CLI::App& app, const Words& words) {
     app.allow_extras();
     std::string sentence;
     try {
         app.parse(Words(words.rbegin(), words.rend()));   // CLI11 takes them from the back
     } catch (const CLI::CallForHelp&) {
-        fmt::print("{}", app.help());
-        return kDone;
+        throw;
     } catch (const CLI::ParseError& error) {
         sentence = error.what();
     }
     const std::string unknown = unknown_word(app);   // a slip in an option's name is the cause of what else went wrong
-    if (!unknown.empty()) sentence = unknown;
-    if (sentence.empty()) return std::nullopt;
-    return usage_error(verb, sentence);
+    return unknown.empty() ? sentence : unknown;
+}
+
+std::optional<int> parse_words(CLI::App& app, const Verb& verb, const Words& words) {
+    app.name(fmt::format("alidade {}", verb.name));
+    app.description(fmt::format("alidade {}: {}", verb.usage, verb.doc));
+    app.footer(fmt::format("Exit codes: {}.", verb.exits));
+    try {
+        const std::string sentence = why_not_parsed(app, words);
+        if (sentence.empty()) return std::nullopt;
+        return usage_error(verb, sentence);
+    } catch (const CLI::CallForHelp&) {
+        fmt::print("{}", app.help());
+        return kDone;
+    }
 }
 
 int usage_error(const Verb& verb, const std::string& sentence) {

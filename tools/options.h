@@ -37,6 +37,9 @@ void add_render_options(CLI::App& app, Request& request);
 /// An option that takes one of `names` and gives its number to `store`.
 void add_choice(CLI::App& app, const char* option, std::vector<std::string> names, std::function<void(size_t)> store, const std::string& doc);
 
+/// Hands `words` to `app`: what is wrong with them, in one sentence, or "". Throws CLI::CallForHelp where they ask for help.
+std::string why_not_parsed(CLI::App& app, const Words& words);
+
 /// Hands `words` to `app`, which takes the verb's description and exit codes. Returns the exit code if that ends the verb: help was asked for (0),
 /// or the words are wrong (64).
 std::optional<int> parse_words(CLI::App& app, const Verb& verb, const Words& words);

@@ -23,6 +23,8 @@ constexpr Verb kVerbs[] = {
     {"compare", "compare SCENE | --corpus LIST --out DIR [options] [-- POV-Ray's words]", "renders with POV-Ray or Cycles too, and tells how far the pictures are apart",
      "as diff, the worst of a list; 2 also if a program made no picture; 4 also if the other program is missing", run_compare, 4},
     {"selftest", "selftest --numerics [ROW ...] [options]", "asks this machine for the program's numbers, and compares them with exact ones", "0 all goals are met, 1 some are not, 2 interrupted, 64 usage", run_selftest},
+    {"tradeoff", "tradeoff SCENE --vary NAME=V1,V2,... [options]", "measures what accuracy costs: settings of a render, their errors and costs, and which of them are worth it",
+     "0 done, 1 error in input or run, or an option changed a picture that it may not, 2 no setting meets a --require, or interrupted, 64 usage", run_tradeoff},
 };
 
 std::string help() {

@@ -43,5 +43,6 @@ int run_convert(const Verb& verb, const Words& words);
 int run_diff(const Verb& verb, const Words& words);
 int run_compare(const Verb& verb, const Words& words);
 int run_selftest(const Verb& verb, const Words& words);
+int run_tradeoff(const Verb& verb, const Words& words);
 
 }  // namespace alidade

@@ -33,6 +33,12 @@ Picture film() {
     return picture;
 }
 
+/// Files are written beside their place and renamed: whoever may do that to a device would lose it.
+TEST_F(Output, TakesNoDevicesPlace) {
+    EXPECT_THAT(why_no_file("/dev/null"), HasSubstr("no regular file"));
+    EXPECT_EQ(why_no_file(in("new.csv")), "");
+}
+
 TEST_F(Output, AnExrHoldsAllLayers) {
     const auto files = write_film(in("a.exr"), film());
     ASSERT_TRUE(files) << files.error();

@@ -62,7 +62,8 @@ template <unsigned F> class DirectLight {
     }
 
   private:
-    static constexpr uint64_t kSkyDimension = uint64_t(1) << 40;   // behind all lights
+    // Apart from the camera's: a light whose samples went with the place in the pixel would be seen from there alone.
+    static constexpr uint64_t kFirstLight = uint64_t(1) << 39, kSkyDimension = uint64_t(1) << 40;
 
     template <class One> Color sampled(uint64_t dimension, One one) const {
         Color sum(0);
@@ -73,7 +74,7 @@ template <unsigned F> class DirectLight {
 
     // Out of line: scenes without such lights pay for a comparison alone.
     [[gnu::noinline]] Color from_sampled_light(size_t i) const {
-        return sampled(i, [&](const Vec2& square) { return from_light(tracing_.scene.lights[i], square, i); });
+        return sampled(kFirstLight + i, [&](const Vec2& square) { return from_light(tracing_.scene.lights[i], square, i); });
     }
     [[gnu::noinline]] Color from_sampled_sky() const {
         return sampled(kSkyDimension, [&](const Vec2& square) { return from_sky(square); });

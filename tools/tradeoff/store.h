@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: Apache-2.0
+/// What is measured already: a line of JSON each, appended as it comes, so that a run that was killed goes on.
+#pragma once
+
+#include "tools/json.h"
+#include "tools/values.h"
+
+#include <nlohmann/json.hpp>
+
+#include <map>
+
+namespace alidade::tradeoff {
+
+class Store {
+  public:
+    /// In memory alone.
+    Store() = default;
+    /// In `folder`, which is made if it is not there. `head` says what the measurements are of: a folder of other ones is refused.
+    static Value<Store> open(const std::string& folder, const Json& head);
+
+    const Json* find(const std::string& key) const;
+    /// An error: it cannot be written.
+    Value<bool> keep(const std::string& key, Json value);
+    /// "" in memory.
+    const std::string& folder() const { return folder_; }
+
+  private:
+    std::string folder_;
+    std::map<std::string, Json> known_;
+};
+
+}  // namespace alidade::tradeoff
