@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "bench/peer.h"
+#include "stress/peer.h"
 
-namespace alidade::bench {
+namespace alidade {
 
-std::vector<std::unique_ptr<Peer>> make_embree_peers() { return {}; }
+std::vector<std::unique_ptr<StressPeer>> make_embree_peers() { return {}; }
 
-}  // namespace alidade::bench
+}  // namespace alidade
