@@ -22,6 +22,8 @@ constexpr Verb kVerbs[] = {
      "0 pass, 1 warn, 2 fail, 3 incomparable, 4 file or usage", run_diff, 4},
     {"compare", "compare SCENE | --corpus LIST --out DIR [options] [-- POV-Ray's words]", "renders with POV-Ray or Cycles too, and tells how far the pictures are apart",
      "as diff, the worst of a list; 2 also if a program made no picture; 4 also if the other program is missing", run_compare, 4},
+    {"stress", "stress SCENE | --generate KIND[:N][:SEED] [options]", "measures all accelerators side by side, on a scene of yours or on one that is made, and holds their hits against brute force",
+     "0 done, 1 error in input or run, or hits that differ, 2 interrupted, 64 usage", run_stress},
 };
 
 std::string help() {

@@ -42,5 +42,6 @@ int run_povray(const Verb& verb, const Words& words);
 int run_convert(const Verb& verb, const Words& words);
 int run_diff(const Verb& verb, const Words& words);
 int run_compare(const Verb& verb, const Words& words);
+int run_stress(const Verb& verb, const Words& words);
 
 }  // namespace alidade
