@@ -34,7 +34,7 @@ std::string StressBudget::admit(const StressPace& pace, double primitives, size_
     const double needs = std::max(pace.peak_bytes, pace.bytes) * kMargin * primitives / pace.primitives;
     if (double(bytes) + needs > double(options_.bytes))
         return fmt::format("needs about {} while it is built, beside {}: more than {}", bytes_text(needs), bytes_text(double(bytes)), bytes_text(double(options_.bytes)));
-    const double takes = double(builds) * grown(pace.build_seconds, pace.primitives, primitives), traces = double(rays) * grown_ray(pace, primitives);
+    const double takes = options_.clock_factor * double(builds) * grown(pace.build_seconds, pace.primitives, primitives), traces = options_.clock_factor * double(rays) * grown_ray(pace, primitives);
     if (takes + traces + reserved_ > left())
         return fmt::format("takes about {}: {} are left", seconds_text(takes + traces), seconds_text(std::max(0.0, left() - reserved_)));
     reserved_ += traces;
@@ -42,7 +42,7 @@ std::string StressBudget::admit(const StressPace& pace, double primitives, size_
 }
 
 std::string StressBudget::admit_round(const StressPace& pace, double primitives, size_t rays) const {
-    const double takes = pace.primitives == 0 ? 0 : double(rays) * grown_ray(pace, primitives);
+    const double takes = pace.primitives == 0 ? 0 : options_.clock_factor * double(rays) * grown_ray(pace, primitives);
     if (takes <= left()) return {};
     return fmt::format("takes about {}: {} are left", seconds_text(takes), seconds_text(std::max(0.0, left())));
 }

@@ -16,6 +16,8 @@ class StressBudget {
     explicit StressBudget(const StressOptions& options) : options_(options) {}
 
     double left() const { return options_.seconds - (wall_seconds() - start_); }
+    /// The same without what is kept for rays.
+    double spare() const { return left() - reserved_; }
     /// Why a peer is not built, or "": `bytes` are those of the scene and of what stands beside it. What it takes is kept for its rays.
     std::string admit(const StressPace& pace, double primitives, size_t builds, size_t rays, size_t bytes);
     /// Why a round of so many rays is not traced, or "".

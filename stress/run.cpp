@@ -86,7 +86,7 @@ class StressRun {
         for (const auto& seconds : builds_) all += seconds.empty() ? 0 : seconds.back();
         for (size_t i = 0; i < peers_.size(); ++i) {
             did(primitives());
-            if (!built(i) || stopped() || 2 * all > budget_.left()) continue;
+            if (!built(i) || stopped() || 2 * options_.clock_factor * all > budget_.spare()) continue;
             const double start = thread_seconds();
             peers_[i]->build(scene_);
             builds_[i].push_back(thread_seconds() - start);

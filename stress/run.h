@@ -14,6 +14,7 @@ struct StressOptions {
     int rounds = 5;                            ///< of rays; builds get half as many, at least one
     double oracle_tests = 2e7;                 ///< triangle tests that brute force may take for each set of rays; never fewer than 16 rays
     double seconds = kInf;                     ///< on the clock; what is predicted not to fit is left out
+    double clock_factor = 1;                   ///< seconds on the clock that one of CPU time takes on this machine, as others use it now
     size_t bytes = ~size_t(0);                 ///< of the scene and the structures; the same
     const std::atomic<bool>* stop = nullptr;   ///< asked between batches of rays and before builds
     std::function<void(double)> progress;      ///< is told what has been done, of stress_work()

@@ -160,6 +160,10 @@ TEST(StressRun, LeavesOutWhatDoesNotFit) {
     EXPECT_EQ(figures.peers[2].left_out, "");
     EXPECT_EQ(figures.peers[2].rays.size(), 4u);
     EXPECT_TRUE(figures.peers[0].rays.empty());
+    options.seconds = 60;
+    EXPECT_EQ(run_stress(scene, rays, peers, options, std::array{slow, large, fine}).peers[0].left_out, "") << "37 s fit";
+    options.clock_factor = 2;
+    EXPECT_THAT(run_stress(scene, rays, peers, options, std::array{slow, large, fine}).peers[0].left_out, HasSubstr("takes about 75 s")) << "on a machine that others use, too";
 }
 
 TEST(StressRun, ATimeThatIsOverIsSaid) {
@@ -199,7 +203,7 @@ TEST(StressMeasure, PeakMemoryIsWhatWasTakenAtOnce) {
         std::vector<uint8_t> memory(kMegabytes << 20, uint8_t(i + 1));
         EXPECT_EQ(memory[memory.size() / 2], i + 1);
     }
-    EXPECT_GE(*mark.bytes(), kMegabytes << 20);
+    EXPECT_GE(*mark.bytes(), (kMegabytes - 1) << 20) << "Linux counts pages in batches, a thread at a time";
     EXPECT_LE(*mark.bytes(), (kMegabytes + 16) << 20) << "once, not three times";
 }
 

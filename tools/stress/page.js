@@ -23,7 +23,7 @@ const peerOf = (one) => peers.find((peer) => peer.name === one.accelerator && pe
 /// Four digits, for people: 1.234, 12340000 as 1.234e7.
 function brief(value) {
   const size = Math.abs(value);
-  return size !== 0 && (size < 1e-3 || size >= 1e6) ? value.toExponential(3).replace('e+', 'e') : String(Number(value.toPrecision(4)));
+  return size !== 0 && (size < 1e-3 || size >= 1e6) ? Number(value.toPrecision(4)).toExponential().replace('e+', 'e') : String(Number(value.toPrecision(4)));
 }
 
 // ---- plots

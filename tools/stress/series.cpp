@@ -130,6 +130,7 @@ class SeriesRun {
     StressOptions options() {
         StressOptions options;
         options.rounds = request_.rounds, options.seconds = left(), options.stop = &stop_;
+        if (const double cpu = thread_seconds() - cpu_start_; cpu > 0.01) options.clock_factor = std::clamp((wall_seconds() - start_) / cpu, 1.0, 20.0);
         options.bytes = out_.bytes < 1e18 ? size_t(out_.bytes) : ~size_t(0);
         options.progress = [this](double work) { progress_(std::min(1.0, (done_ + work) / std::max(1.0, work_))); };
         return options;
@@ -196,7 +197,7 @@ class SeriesRun {
     std::vector<StressPace> paces_;   // by peer, of the present source
     MakePace make_pace_;
     std::vector<StressRay> given_;
-    double start_ = wall_seconds(), work_ = 0, done_ = 0;
+    double start_ = wall_seconds(), cpu_start_ = thread_seconds(), work_ = 0, done_ = 0;
 };
 
 }  // namespace
