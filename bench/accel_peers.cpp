@@ -4,12 +4,9 @@
 /// In each round every tracer does the same work in turn, in CPU time of the thread; what is printed are medians over the rounds of the ratios within a
 /// round, so that a busy machine slows all of them. Hits are compared: a speed says nothing about wrong answers.
 /// Usage     accel_peers [--accel bvh,grid] [--kinds scan,hair] [--scale 1] [--rays 256] [--rounds 5] [--double] [--alone]
-#include "bench/peer.h"
-#include "stress/instances.h"
+#include "stress/run.h"
 
 #include <fmt/format.h>
-
-#include <time.h>
 
 #include <algorithm>
 #include <cmath>
@@ -28,30 +25,22 @@ struct Options {
     bool alone = false;
 };
 
-double thread_seconds() {
-    timespec t{};
-    clock_gettime(CLOCK_THREAD_CPUTIME_ID, &t);
-    return double(t.tv_sec) + 1e-9 * double(t.tv_nsec);
-}
-
-double median(std::vector<double> values) {
-    std::nth_element(values.begin(), values.begin() + std::ptrdiff_t(values.size() / 2), values.end());
-    return values[values.size() / 2];
-}
-
 /// seconds[peer][round]
 using Times = std::vector<std::vector<double>>;
 
-template <class F> Times interleaved(const std::vector<std::unique_ptr<Peer>>& peers, int rounds, F&& body) {
-    Times times(peers.size());
-    for (int round = 0; round < rounds; ++round) {
-        for (size_t i = 0; i < peers.size(); ++i) {
-            const double start = thread_seconds();
-            body(*peers[i], i);
-            times[i].push_back(thread_seconds() - start);
-        }
-    }
-    return times;
+/// What the peers have counted up to now.
+std::vector<WorkCounters> counted(const std::vector<std::unique_ptr<StressPeer>>& peers) {
+    std::vector<WorkCounters> counters;
+    for (const auto& peer : peers) counters.push_back(peer->work().value_or(WorkCounters()));
+    return counters;
+}
+
+/// Of each of `rays` rays since it had counted `before`.
+std::string work_text(const StressPeer& peer, const WorkCounters& before, double rays) {
+    const auto now = peer.work();
+    if (!now) return "";
+    const auto each = [rays](uint64_t from, uint64_t to) { return double(to - from) / rays; };
+    return fmt::format("{:.1f} boxes, {:.1f} triangles filtered, {:.2f} decided", each(before.boxes, now->boxes), each(before.filtered, now->filtered), each(before.primitives, now->primitives));
 }
 
 /// How much faster than `reference` the peer was.
@@ -74,18 +63,21 @@ struct Means {
 
 class Run {
   public:
-    Run(const Options& options, std::vector<std::unique_ptr<Peer>> peers, size_t reference)
+    Run(const Options& options, std::vector<std::unique_ptr<StressPeer>> peers, size_t reference)
         : options_(options), peers_(std::move(peers)), reference_(reference) {}
 
     void scene(const StressKind& kind) {
         const StressScene scene = kind.make(size_t(double(kind.triangles) * options_.scale), 1);
-        fmt::print("{}: {} triangles{}\n", kind.name, scene.triangles.size(), scene.instances.empty() ? "" : fmt::format(", {} times", scene.instances.size()));
-        const double millions = 1e-6 * double(scene.triangles.size());
-        row("build", "Mtri/s", 0, millions, interleaved(peers_, std::max(1, options_.rounds / 2), [&](Peer& peer, size_t) { peer.build(scene); }), [&](const Peer& peer) {
-            return fmt::format("{:.1f} bytes a triangle", double(peer.bytes()) / double(scene.triangles.size()));
+        fmt::print("{}: {} triangles{}\n", kind.name, scene.triangles(), scene.places.empty() ? "" : fmt::format(", {} times", scene.places.size()));
+        const double millions = 1e-6 * double(scene.triangles());
+        row("build", "Mtri/s", 0, millions, interleaved(std::span<const std::unique_ptr<StressPeer>>(peers_), std::max(1, options_.rounds / 2), [&](StressPeer& peer, size_t) { peer.build(scene); }), [&](const StressPeer& peer, size_t) {
+            return fmt::format("{:.1f} bytes a triangle", double(peer.structure().bytes) / double(scene.triangles()));
         });
-        const StressRays rays = rays_of(scene);
-        closest("primary", 1, rays.primary), closest("diffuse", 2, rays.diffuse), any("shadow", 3, rays.shadow);
+        const std::vector<RaySet> sets = stress_rays(scene, camera_rays(scene, options_.rays), 1);
+        for (const RaySet& set : sets) {
+            if (set.name == "shadow") any("shadow", 3, set.rays);
+            else if (set.name != "random") closest(set.name.c_str(), set.name == "primary" ? 1 : 2, set.rays);
+        }
     }
 
     void print_means() const {
@@ -102,24 +94,18 @@ class Run {
     }
 
   private:
-    StressRays rays_of(const StressScene& scene) const {
-        const auto mesh = find_accelerator("bvh")->over_triangles(scene.view(), {});
-        if (scene.instances.empty()) return make_stress_rays(scene, *mesh, options_.rays, 1);
-        const auto top = find_accelerator("bvh")->over_set(std::make_shared<StressInstances>(*mesh, scene.instances), {});
-        return make_stress_rays(scene, *top, options_.rays, 1);
-    }
-
     void closest(const char* name, size_t column, const std::vector<StressRay>& rays) {
-        std::vector<std::vector<float>> t(peers_.size(), std::vector<float>(rays.size()));
-        const Times times = interleaved(peers_, options_.rounds, [&](Peer& peer, size_t i) { peer.closest(rays, t[i]); });
-        row(name, "Mray/s", column, 1e-6 * double(rays.size()), times, [](const Peer& peer) { return peer.work(); });
-        const size_t hits = size_t(std::count_if(t[0].begin(), t[0].end(), [](float x) { return std::isfinite(x); }));
+        std::vector<std::vector<StressHit>> got(peers_.size(), std::vector<StressHit>(rays.size()));
+        const auto before = counted(peers_);
+        const Times times = interleaved(std::span<const std::unique_ptr<StressPeer>>(peers_), options_.rounds, [&](StressPeer& peer, size_t i) { peer.closest(rays, got[i]); });
+        row(name, "Mray/s", column, 1e-6 * double(rays.size()), times, [&](const StressPeer& peer, size_t i) { return work_text(peer, before[i], double(rays.size()) * options_.rounds); });
+        const size_t hits = size_t(std::count_if(got[0].begin(), got[0].end(), [](const StressHit& hit) { return hit.hits(); }));
         fmt::print("  {:8} {:.0f} % hit; unlike {}:", name, 100.0 * double(hits) / double(rays.size()), peers_[0]->name);
         for (size_t i = 1; i < peers_.size(); ++i) {
             size_t unlike = 0, off = 0;
             for (size_t k = 0; k < rays.size(); ++k) {
-                unlike += std::isfinite(t[i][k]) != std::isfinite(t[0][k]);
-                off += std::isfinite(t[i][k]) && std::isfinite(t[0][k]) && std::abs(t[i][k] - t[0][k]) > 1e-5f * t[0][k];
+                unlike += got[i][k].hits() != got[0][k].hits();
+                off += got[i][k].hits() && got[0][k].hits() && std::abs(got[i][k].t - got[0][k].t) > 1e-5 * got[0][k].t;
             }
             fmt::print("  {} {} hit or miss, {} t", peers_[i]->name, unlike, off);
         }
@@ -128,8 +114,9 @@ class Run {
 
     void any(const char* name, size_t column, const std::vector<StressRay>& rays) {
         std::vector<std::vector<uint8_t>> hit(peers_.size(), std::vector<uint8_t>(rays.size()));
-        const Times times = interleaved(peers_, options_.rounds, [&](Peer& peer, size_t i) { peer.any(rays, hit[i]); });
-        row(name, "Mray/s", column, 1e-6 * double(rays.size()), times, [](const Peer& peer) { return peer.work(); });
+        const auto before = counted(peers_);
+        const Times times = interleaved(std::span<const std::unique_ptr<StressPeer>>(peers_), options_.rounds, [&](StressPeer& peer, size_t i) { peer.any(rays, hit[i]); });
+        row(name, "Mray/s", column, 1e-6 * double(rays.size()), times, [&](const StressPeer& peer, size_t i) { return work_text(peer, before[i], double(rays.size()) * options_.rounds); });
         fmt::print("  {:8} {:.0f} % hit; unlike {}:", name, 100.0 * double(std::count(hit[0].begin(), hit[0].end(), 1)) / double(rays.size()), peers_[0]->name);
         for (size_t i = 1; i < peers_.size(); ++i) {
             size_t unlike = 0;
@@ -143,13 +130,13 @@ class Run {
         for (size_t i = 0; i < peers_.size(); ++i) {
             const double ratio = speed_ratio(times, i, reference_);
             means_.add(column, i, ratio);
-            fmt::print("  {:8} {:14} {:8.3f} {}  {:.3f} of {}  {}\n", what, peers_[i]->name, items / median(times[i]), unit, ratio, peers_[reference_]->name, note(*peers_[i]));
+            fmt::print("  {:8} {:14} {:8.3f} {}  {:.3f} of {}  {}\n", what, peers_[i]->name, items / median(times[i]), unit, ratio, peers_[reference_]->name, note(*peers_[i], i));
         }
         std::fflush(stdout);
     }
 
     Options options_;
-    std::vector<std::unique_ptr<Peer>> peers_;
+    std::vector<std::unique_ptr<StressPeer>> peers_;
     size_t reference_;
     Means means_;
 };
@@ -181,7 +168,7 @@ std::optional<Options> parse(int argc, char** argv) {
 }
 
 int run(const Options& options) {
-    std::vector<std::unique_ptr<Peer>> peers;
+    std::vector<std::unique_ptr<StressPeer>> peers;
     AccelOptions own;
     own.precision = options.precision;
     for (const AcceleratorEntry& entry : accelerators()) {

@@ -1,6 +1,7 @@
 # What `cmake --install` leaves: bin/alidade, include/alidade/<folder>/..., one static library a folder, and a CMake package:
 #   find_package(alidade)                    target_link_libraries(x alidade::alidade)     everything
 #   find_package(alidade COMPONENTS accel)   target_link_libraries(x alidade::accel)       the accelerators over plain triangles, and core
+#   find_package(alidade COMPONENTS stress)  target_link_libraries(x alidade::stress)      the same, and what measures them beside others
 include(CMakePackageConfigHelpers)
 
 add_library(alidade_all INTERFACE)
@@ -17,8 +18,10 @@ foreach(folder ${installed_folders})
 endforeach()
 # What others may include: the types, the tables and the three functions; not how importers and integrators do their work.
 file(GLOB public_headers RELATIVE ${PROJECT_SOURCE_DIR} core/*.h scene/*.h accel/*.h eval/shapes/*.h)
+# stress/builder.h and what stands behind run.h stay inside.
 list(APPEND public_headers topology/decimate.h topology/normals.h topology/report.h topology/reshape.h topology/subdivide.h importers/importer.h exporters/exporter.h exporters/losses.h
-     exporters/output_files.h tracer/film.h tracer/options.h tracer/render.h)
+     exporters/output_files.h tracer/film.h tracer/options.h tracer/render.h
+     stress/growth.h stress/measure.h stress/peer.h stress/ray_file.h stress/rays.h stress/run.h stress/scene.h stress/table.h)
 foreach(header ${public_headers})
   get_filename_component(folder ${header} DIRECTORY)
   install(FILES ${header} DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/alidade/${folder})

@@ -1,16 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
-/// One accelerator, placed many times: a PrimitiveSet for the accelerator above it.
+/// Accelerators, placed any number of times: a PrimitiveSet for the accelerator above them.
 #pragma once
 
-#include "accel/accelerator.h"
-#include "core/transform.h"
+#include "stress/scene.h"
 
 namespace alidade {
 
 class StressInstances : public PrimitiveSet {
   public:
-    /// Transforms that cannot be inverted are left out of every ray. `mesh` must live as long.
-    StressInstances(const Accelerator& mesh, std::span<const Transform> places);
+    /// Transforms that cannot be inverted are left out of every ray. The accelerators, one a mesh, must live as long.
+    StressInstances(std::vector<const Accelerator*> meshes, std::span<const StressPlace> places);
 
     size_t size() const override { return places_.size(); }
     Bounds bounds(uint32_t id) const override { return places_[id].bounds; }
@@ -18,15 +17,18 @@ class StressInstances : public PrimitiveSet {
     bool occluded(std::span<const uint32_t> ids, const Ray& ray, WorkCounters& work) const override;
     void all_hits(std::span<const uint32_t> ids, const Ray& ray, std::vector<Hit>& hits, WorkCounters& work) const override;
 
-    const Transform& place(uint32_t id) const { return places_[id].to_world; }
+    /// Of what stands here; the accelerators' are not in it.
+    size_t bytes() const { return places_.capacity() * sizeof(Place) + meshes_.capacity() * sizeof(meshes_[0]); }
 
   private:
     struct Place {
-        Transform to_world, to_mesh;
+        Transform to_mesh;
         Bounds bounds;   ///< in the world; empty if it is left out
+        uint32_t mesh = 0;
     };
+    const Accelerator& mesh(uint32_t id) const { return *meshes_[places_[id].mesh]; }
 
-    const Accelerator& mesh_;
+    std::vector<const Accelerator*> meshes_;
     std::vector<Place> places_;
 };
 

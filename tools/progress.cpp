@@ -37,12 +37,15 @@ std::string progress_bar(double fraction, double elapsed, int columns) {
     return fmt::format("[{}{}] {}", std::string(full, '#'), std::string(size_t(room) - full, '.'), text);
 }
 
-Progress::Progress(ProgressMode mode, std::FILE* out) : mode_(mode), out_(out) {
+Progress::Progress(ProgressMode mode, std::FILE* out, const char* what) : mode_(mode), out_(out), what_(what) {
     if (mode_ == ProgressMode::bar && !isatty(fileno(out))) mode_ = ProgressMode::none;
 }
 
-Progress::~Progress() {
+Progress::~Progress() { hide(); }
+
+void Progress::hide() {
     if (visible_) fmt::print(out_, "\r\033[K"), std::fflush(out_);
+    visible_ = false;
 }
 
 void Progress::update(size_t done, size_t total) {
@@ -66,8 +69,8 @@ void Progress::print_json(size_t done, size_t total) {
     if (tenths <= tenths_) return;
     tenths_ = tenths;
     const double elapsed = std::chrono::duration<double>(Clock::now() - start_).count(), fraction = double(done) / double(total);
-    fmt::print(out_, R"({{"progress": {:.4f}, "tiles_done": {}, "tiles": {}, "seconds": {:.3f}, "seconds_left": {:.3f}}})"
-               "\n", fraction, done, total, elapsed, seconds_left(fraction, elapsed));
+    fmt::print(out_, R"({{"progress": {:.4f}, "{}_done": {}, "{}": {}, "seconds": {:.3f}, "seconds_left": {:.3f}}})"
+               "\n", fraction, what_, done, what_, total, elapsed, seconds_left(fraction, elapsed));
     std::fflush(out_);
 }
 

@@ -20,10 +20,13 @@ std::string progress_bar(double fraction, double elapsed, int columns);
 /// Draws on `out` from construction to destruction, which erases the bar. Not for several threads at once: Monitor::progress is called under a lock.
 class Progress {
   public:
-    Progress(ProgressMode mode, std::FILE* out);
+    /// `what` is done, in the words of JSON.
+    Progress(ProgressMode mode, std::FILE* out, const char* what = "tiles");
     Progress(const Progress&) = delete;
     ~Progress();
     void update(size_t done, size_t total);
+    /// Erases the bar, for other words; update() draws it again.
+    void hide();
 
   private:
     using Clock = std::chrono::steady_clock;
@@ -32,6 +35,7 @@ class Progress {
 
     ProgressMode mode_;
     std::FILE* out_;
+    const char* what_;
     Clock::time_point start_ = Clock::now(), drawn_ = start_ - std::chrono::hours(1);
     size_t tenths_ = 0;
     bool visible_ = false;

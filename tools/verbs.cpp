@@ -25,6 +25,8 @@ constexpr Verb kVerbs[] = {
     {"selftest", "selftest --numerics [ROW ...] [options]", "asks this machine for the program's numbers, and compares them with exact ones", "0 all goals are met, 1 some are not, 2 interrupted, 64 usage", run_selftest},
     {"tradeoff", "tradeoff SCENE --vary NAME=V1,V2,... [options]", "measures what accuracy costs: settings of a render, their errors and costs, and which of them are worth it",
      "0 done, 1 error in input or run, or an option changed a picture that it may not, 2 no setting meets a --require, or interrupted, 64 usage", run_tradeoff},
+    {"stress", "stress SCENE | --generate KIND[:N][:SEED] [options]", "measures all accelerators side by side, on a scene of yours or on one that is made, and holds their hits against brute force",
+     "0 done, 1 error in input or run, or hits that differ, 2 interrupted, 64 usage", run_stress},
 };
 
 std::string help() {

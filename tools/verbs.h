@@ -44,5 +44,6 @@ int run_diff(const Verb& verb, const Words& words);
 int run_compare(const Verb& verb, const Words& words);
 int run_selftest(const Verb& verb, const Words& words);
 int run_tradeoff(const Verb& verb, const Words& words);
+int run_stress(const Verb& verb, const Words& words);
 
 }  // namespace alidade

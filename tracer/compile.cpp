@@ -377,6 +377,7 @@ CompiledSummary summary(const CompiledScene& scene) {
     s.kernel = scene.kernel;
     s.structures.emplace_back("instances", scene.top->stats());
     s.bytes = scene.top->stats().bytes + scene.textures->bytes() + scene.instances.size() * sizeof(Instance);
+    if (scene.filters) s.structures.emplace_back("instances that let light through", scene.filters->stats()), s.bytes += scene.filters->stats().bytes;
     for (const Geometry& g : scene.geometries) {
         if (!g.mesh) continue;
         s.triangles += g.mesh->triangles.size();

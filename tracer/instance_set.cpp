@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tracer/instance_set.h"
 
+#include "core/clamp.h"
 #include "eval/placed.h"
 #include "tracer/instance_leaves.h"
 
@@ -21,10 +22,6 @@ bool first_crossing(const Geometry& geometry, const Ray& local, uint32_t instanc
     return false;
 }
 
-/// What rounding in the transform of a ray may move a t by, generously: candidates this far behind the best are still asked for, so that the clamp
-/// below decides between them, and not the order in which instances are visited.
-double slack(const Ray& ray, double t) { return 1e-9 * (std::abs(t) + max_abs(ray.origin) / max_abs(ray.dir)); }
-
 }  // namespace
 
 /// Out of line: scenes without solids pay for a comparison alone.
@@ -32,7 +29,7 @@ double slack(const Ray& ray, double t) { return 1e-9 * (std::abs(t) + max_abs(ra
     const Solid& s = solid(id);
     if (!(s.mask & ray.mask)) return false;
     Ray shortened = ray;
-    if (hit.t < ray.tmax) shortened.tmax = std::min(ray.tmax, hit.t + slack(ray, hit.t));
+    if (hit.t < ray.tmax) shortened.tmax = std::min(ray.tmax, hit.t + instance_slack(ray, hit.t));
     Hit candidate;
     if (!s.tree.first(shortened, InstanceLeaves(scene_, work), candidate)) return false;
     candidate.t = clamp_to_bounds(candidate.t, ray, s.tree.bounds());
@@ -52,7 +49,7 @@ bool InstanceSet::intersect(std::span<const uint32_t> ids, const Ray& ray, Hit& 
         if (!(instance.mask & ray.mask)) continue;
         const Geometry& geometry = scene_.geometries[instance.geometry];
         Ray local = instance.local(ray);
-        if (hit.t < ray.tmax) local.tmax = std::min(ray.tmax, hit.t + slack(ray, hit.t));
+        if (hit.t < ray.tmax) local.tmax = std::min(ray.tmax, hit.t + instance_slack(ray, hit.t));
         Hit candidate;
         const bool crossed = geometry.mesh ? geometry.triangles->intersect(local, candidate, work, id) : first_crossing(geometry, local, id, candidate, work);
         if (!crossed) continue;

@@ -2,6 +2,7 @@
 /// The rows of the table of shapes, each defined in the file of its shape.
 #pragma once
 
+#include "core/clamp.h"
 #include "eval/shapes/shape_ops.h"
 
 namespace alidade {
@@ -18,14 +19,6 @@ template <class T, size_t I = 0> constexpr size_t kind_of() {
 
 /// False for the rays that hit nothing (core/ray.h), but for a zero direction, which no shape's equation has a solution for.
 inline bool is_finite(const Ray& ray) { return is_finite(ray.origin) && is_finite(ray.dir); }
-
-/// The part of the line of a ray inside a box: all t with entry <= t <= exit, none if entry > exit.
-struct LineInterval {
-    double entry = -kInf, exit = kInf;
-    bool empty() const { return !(entry <= exit); }
-};
-/// As computed in double: (plane - origin) / dir on each axis, a division, since a multiplication with the rounded 1 / dir would add a rounding.
-LineInterval inside_bounds(const Ray& ray, const Bounds& bounds);
 
 /// std::hypot, whose last half of a unit costs ten times as much, where nothing overflows or vanishes. Within 1 unit of 2^-52.
 inline double planar_length(double x, double y) {

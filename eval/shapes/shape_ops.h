@@ -60,8 +60,4 @@ inline constexpr uint32_t kExtrusionSides = 2;
 std::span<const ShapeOps> shapes();
 const ShapeOps* find_shape(const ShapeGeometry& geometry);
 
-/// Clamps `t` into the interval in which the line of `ray` is inside `bounds`, as computed in double by every accelerator: the rule that makes
-/// them agree (docs/numerics.md). Returns `t` itself if the line misses the box.
-double clamp_to_bounds(double t, const Ray& ray, const Bounds& bounds);
-
 }  // namespace alidade

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tests/accel/toy_set.h"
 
+#include "core/clamp.h"
 #include "core/draws.h"
 
 namespace alidade::test {
@@ -18,18 +19,9 @@ Crossings sphere_crossings(const ToySolid& s, const Ray& ray) {
 }
 
 Crossings box_crossings(const ToySolid& s, const Ray& ray) {
-    double enter = -kInf, leave = kInf;
-    for (int axis = 0; axis < 3; ++axis) {
-        const double low = s.center[axis] - s.size[axis] - ray.origin[axis], high = s.center[axis] + s.size[axis] - ray.origin[axis];
-        if (ray.dir[axis] == 0) {
-            if (!(low <= 0 && 0 <= high)) return std::nullopt;
-            continue;
-        }
-        const auto [first, second] = std::minmax({low / ray.dir[axis], high / ray.dir[axis]});
-        enter = std::max(enter, first), leave = std::min(leave, second);
-    }
-    if (!(enter < leave)) return std::nullopt;
-    return std::array{enter, leave};
+    const LineInterval inside = inside_bounds(ray, {s.center - s.size, s.center + s.size});
+    if (!(inside.entry < inside.exit)) return std::nullopt;
+    return std::array{inside.entry, inside.exit};
 }
 
 Crossings plane_crossings(const ToySolid& s, const Ray& ray) {

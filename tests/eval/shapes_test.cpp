@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 /// What holds for every row of the table of shapes.
+#include "core/clamp.h"
 #include "tests/eval/shape_samples.h"
 
 #include <gtest/gtest.h>

@@ -91,7 +91,6 @@ class Words(InFolder):
         (self.folder / "small.pfm").write_bytes(pfm_bytes([[(1, 1, 1)] * 3] * 3))
         self.expect_error("small.pfm has 3 x 3 pixels, the settings' pictures have 8 x 6", self.scene, *vary, "--reference", "small.pfm")
         self.expect_error("there is no camera 'none'", self.scene, *vary, "--camera", "none")
-        self.expect_error("no regular file", self.scene, *vary, "--csv", "/dev/null")
         self.expect_error("there is no folder 'none'", self.scene, *vary, "--csv", "none/out.csv")
         self.expect_error("false --out", self.scene, "--external", "false --out {out}")
         self.expect_error("cannot run no-such-program", self.scene, "--external", "no-such-program {out}")

@@ -31,17 +31,6 @@ std::string base64(std::span<const std::byte> bytes) {
     return text;
 }
 
-/// JSON that may stand inside <script>: without a '<' nothing there can end it.
-std::string embedded(const Json& json) {
-    const std::string text = json.dump(-1, ' ', false, Json::error_handler_t::replace);
-    std::string out;
-    for (const char c : text) {
-        if (c == '<') out += "\\u003c";
-        else out += c;
-    }
-    return out;
-}
-
 /// Values 0 .. 1 as a picture whose file holds them, rounded to 1/255: the encoder's sRGB curve is taken off before.
 Picture stored_as(int width, int height, std::vector<std::string> names, const std::function<double(size_t)>& value) {
     Picture picture(width, height, std::move(names));
@@ -139,31 +128,6 @@ std::vector<const ReportPair*> worst_first(const Report& report) {
     return order;
 }
 
-std::string escaped(const std::string& text) {
-    std::string out;
-    for (const char c : text) {
-        if (c == '<') out += "&lt;";
-        else if (c == '&') out += "&amp;";
-        else out += c;
-    }
-    return out;
-}
-
-/// `page` with every {{key}} filled in. What is filled in is not looked at again.
-std::string filled(std::string_view page, const std::vector<std::pair<std::string, std::string_view>>& values) {
-    std::string out;
-    while (!page.empty()) {
-        const size_t open = page.find("{{"), close = page.find("}}", open);
-        out += page.substr(0, open);
-        if (close == page.npos) break;
-        const std::string key(page.substr(open + 2, close - open - 2));
-        for (const auto& [name, value] : values)
-            if (name == key) out += value;
-        page.remove_prefix(close + 2);
-    }
-    return out;
-}
-
 Json metric_table() {
     Json table = Json::array();
     for (const Metric& metric : metrics()) table.push_back({{"name", metric.name}, {"unit", metric.unit}, {"doc", metric.doc}});
@@ -181,8 +145,7 @@ tl::expected<std::string, std::string> report_html(const Report& report) {
         pictures += *blocks;
         data["pairs"].push_back(described(*pair));
     }
-    const std::string title = escaped(report.title), text = embedded(data);
-    return filled(kReportHtml, {{"title", title}, {"style", kReportCss}, {"data", text}, {"pictures", pictures}, {"script", kReportJs}});
+    return page_html(report.title, kReportCss, data, kReportJs, pictures);
 }
 
 std::string shell_line(const std::vector<std::string>& words) {

@@ -1,32 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // The report's page. The address says what is shown: #index, or #pair=0&mode=slider&zoom=8&pixel=3,4&split=0.5, so that a link leads to a pixel.
-'use strict';
-
-const data = JSON.parse(document.getElementById('data').textContent);
 const pairs = data.pairs;
-const byId = (id) => document.getElementById(id);
-
-/// An element: `of('td', {class: 'number'}, 'text', child)`. Texts stay texts.
-function of(tag, attributes = {}, ...children) {
-  const svg = ['svg', 'rect', 'line', 'text', 'title'].includes(tag);
-  const element = svg ? document.createElementNS('http://www.w3.org/2000/svg', tag) : document.createElement(tag);
-  for (const [name, value] of Object.entries(attributes)) {
-    if (name.startsWith('on')) element.addEventListener(name.slice(2), value);
-    else if (value !== null && value !== undefined) element.setAttribute(name, value);
-  }
-  element.append(...children.filter((child) => child !== null && child !== undefined));
-  return element;
-}
-
-/// Six digits; JSON has no infinities and writes null.
-function short(value) {
-  if (value === null || value === undefined) return 'infinite';
-  return typeof value === 'number' && !Number.isInteger(value) ? String(Number(value.toPrecision(6))) : String(value);
-}
-
-function numberCell(value, tag = 'td') {
-  return of(tag, {class: 'number', 'data-value': JSON.stringify(value), title: JSON.stringify(value)}, short(value));
-}
 
 const MARKS = {pass: '\u2713', warn: '!', fail: '\u2717', incomparable: '\u2260', error: '\u2717'};
 function verdictOf(pair) {
@@ -462,9 +436,6 @@ function metricsTable(pair) {
     of('tbody', {}, ...rows))));
 }
 
-function section(title, ...children) {
-  return of('section', {}, of('h3', {}, title), ...children);
-}
 
 /// Bars on a logarithmic scale: a few bad pixels are seen beside many good ones.
 function histogram(pair) {

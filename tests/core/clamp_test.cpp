@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "tests/eval/shape_samples.h"
+#include "core/clamp.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "eval/shapes/rows.h"
+#include "core/clamp.h"
+
+#include <cmath>
 
 namespace alidade {
 
