@@ -61,6 +61,8 @@ class Surface {
         lose("the normal map", s_.normal.has_value());
         lose("the clear coat", s_.clearcoat.has_value(), "a layer that takes nothing from what is under it");
         lose("the normal map of the clear coat", s_.clearcoat_normal.has_value());
+        const auto loses_edges = [&](const Texel& t) { return t.picture && images_.loses_edges(*t.picture); };
+        lose("the clamping or mirroring of pictures at their edges", loses_edges(s_.base_color) || (s_.emissive && loses_edges(*s_.emissive)), "repeated ones");
         lose("the colour of highlights", s_.specular_color && Vec3(s_.specular_color->factor) != Vec3(1), "that of its reflection alone");
         losses_.add(fmt::format("the picture of the occlusion of material '{}'", plain_name(material_.name, "unnamed")), s_.occlusion.has_value());   // no renderer of ours shows it either
     }
