@@ -12,6 +12,8 @@ namespace {
 /// From (u, v) with v downwards to the same with v upwards, and back.
 constexpr Mat3 flipped_v() { return Mat3(1, 0, 0, 0, -1, 0, 0, 1, 1); }
 
+bool is_same(const Transform& a, const Transform& b) { return a.linear == b.linear && a.translation == b.translation; }
+
 std::span<const std::byte> as_bytes(const std::string& text) { return std::as_bytes(std::span(text)); }
 
 bool is_png(const std::string& bytes) { return picture_format(bytes).ending == std::string_view(".png"); }
@@ -139,31 +141,43 @@ void ImageWriter::picture(const char* word, const File& file, const ImageSignal&
     sdl_.end();
 }
 
-void ImageWriter::place(const ImageSignal& image) {
-    if (const Framed& framed = edges(image); !framed.edges.none()) sdl_.line(place_of(framed.edges, framed.width, framed.height));
+/// From the unit square to where the texture coordinates look it up.
+Transform ImageWriter::placement(const ImageSignal& image) {
+    const Framed& framed = edges(image);
+    const Transform frame = framed.edges.none() ? Transform() : place_of(framed.edges, framed.width, framed.height);
     const Mat3 m = flipped_v() * image.uv_transform * flipped_v();
-    if (m == Mat3(1.0)) return;
-    const Transform lookup{Mat3(m[0].x, m[0].y, 0, m[1].x, m[1].y, 0, 0, 0, 1), Vec3(m[2].x, m[2].y, 0)};
-    const auto back = inverse(lookup);
+    if (m == Mat3(1.0)) return frame;
+    const auto back = inverse(Transform{Mat3(m[0].x, m[0].y, 0, m[1].x, m[1].y, 0, 0, 0, 1), Vec3(m[2].x, m[2].y, 0)});
     losses_.add("texture transforms that squeeze a picture flat", !back, "none");
-    if (back) sdl_.line(*back);
+    return back ? *back * frame : frame;
+}
+
+void ImageWriter::place(const ImageSignal& image) {
+    if (const Transform there = placement(image); !is_same(there, Transform())) sdl_.line(there);
+}
+
+/// All of a picture without alpha hides lights, whatever it transmits, unless something else stands in the same pigment that does not.
+void ImageWriter::image_map(const File& file, const ImageSignal& image, double transmit) {
+    if (transmit > 0) sdl_.begin("average pigment_map"), sdl_.line("[ 1");
+    picture("image_map", file, image, "", transmit);
+    if (transmit > 0) sdl_.line("]"), sdl_.line("[ 0 color rgbt <0,0,0,1> ]"), sdl_.end();
 }
 
 bool ImageWriter::map(const ImageSignal& image, const Vec4& tint, PictureAlpha alpha, double transmit) {
     const File& there = file(image, tint, alpha);
     if (there.words.empty()) return false;
     sdl_.line("uv_mapping");
-    if (transmit > 0) sdl_.begin("average pigment_map"), sdl_.line("[ 1");
-    picture("image_map", there, image, "", transmit);
-    if (transmit > 0) sdl_.line("]"), sdl_.line("[ 0 color rgbt <0,0,0,1> ]"), sdl_.end();   // all of a picture without alpha hides lights, whatever it transmits
+    image_map(there, image, transmit);
     place(image);
     return true;
 }
 
-bool ImageWriter::map_in_place(const ImageSignal& image, const Vec4& tint) {
+bool ImageWriter::map_within(const ImageSignal& outer, const ImageSignal& image, const Vec4& tint, double transmit) {
     const File& there = file(image, tint, PictureAlpha::removed);
     if (there.words.empty()) return false;
-    picture("image_map", there, image, "", 0);
+    image_map(there, image, transmit);
+    const Transform around = placement(outer), own = placement(image);
+    if (!is_same(own, around)) sdl_.line(inverse(around).value_or(Transform()) * own);
     return true;
 }
 

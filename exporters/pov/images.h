@@ -26,8 +26,8 @@ class ImageWriter {
     /// `uv_mapping image_map { }` of the picture times `tint`, in the space of its texture coordinates. `transmit`: of all of it. False, and nothing
     /// written, if the picture cannot be read or placed.
     bool map(const ImageSignal& image, const Vec4& tint = Vec4(1), PictureAlpha alpha = PictureAlpha::kept, double transmit = 0);
-    /// The same within what is in that space already.
-    bool map_in_place(const ImageSignal& image, const Vec4& tint);
+    /// The same without its alpha, within what is in the space of the picture `outer` already.
+    bool map_within(const ImageSignal& outer, const ImageSignal& image, const Vec4& tint, double transmit = 0);
     /// `uv_mapping image_pattern { }`: a pattern whose value is what passes, 1 - alpha. False, and nothing written, if the picture cannot be read.
     bool alpha_pattern(const ImageSignal& image);
     /// What moves a pattern, behind all that it has, to where the texture coordinates look the picture up.
@@ -65,6 +65,8 @@ class ImageWriter {
         int width = 1, height = 1;   ///< of the picture within
     };
     const Framed& edges(const ImageSignal& image);
+    Transform placement(const ImageSignal& image);
+    void image_map(const File& file, const ImageSignal& image, double transmit);
 
     const Scene& scene_;
     Sdl& sdl_;

@@ -152,6 +152,29 @@ class PovExpressed(InFolder):
                 glowing = lambert(base={"baseColorFactor": [0.8, 0.5, 0.3, alpha]}, alphaMode="BLEND", emissiveFactor=[0.6, 0.8, 1], emissiveTexture={"index": 0})
                 self.assert_same(wall_scene([glowing], png_bytes(COLOURS)))
 
+    def test_what_is_cut_out_glows(self):
+        """Alone, and by a picture in another place than the one that cuts it out."""
+        turned = {"index": 0, "extensions": {"KHR_texture_transform": {"offset": [0.3, -0.2], "rotation": 0.4, "scale": [1.2, 0.8]}}}
+        for glow in ({}, {"emissiveTexture": {"index": 0}}, {"emissiveTexture": turned}):
+            for base in ({"index": 0}, turned):
+                for mode, factor in (("MASK", 1), ("MASK", 0.7), ("BLEND", 0.6)):
+                    with self.subTest(case=f"{len(glow)} {mode} {factor} {len(base)}"):
+                        cut = textured(base={"baseColorFactor": [1, 1, 1, factor], "baseColorTexture": base}, alphaMode=mode, emissiveFactor=[0.2, 0.4, 0.6], **glow)
+                        self.assert_same(wall_scene([cut], png_bytes(ALPHA_PICTURE)))
+
+    def test_a_black_colour_of_highlights_takes_no_light_away(self):
+        """Blender writes so what is matte. What is left of the highlight at grazing angles is told."""
+        black = lambert(extensions={"KHR_materials_specular": {"specularColorFactor": [0, 0, 0]}})
+        for roughness, lost in ((0, ()), (1, ["the highlight at grazing angles"])):
+            with self.subTest(case=roughness):
+                self.assert_same(wall_scene([{**black, "pbrMetallicRoughness": {"metallicFactor": 0, "roughnessFactor": roughness}}]), lost, flip=0.01)
+
+    def test_what_pov_ray_cannot_is_told(self):
+        mirror = {"pbrMetallicRoughness": {"roughnessFactor": 0, "baseColorTexture": {"index": 0}}}
+        self.assert_told(wall_scene([mirror], png_bytes(COLOURS)), "a picture's mirror image at grazing angles")
+        glass = {"pbrMetallicRoughness": {"roughnessFactor": 0, "metallicFactor": 0, "baseColorFactor": [1, 1, 1, 0.5]}, "extensions": {"KHR_materials_transmission": {"transmissionFactor": 1}}}
+        self.assert_told(wall_scene([{**glass, "alphaMode": "BLEND"}]), "the alpha of glass")
+
 
 if __name__ == "__main__":
     if SANITIZED:
