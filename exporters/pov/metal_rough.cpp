@@ -75,6 +75,8 @@ class Surface {
         lose("the normal map of the clear coat", s_.clearcoat_normal.has_value());
         const auto loses_edges = [&](const Texel& t) { return t.picture && images_.loses_edges(*t.picture); };
         lose("the clamping or mirroring of pictures at their edges", loses_edges(s_.base_color) || (s_.emissive && loses_edges(*s_.emissive)), "repeated ones");
+        const std::optional<ImageSignal> base = s_.base_color.picture, glow = s_.emissive ? s_.emissive->picture : std::nullopt;
+        lose("the texture coordinates of the picture of emission", base && glow && base->uv_set != glow->uv_set, "those of the base colour");
         const Color f0 = dielectric_f0();
         lose("the colour of highlights", !s_.unlit && metallic_ < 1 && (f0.x != f0.y || f0.y != f0.z), "that of its reflection alone");
         lose("a picture's mirror image at grazing angles", !s_.unlit && mirror() > 0 && metallic_ > 0 && s_.base_color.picture, "POV-Ray's metallic one");

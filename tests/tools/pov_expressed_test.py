@@ -175,6 +175,15 @@ class PovExpressed(InFolder):
         glass = {"pbrMetallicRoughness": {"roughnessFactor": 0, "metallicFactor": 0, "baseColorFactor": [1, 1, 1, 0.5]}, "extensions": {"KHR_materials_transmission": {"transmissionFactor": 1}}}
         self.assert_told(wall_scene([{**glass, "alphaMode": "BLEND"}]), "the alpha of glass")
 
+    def test_each_material_has_its_set_of_texture_coordinates(self):
+        """Three materials of one mesh: of the first set, of the second, and by the second alone."""
+        glowing = lambert(base={"baseColorFactor": [0.1, 0.1, 0.1, 1]}, emissiveFactor=[0.6, 0.8, 1], emissiveTexture={"index": 0, "texCoord": 1})
+        materials = [textured(), textured(base={"baseColorTexture": {"index": 0, "texCoord": 1}}), glowing]
+        second = [(0.2, 0.9), (0.1, 0.2), (0.9, 0.4), (0.8, 1.3)]
+        self.assert_same(wall_scene(materials, png_bytes(COLOURS), TEXCOORD_0=UNIT_UVS, TEXCOORD_1=second))
+        both = textured(emissiveFactor=[0.6, 0.8, 1], emissiveTexture={"index": 0, "texCoord": 1})
+        self.assert_told(wall_scene([both], png_bytes(COLOURS), TEXCOORD_0=UNIT_UVS, TEXCOORD_1=second), "the texture coordinates of the picture of emission")
+
 
 if __name__ == "__main__":
     if SANITIZED:
