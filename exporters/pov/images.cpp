@@ -12,6 +12,8 @@ namespace {
 /// From (u, v) with v downwards to the same with v upwards, and back.
 constexpr Mat3 flipped_v() { return Mat3(1, 0, 0, 0, -1, 0, 0, 1, 1); }
 
+bool is_same(const Transform& a, const Transform& b) { return a.linear == b.linear && a.translation == b.translation; }
+
 std::span<const std::byte> as_bytes(const std::string& text) { return std::as_bytes(std::span(text)); }
 
 bool is_png(const std::string& bytes) { return picture_format(bytes).ending == std::string_view(".png"); }
@@ -26,18 +28,27 @@ const char* format_word(const std::string& name) {
     return "png";
 }
 
-/// PNG: of a colour type with alpha, or with transparent colours in a palette.
-bool png_has_alpha(const std::string& bytes) {
-    constexpr size_t kColourType = 25;
-    return bytes.size() > kColourType && ((bytes[kColourType] & 4) != 0 || bytes.find("tRNS") != std::string::npos);
+constexpr size_t kPngBits = 24, kPngColourType = 25;
+
+bool names_transparent_colours(const std::string& png) { return png.find("tRNS") != std::string::npos; }
+
+/// PNG: of a colour type with alpha, or with transparent colours.
+bool png_has_alpha(const std::string& bytes) { return bytes.size() > kPngColourType && ((bytes[kPngColourType] & 4) != 0 || names_transparent_colours(bytes)); }
+
+/// POV-Ray takes tRNS of palettes alone: of RGB it sees nothing, of grey it crashes. Of grey up to 8 bits it loses a step at 84 of 256 levels.
+bool pov_misreads(const std::string& png) {
+    if (png.size() <= kPngColourType) return false;
+    enum : char { grey = 0, rgb = 2 };
+    const char type = png[kPngColourType];
+    return (type == grey && png[kPngBits] <= 8) || ((type == grey || type == rgb) && names_transparent_colours(png));
 }
 
 tl::expected<Picture, std::string> decoded(const std::string& bytes, Encoding encoding) {
     return decode_picture(as_bytes(bytes), encoding).and_then(colors_alone);
 }
 
-/// The picture times `tint`, as a PNG file. What is above 1 is cut off.
-tl::expected<std::string, std::string> tinted(const std::string& bytes, const Vec4& tint, PictureAlpha alpha, bool srgb) {
+/// The picture times `tint` with its edges, as a PNG file. What is above 1 is cut off.
+tl::expected<std::string, std::string> remade(const std::string& bytes, const Vec4& tint, PictureAlpha alpha, bool srgb, const PictureEdges& edges) {
     const auto picture = decoded(bytes, srgb ? Encoding::automatic : Encoding::linear);
     if (!picture) return tl::unexpected(picture.error());
     const bool keeps = alpha == PictureAlpha::kept;
@@ -52,7 +63,7 @@ tl::expected<std::string, std::string> tinted(const std::string& bytes, const Ve
             for (int c = 0; c < 3; ++c) to[c] = float(double(from[grey ? 0 : c]) * tint[c] * (keeps && a > 0 ? a : 1));   // encode_picture wants it premultiplied
             if (keeps) to[3] = float(a);
         }
-    const auto encoded = encode_picture(out, ".png");
+    const auto encoded = encode_picture(edges.none() ? out : with_edges(out, edges), ".png");
     if (!encoded) return tl::unexpected(encoded.error());
     return std::string(reinterpret_cast<const char*>(encoded->data()), encoded->size());
 }
@@ -90,11 +101,13 @@ double ImageWriter::mean(const ImageSignal& image, int channel, Encoding encodin
 ImageWriter::File ImageWriter::make_file(const ImageSignal& image, const Vec4& tint, PictureAlpha alpha) {
     const std::string* bytes = encoded(image.image);
     if (!bytes) return {};
-    const bool untouched = tint == Vec4(1) && (alpha == PictureAlpha::kept || !has_alpha(image));
+    const bool alpha_fits = alpha == PictureAlpha::kept || !has_alpha(image), readable = is_jpeg(*bytes) || (is_png(*bytes) && !pov_misreads(*bytes));
+    const PictureEdges& frame = edges(image).edges;
     const Image& source = scene_.images[image.image.index];
-    if (untouched && (is_png(*bytes) || is_jpeg(*bytes)))
+    if (tint == Vec4(1) && alpha_fits && readable && frame.none())
         return {fmt::format("{} {}", is_png(*bytes) ? "png" : "jpeg", quoted(files_.add_picture(source, *bytes)))};
-    auto made = tinted(*bytes, tint, alpha, image.srgb);
+    const bool opaque = alpha == PictureAlpha::kept && tint.w == 1 && !has_alpha(image);
+    auto made = remade(*bytes, tint, opaque ? PictureAlpha::removed : alpha, image.srgb, frame);
     if (!made) {
         losses_.add(fmt::format("picture '{}', which cannot be decoded", source.name), 1, "its factor alone");
         return {};
@@ -103,14 +116,19 @@ ImageWriter::File ImageWriter::make_file(const ImageSignal& image, const Vec4& t
 }
 
 const ImageWriter::File& ImageWriter::file(const ImageSignal& image, const Vec4& tint, PictureAlpha alpha) {
-    const Key key{image.image.index, {tint.x, tint.y, tint.z, tint.w}, alpha, image.srgb};
+    const Key key{image.image.index, {tint.x, tint.y, tint.z, tint.w}, alpha, image.srgb, edges(image).edges};
     const auto known = made_.find(key);
     return known != made_.end() ? known->second : made_.emplace(key, make_file(image, tint, alpha)).first->second;
 }
 
-void ImageWriter::tell_wraps(const ImageSignal& image) {
-    const auto differs = [](Wrap w) { return w == Wrap::clamp || w == Wrap::mirror; };
-    losses_.add("pictures that are clamped or mirrored at their edges", differs(image.wrap_u) || differs(image.wrap_v), "repeated ones");
+const ImageWriter::Framed& ImageWriter::edges(const ImageSignal& image) {
+    const Mat3& m = image.uv_transform;
+    const auto [at, added] = edges_.try_emplace({image.image.index, image.uv_set, image.wrap_u, image.wrap_v, {m[0].x, m[0].y, m[0].z, m[1].x, m[1].y, m[1].z, m[2].x, m[2].y, m[2].z}});
+    const auto plain = [](Wrap w) { return w != Wrap::clamp && w != Wrap::mirror; };
+    const std::string* bytes = added && !(plain(image.wrap_u) && plain(image.wrap_v)) ? encoded(image.image) : nullptr;
+    if (const auto picture = bytes ? decoded(*bytes, Encoding::linear) : tl::unexpected(std::string()); picture && !picture->values.empty())
+        at->second = {edges_of(scene_, image, picture->width, picture->height), picture->width, picture->height};
+    return at->second;
 }
 
 void ImageWriter::picture(const char* word, const File& file, const ImageSignal& image, const char* more, double transmit) {
@@ -123,30 +141,43 @@ void ImageWriter::picture(const char* word, const File& file, const ImageSignal&
     sdl_.end();
 }
 
-void ImageWriter::place(const ImageSignal& image) {
+/// From the unit square to where the texture coordinates look it up.
+Transform ImageWriter::placement(const ImageSignal& image) {
+    const Framed& framed = edges(image);
+    const Transform frame = framed.edges.none() ? Transform() : place_of(framed.edges, framed.width, framed.height);
     const Mat3 m = flipped_v() * image.uv_transform * flipped_v();
-    if (m == Mat3(1.0)) return;
-    const Transform lookup{Mat3(m[0].x, m[0].y, 0, m[1].x, m[1].y, 0, 0, 0, 1), Vec3(m[2].x, m[2].y, 0)};
-    const auto back = inverse(lookup);
+    if (m == Mat3(1.0)) return frame;
+    const auto back = inverse(Transform{Mat3(m[0].x, m[0].y, 0, m[1].x, m[1].y, 0, 0, 0, 1), Vec3(m[2].x, m[2].y, 0)});
     losses_.add("texture transforms that squeeze a picture flat", !back, "none");
-    if (back) sdl_.line(*back);
+    return back ? *back * frame : frame;
+}
+
+void ImageWriter::place(const ImageSignal& image) {
+    if (const Transform there = placement(image); !is_same(there, Transform())) sdl_.line(there);
+}
+
+/// All of a picture without alpha hides lights, whatever it transmits, unless something else stands in the same pigment that does not.
+void ImageWriter::image_map(const File& file, const ImageSignal& image, double transmit) {
+    if (transmit > 0) sdl_.begin("average pigment_map"), sdl_.line("[ 1");
+    picture("image_map", file, image, "", transmit);
+    if (transmit > 0) sdl_.line("]"), sdl_.line("[ 0 color rgbt <0,0,0,1> ]"), sdl_.end();
 }
 
 bool ImageWriter::map(const ImageSignal& image, const Vec4& tint, PictureAlpha alpha, double transmit) {
     const File& there = file(image, tint, alpha);
     if (there.words.empty()) return false;
-    tell_wraps(image);
     sdl_.line("uv_mapping");
-    picture("image_map", there, image, "", transmit);
+    image_map(there, image, transmit);
     place(image);
     return true;
 }
 
-bool ImageWriter::map_in_place(const ImageSignal& image, const Vec4& tint) {
+bool ImageWriter::map_within(const ImageSignal& outer, const ImageSignal& image, const Vec4& tint, double transmit) {
     const File& there = file(image, tint, PictureAlpha::removed);
     if (there.words.empty()) return false;
-    tell_wraps(image);
-    picture("image_map", there, image, "", 0);
+    image_map(there, image, transmit);
+    const Transform around = placement(outer), own = placement(image);
+    if (!is_same(own, around)) sdl_.line(inverse(around).value_or(Transform()) * own);
     return true;
 }
 

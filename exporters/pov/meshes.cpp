@@ -5,6 +5,7 @@
 #include "exporters/vertices.h"
 #include "scene/queries.h"
 
+#include <algorithm>
 #include <array>
 
 namespace alidade::pov_export {
@@ -15,6 +16,7 @@ class MeshText {
   public:
     MeshText(const Mesh& mesh, const SlotMaterials& slots, const ShapeContext& c) : mesh_(mesh), slots_(slots), c_(c), finite_(finite_triangles(mesh)), colors_(mesh, slots, finite_, c.scene, c.losses), normals_(mesh.normals) {
         if (normals_.present() && !stands_alone()) keep_from_flatness();
+        choose_uvs();
     }
 
     void begin() {
@@ -23,33 +25,54 @@ class MeshText {
         c_.sdl.begin("mesh2");
         vertices();
         if (normals_.present()) normals();
-        const size_t set = uv_set();
-        const bool mapped = set < mesh_.uvs.size();
-        if (mapped) uvs(mesh_.uvs[set]);
+        if (uvs_) write_uvs(*uvs_);
         textures();
         faces();
         if (!normals_.corners.empty()) indices("normal_indices", normals_);
-        if (mapped && !mesh_.uvs[set].corners.empty()) indices("uv_indices", mesh_.uvs[set]);
+        if (uvs_ && !uvs_->corners.empty()) indices("uv_indices", *uvs_);
         if (mesh_.origin != Vec3(0)) c_.sdl.line("translate", mesh_.origin);
     }
 
   private:
     void tell_losses() const {
         c_.losses.add("triangles with a vertex that is not finite", mesh_.triangles.size() - finite_.size());
-        c_.losses.add("further texture coordinate sets", mesh_.uvs.size() > 1 ? mesh_.uvs.size() - 1 : 0);
+        c_.losses.add("further texture coordinate sets", mesh_.uvs.size() - std::min(mesh_.uvs.size(), sets_written_));
         c_.losses.add("faces of more than three corners", !mesh_.faces.empty(), "their triangles");
     }
 
-    /// The texture coordinates that the first picture asks for.
-    size_t uv_set() const {
-        for (const auto& slot : slots_) {
-            if (!slot) continue;
-            std::vector<SignalId> signals;
-            for_each_signal_of(*slot, signals);
-            for (const SignalId id : signals)
-                if (const auto* image = std::get_if<ImageSignal>(&c_.scene.signals[id.index].what)) return image->uv_set;
-        }
+    /// The texture coordinates that the first picture of a material asks for.
+    size_t uv_set(const std::optional<MaterialId>& material) const {
+        std::vector<SignalId> signals;
+        if (material) for_each_signal_of(*material, signals);
+        for (const SignalId id : signals)
+            if (const auto* image = std::get_if<ImageSignal>(&c_.scene.signals[id.index].what)) return image->uv_set;
         return 0;
+    }
+
+    /// Of each triangle those of its material's set.
+    void choose_uvs() {
+        std::vector<size_t> sets;
+        for (const auto& slot : slots_) sets.push_back(uv_set(slot));
+        if (sets.empty()) sets.push_back(0);
+        if (std::all_of(sets.begin(), sets.end(), [&](size_t set) { return set == sets[0]; }) || mesh_.slots.empty()) {
+            if (sets[0] < mesh_.uvs.size()) uvs_ = &mesh_.uvs[sets[0]];
+            return;
+        }
+        std::vector<uint32_t> first(mesh_.uvs.size(), kNoId);   // of each set, among all coordinates
+        for (size_t& set : sets) {
+            if (set >= first.size()) set = 0;
+            if (set >= first.size() || first[set] != kNoId) continue;
+            first[set] = uint32_t(several_.values.size());
+            several_.values.insert(several_.values.end(), mesh_.uvs[set].values.begin(), mesh_.uvs[set].values.end());
+        }
+        if (first.empty()) return;
+        for (uint32_t t = 0; t < mesh_.triangles.size(); ++t)
+            for (int corner = 0; corner < 3; ++corner) {
+                const size_t set = sets[mesh_.slots[t]];
+                several_.corners.push_back(first[set] + mesh_.uvs[set].index(t, corner, mesh_.triangles[t]));
+            }
+        uvs_ = &several_;
+        sets_written_ = size_t(std::count_if(first.begin(), first.end(), [](uint32_t at) { return at != kNoId; }));
     }
     void for_each_signal_of(MaterialId id, std::vector<SignalId>& out) const {
         for (const auto& layer : c_.scene.materials[id.index].layers)
@@ -118,7 +141,7 @@ class MeshText {
         c_.losses.add("normals without direction", without, "<0, 1, 0>");
     }
 
-    void uvs(const Attribute<Vec2f>& uv) {
+    void write_uvs(const Attribute<Vec2f>& uv) {
         size_t without = 0;
         c_.sdl.begin("uv_vectors");
         c_.sdl.line(uv.values.size(), ",");
@@ -184,6 +207,9 @@ class MeshText {
     std::vector<uint32_t> finite_;
     VertexColors colors_;
     Attribute<Vec3f> normals_;
+    const Attribute<Vec2f>* uvs_ = nullptr;
+    Attribute<Vec2f> several_;   ///< if its materials ask for several sets
+    size_t sets_written_ = 1;
 };
 
 }  // namespace

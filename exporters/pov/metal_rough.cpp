@@ -18,8 +18,8 @@ constexpr double kVeil = 1.0 / (1 << 20);
 
 class Surface {
   public:
-    Surface(const MaterialRef& material, const PlainSurface& s, const Color& sky, MirrorImages mirrors, const TextureOutput& out)
-        : s_(s), material_(material), sdl_(out.sdl), images_(out.images), losses_(out.losses), highlights_(out.highlights), sky_(sky), mirrors_(mirrors) {
+    Surface(const MaterialRef& material, const PlainSurface& s, const Color& sky, MirrorImages mirrors, const TextureOutput& out, const std::string& name)
+        : s_(s), material_(material), name_(name), sdl_(out.sdl), images_(out.images), losses_(out.losses), highlights_(out.highlights), sky_(sky), mirrors_(mirrors) {
         metallic_ = scalar(s.metallic, "metalness"), roughness_ = scalar(s.roughness, "roughness");
         through_ = s.transmission ? std::clamp(scalar(*s.transmission, "transmission"), 0.0, 1.0) * (1 - metallic_) : 0;
         base_ = Color(s.base_color.factor), tint_ = base_;
@@ -33,8 +33,19 @@ class Surface {
 
     void write() {
         tell_losses();
-        if (cut_out_) return write_cut_out();
-        if (s_.unlit) return write_unlit();
+        const bool layered = cut_out_ && !s_.unlit && (!is_black(glow_) || s_.clearcoat) && !name_.empty();
+        if (layered) {   // in a texture_map layers must have a name
+            sdl_.line("#declare", name_ + kThere, "=");
+            write_layers();
+        }
+        if (!name_.empty()) sdl_.line("#declare", name_, "=");
+        cut_out_ ? write_cut_out(layered) : s_.unlit ? write_unlit() : write_layers();
+    }
+
+  private:
+    static constexpr const char* kThere = "_there";
+
+    void write_layers() {
         const bool inside_base = put_emission_into_base();
         sdl_.begin("texture");
         pigment();
@@ -46,7 +57,6 @@ class Surface {
         if (s_.clearcoat) write_coat();
     }
 
-  private:
     void lose(const std::string& what, bool lost = true, const std::string& instead = {}) { losses_.add_of_material(material_, what, lost, instead); }
 
     double scalar(const Texel& t, const char* what) {
@@ -57,25 +67,39 @@ class Surface {
 
     void tell_losses() {
         const double alpha = roughness_ * roughness_;
-        lose("the GGX highlight", !s_.unlit && alpha >= kSmallestAlpha && highlight() > 0, "lobes of Blinn's and Phong's");
+        const bool glossy = !s_.unlit && alpha >= kSmallestAlpha;
+        lose("the GGX highlight", glossy && highlight() > 0, "lobes of Blinn's and Phong's");
+        lose("the highlight at grazing angles", glossy && highlight() <= 0 && specular() > 0);   // its colour straight on is black
         lose("the normal map", s_.normal.has_value());
         lose("the clear coat", s_.clearcoat.has_value(), "a layer that takes nothing from what is under it");
         lose("the normal map of the clear coat", s_.clearcoat_normal.has_value());
-        lose("the colour of highlights", s_.specular_color && Vec3(s_.specular_color->factor) != Vec3(1), "that of its reflection alone");
+        const auto loses_edges = [&](const Texel& t) { return t.picture && images_.loses_edges(*t.picture); };
+        lose("the clamping or mirroring of pictures at their edges", loses_edges(s_.base_color) || (s_.emissive && loses_edges(*s_.emissive)), "repeated ones");
+        const std::optional<ImageSignal> base = s_.base_color.picture, glow = s_.emissive ? s_.emissive->picture : std::nullopt;
+        lose("the texture coordinates of the picture of emission", base && glow && base->uv_set != glow->uv_set, "those of the base colour");
+        const Color f0 = dielectric_f0();
+        lose("the colour of highlights", !s_.unlit && metallic_ < 1 && (f0.x != f0.y || f0.y != f0.z), "that of its reflection alone");
+        lose("a picture's mirror image at grazing angles", !s_.unlit && mirror() > 0 && metallic_ > 0 && s_.base_color.picture, "POV-Ray's metallic one");
+        lose("the alpha of glass", through_ > 0 && alpha_ < 1, "that of what is seen through it alone");
         losses_.add(fmt::format("the picture of the occlusion of material '{}'", plain_name(material_.name, "unnamed")), s_.occlusion.has_value());   // no renderer of ours shows it either
     }
 
     /// Strength of the mirror image: (1 - roughness)^2, and all of it for glass.
     double mirror() const { return through_ > 0 ? 1 : (1 - roughness_) * (1 - roughness_); }
-    double dielectric() const {
+    /// What is reflected straight on where it is no metal.
+    Color dielectric_f0() const {
         const double r = (s_.ior - 1) / (s_.ior + 1);
-        return r * r * specular();
+        const Color tint = s_.specular_color ? Color(s_.specular_color->factor) : Color(1);
+        return glm::min(tint * (r * r), Color(1)) * specular();
+    }
+    double dielectric() const {
+        const Color f0 = dielectric_f0();
+        return f0.x == f0.y && f0.y == f0.z ? f0.x : (f0.x + f0.y + f0.z) / 3;
     }
     double specular() const { return s_.specular ? s_.specular->factor.x : 1; }
     Color f0() const {
-        const Color tint = s_.specular_color ? Color(s_.specular_color->factor) : Color(1);
         const Color metal = s_.base_color.picture ? Color(max_component(base_)) : base_;
-        return glm::min(tint * dielectric(), Color(1)) * (1 - metallic_) + metal * metallic_;
+        return dielectric_f0() * (1 - metallic_) + metal * metallic_;
     }
     /// What is left for diffuse light, of the colours together: a picture's pigment is as it is.
     double unreflected() {
@@ -104,8 +128,12 @@ class Surface {
         const Vec4 tint(tint_.x, tint_.y, tint_.z, alpha_);
         const ImageSignal& image = *s_.base_color.picture;
         lose("the transmission", through_ > 0, "an opaque picture");
-        if (cut_out_) return images_.map_in_place(image, tint);
-        return images_.map(image, tint, alpha_ < 1 ? PictureAlpha::kept : PictureAlpha::removed);
+        return show(image, tint, alpha_ < 1 ? PictureAlpha::kept : PictureAlpha::removed);
+    }
+
+    /// Where alpha cuts out, textures are in the space of the base colour's picture.
+    bool show(const ImageSignal& image, const Vec4& tint, PictureAlpha alpha, double transmit = 0) {
+        return cut_out_ ? images_.map_within(*s_.base_color.picture, image, tint, transmit) : images_.map(image, tint, alpha, transmit);
     }
 
     void pigment() {
@@ -115,18 +143,21 @@ class Surface {
     }
 
     /// Where nothing is there is no light on it either: textures are mixed by the picture's alpha, not colours.
-    void write_cut_out() {
+    void write_cut_out(bool layered) {
         const double factor = s_.base_color.factor.w, cutoff = 1 - std::clamp(factor > 0 ? s_.alpha_cutoff / factor : 2, -1.0, 2.0);
         const bool mask = s_.alpha_mode == AlphaMode::mask;
         const double whole = 1 - 1 / std::clamp(factor, 1e-6, 1.0);   // where the texture would stand alone: it is there by factor x alpha
         const ImageSignal& image = *s_.base_color.picture;
-        lose("emission and clear coat", !is_black(glow_) || s_.clearcoat, "none where alpha cuts the material out");
         sdl_.begin("texture");
         images_.alpha_pattern(image);
         sdl_.begin("texture_map");
         sdl_.line("[", mask ? cutoff : whole);
-        pigment();
-        s_.unlit ? unlit_finish() : finish(false);
+        if (layered) {
+            sdl_.line(name_ + kThere);
+        } else {
+            pigment();
+            s_.unlit ? unlit_finish() : finish(false);
+        }
         sdl_.line("]");
         sdl_.line("[", mask ? cutoff : 1, "pigment { color rgbt <0,0,0,1> } finish { ambient 0 diffuse 0 } ]");
         sdl_.end();
@@ -196,7 +227,7 @@ class Surface {
         sdl_.begin("texture");
         sdl_.begin("pigment");
         if (!metal) sdl_.line(Rgbft{Color(1), 0, 1 - kVeil});
-        else if (!s_.base_color.picture || !images_.map(*s_.base_color.picture, Vec4(base_, 1), PictureAlpha::removed, 1)) sdl_.line(Rgbft{base_, 0, 1});
+        else if (!s_.base_color.picture || !show(*s_.base_color.picture, Vec4(base_, 1), PictureAlpha::removed, 1)) sdl_.line(Rgbft{base_, 0, 1});
         sdl_.end();
         write_finish(sdl_, f);
         sdl_.end();
@@ -249,7 +280,7 @@ class Surface {
         const Color colour = glow_ / most;
         sdl_.begin("texture");
         sdl_.begin("pigment");
-        if (!e.picture || !images_.map(*e.picture, Vec4(colour, 1), PictureAlpha::removed, 1 - kVeil)) sdl_.line(Rgbft{colour, 0, 1 - kVeil});
+        if (!e.picture || !show(*e.picture, Vec4(colour, 1), PictureAlpha::removed, 1 - kVeil)) sdl_.line(Rgbft{colour, 0, 1 - kVeil});
         sdl_.end();
         PovFinish f;
         f.ambient = Color(0), f.diffuse = 0, f.emission = Color(most / kVeil * alpha_);
@@ -274,6 +305,7 @@ class Surface {
 
     const PlainSurface& s_;
     const MaterialRef& material_;
+    const std::string& name_;
     Sdl& sdl_;
     ImageWriter& images_;
     Losses& losses_;
@@ -288,9 +320,9 @@ class Surface {
 
 }  // namespace
 
-void write_metal_rough(const MaterialRef& material, const PlainSurface& surface, const Color& sky, const TextureOutput& out, MirrorImages mirrors) {
+void write_metal_rough(const MaterialRef& material, const PlainSurface& surface, const Color& sky, const TextureOutput& out, const std::string& name, MirrorImages mirrors) {
     out.losses.wrote(material);
-    Surface(material, surface, sky, mirrors, out).write();
+    Surface(material, surface, sky, mirrors, out, name).write();
 }
 
 void set_beer(Interior& in) {

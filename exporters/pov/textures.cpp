@@ -106,9 +106,9 @@ void TextureWriter::declare_one(MaterialId id) {
     const Material& m = scene_.materials[id.index];
     const MaterialRef ref{id.index, m.name};
     sdl_.comment(m.name);
+    if (metal_rough(m)) return write_metal_rough(ref, plain_surface(scene_, m, losses_), sky_, output_, texture_name(id));
+    if (m.layers.empty()) return write_metal_rough(ref, {}, sky_, output_, texture_name(id));
     sdl_.line("#declare", texture_name(id), "=");
-    if (metal_rough(m)) return write_metal_rough(ref, plain_surface(scene_, m, losses_), sky_, output_);
-    if (m.layers.empty()) return write_metal_rough(ref, {}, sky_, output_);
     losses_.wrote(ref);
     const bool old = std::any_of(m.layers.begin(), m.layers.end(), [](const auto& part) { return std::visit([](const auto& what) { return has_old_words(what); }, part); });
     const bool of_old = old && scene_.settings.filter_dims_by_colour;   // POV-Ray warns of such words in newer scenes, where they act otherwise
@@ -131,15 +131,14 @@ void TextureWriter::declare(std::vector<bool> used, const std::vector<SignalId>&
 }
 
 void TextureWriter::declare_default() {
-    sdl_.line("#declare Texture_default =");
-    write_metal_rough({uint32_t(scene_.materials.size()), "default"}, {}, sky_, output_);
+    write_metal_rough({uint32_t(scene_.materials.size()), "default"}, {}, sky_, output_, "Texture_default");
 }
 
 void TextureWriter::tinted(MaterialId material, const Vec4& tint) {
     Losses told;   // when the material itself was declared
     PlainSurface surface = plain_surface(scene_, scene_.materials[material.index], told);
     surface.base_color.factor *= tint;
-    write_metal_rough({}, surface, sky_, {sdl_, images_, told, highlights_}, MirrorImages::strong);
+    write_metal_rough({}, surface, sky_, {sdl_, images_, told, highlights_}, "", MirrorImages::strong);
 }
 
 void TextureWriter::use(std::optional<MaterialId> material) { sdl_.line("texture {", material ? texture_name(*material) : "Texture_default", "}"); }
