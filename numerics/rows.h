@@ -12,5 +12,8 @@ Check sphere_far();
 Check sphere_tangent();
 Check quadric_cancel();
 Check quartic_far();
+Check scale_image();
+Check offset_image();
+Check determinism();
 
 }  // namespace alidade::numerics

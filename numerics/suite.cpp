@@ -18,6 +18,11 @@ constexpr NumericsRow kSuite[] = {
      "", 20000, 4000000, quadric_cancel},
     {"T10", "quartic-far", "a torus and its quartic from 2 to 1e8 major radii away, half of the lines 1e-3 to 1e-9 from a tangent; Sturm's theorem in 512 bits; units of the distance",
      "no crossing missed or wrong, within 4 of the surface", "POV-Ray's quartic fails always from 1e4 on", 1500, 200000, quartic_far},
+    {"T12", "scale-image", "every kind of shape, a mesh and a solid, four surfaces each, the whole world scaled by 2^-40 to 2^40: bits of pictures", "the same bits",
+     "POV-Ray's glass is wrong outside of 1e-1 to 1e4", 200, 10000, scale_image},
+    {"T13", "offset-image", "the same, moved by 1e2 to 1e9: pixels of 1200 that are off by more than 2/255", "none to 1e7, 0.1 % beyond",
+     "POV-Ray's mesh2 is wrong in 21 % at 1e5, black at 1e8", 200, 10000, offset_image},
+    {"T25", "determinism", "the same on 1 to 8 threads, with tiles of 1 to 64, each accelerator and instruction set: bits of pictures", "the same bits", "", 200, 10000, determinism},
 };
 
 }  // namespace

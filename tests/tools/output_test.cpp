@@ -33,7 +33,7 @@ Picture film() {
     return picture;
 }
 
-/// Files are written beside their place and renamed: whoever may do that to a device would lose it.
+/// core/image.h, write_file: a device takes the bytes.
 TEST_F(Output, TakesNoDevicesPlace) {
     EXPECT_EQ(why_no_file("/dev/null"), "") << "a device takes the bytes, and stays";
     EXPECT_EQ(why_no_file(in("new.csv")), "");

@@ -1,0 +1,170 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "numerics/toy_scenes.h"
+
+#include "eval/shapes/shape_ops.h"
+
+#include <fmt/format.h>
+
+#include <array>
+
+namespace alidade::numerics {
+
+namespace {
+
+constexpr size_t kSurfaces = 4;
+constexpr std::array<const char*, kSurfaces> kSurfaceNames{"diffuse and highlight", "mirror", "coloured glass", "POV-Ray's patterns"};
+
+template <size_t I = 0> ShapeGeometry default_shape(size_t kind) {
+    if constexpr (I + 1 < std::variant_size_v<ShapeGeometry>) {
+        if (kind != I) return default_shape<I + 1>(kind);
+    }
+    return std::variant_alternative_t<I, ShapeGeometry>();
+}
+
+Mesh tetrahedron() {
+    Mesh m;
+    m.positions = {{1, 1, 1}, {-1, -1, 1}, {-1, 1, -1}, {1, -1, -1}};
+    m.triangles = {{0, 2, 1}, {0, 1, 3}, {0, 3, 2}, {1, 2, 3}};
+    return m;
+}
+
+class Toy {
+  public:
+    Toy(double scale, const Vec3& offset) : scale_(scale) {
+        Node root;
+        root.to_parent = Transform::translate(offset) * Transform::scale(Vec3(scale));
+        scene_.nodes.push_back(root), scene_.roots.push_back({0});
+        scene_.settings.max_depth = 5;
+    }
+
+    void surroundings() {
+        object(Box{Vec3(-4, -1.6, -4), Vec3(4, -1.5, 4)}, pov_material({0.5, 0.7, 0.9}));
+        const MaterialId far = material(0);
+        object(Sphere{Vec3(0), 60}, far);   // light goes on for ever nowhere: a fog ends at a distance that no scale changes
+        scene_.nodes.back().flags.hollow = true;
+        light({2, 4, 3}, 40, true), light({-3, 3, 2}, 0.4, false);
+        Fog fog;
+        fog.distance = 40 * scale_, fog.color = Color(0.3, 0.4, 0.5);
+        scene_.atmosphere.fogs.push_back(fog);
+        Camera camera;
+        camera.location = {1.03, 1.21, 5}, camera.direction = normalized(Vec3(-1.01, -1.24, -5)), camera.right = {0.8, 0, 0}, camera.up = {0, 0.6, 0};
+        scene_.cameras.push_back(camera);
+        Node node;
+        node.what = CameraId{0};
+        add(std::move(node), 0);
+    }
+
+    MaterialId material(size_t surface) {
+        if (surface == 3) return pov_material({0.9, 0.6, 0.3});
+        GltfPbr m;
+        m.base_color = constant(surface == 2 ? Vec4(0.8, 1, 0.9, 1) : Vec4(0.7, 0.5, 0.3, 1));
+        m.metallic = constant(Vec4(surface == 1 ? 1 : 0)), m.roughness = constant(Vec4(surface == 0 ? 0.4 : 0));
+        if (surface == 2) m.transmission = constant(Vec4(1));
+        return push({{}, {m}, {}});
+    }
+
+    void object(ShapeGeometry geometry, MaterialId material, uint32_t parent = 0) {
+        scene_.shapes.push_back({"", std::move(geometry), {}});
+        Node node;
+        node.what = ShapeId{uint32_t(scene_.shapes.size() - 1)};
+        node.materials = {material};
+        node.interior = interior_;
+        add(std::move(node), parent);
+    }
+
+    /// A sphere less a box.
+    void solid(MaterialId material) {
+        Node node;
+        node.csg = CsgKind::difference;
+        const uint32_t at = add(std::move(node), 0);
+        object(Sphere(), material, at), object(Box{Vec3(0, 0, 0), Vec3(2, 2, 2)}, material, at);
+    }
+
+    void clear_interior() {
+        Interior inside;
+        inside.ior = 1.4, inside.attenuation_color = {0.7, 0.9, 0.8}, inside.attenuation_distance = scale_;
+        scene_.interiors.push_back(inside);
+        interior_ = InteriorId{0};
+    }
+
+    Scene take() { return std::move(scene_); }
+
+  private:
+    uint32_t add(Node node, uint32_t parent) {
+        scene_.nodes.push_back(std::move(node));
+        scene_.nodes[parent].children.push_back({uint32_t(scene_.nodes.size() - 1)});
+        return uint32_t(scene_.nodes.size() - 1);
+    }
+    SignalId push(decltype(Signal::what) what) {
+        scene_.signals.push_back({std::move(what), {}});
+        return {uint32_t(scene_.signals.size() - 1)};
+    }
+    MaterialId push(Material m) {
+        scene_.materials.push_back(std::move(m));
+        return {uint32_t(scene_.materials.size() - 1)};
+    }
+    SignalId constant(const Vec4& value) { return push(ConstantSignal{value}); }
+
+    MaterialId pov_material(const Color& color) {
+        PatternSignal bozo;
+        bozo.pattern = "bozo";
+        bozo.map = {{0, constant(Vec4(color, 1))}, {1, constant(Vec4(0.2, 0.2, 0.3, 1))}};
+        bozo.turbulence.amount = Vec3(0.5);
+        ReliefSignal bumps;
+        bumps.pattern.pattern = "bumps";
+        PovFinish f;
+        f.pigment = push(bozo), f.normal = push(bumps);
+        f.phong = 0.5, f.specular = 0.3, f.reflection_min = f.reflection_max = Color(0.2);
+        return push({{}, {f}, {}});
+    }
+
+    void light(const Vec3& at, double intensity, bool physical) {
+        Light light;
+        light.intensity = Color(intensity * (physical ? scale_ * scale_ : 1));
+        light.inverse_square = physical;
+        if (!physical) light.fade = LightFade{4 * scale_, 2};
+        scene_.lights.push_back(light);
+        Node node;
+        node.what = LightId{uint32_t(scene_.lights.size() - 1)}, node.to_parent = Transform::translate(at);
+        add(std::move(node), 0);
+    }
+
+    double scale_;
+    Scene scene_;
+    std::optional<InteriorId> interior_;
+};
+
+size_t form_count() { return shapes().size() + 2; }
+
+}  // namespace
+
+size_t toy_scene_count() { return form_count() * kSurfaces; }
+
+std::string toy_scene_name(size_t number) {
+    const size_t form = number / kSurfaces;
+    const char* what = form < shapes().size() ? shapes()[form].name : form == shapes().size() ? "mesh" : "difference";
+    return fmt::format("{}, {}", what, kSurfaceNames[number % kSurfaces]);
+}
+
+Scene toy_scene(size_t number, double scale, const Vec3& offset) {
+    Toy toy(scale, offset);
+    toy.surroundings();
+    const size_t form = number / kSurfaces, surface = number % kSurfaces;
+    const MaterialId material = toy.material(surface);
+    if (surface == 2) toy.clear_interior();
+    if (form < shapes().size()) toy.object(default_shape(shapes()[form].kind), material);
+    else if (form == shapes().size()) toy.object(tetrahedron(), material);
+    else toy.solid(material);
+    return toy.take();
+}
+
+Picture toy_picture(const Scene& scene, const CompileOptions& compile_options, RenderOptions options) {
+    Diagnostics said;
+    const auto compiled = compile(scene, compile_options, said);
+    if (!compiled) return {};
+    options.width = 40, options.height = 30, options.spp = 1;
+    auto film = render(*compiled, options);
+    return film ? std::move(film->picture) : Picture();
+}
+
+}  // namespace alidade::numerics

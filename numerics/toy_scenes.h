@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: Apache-2.0
+/// Small scenes with every kind of shape and of surface, whose whole world hangs on one node.
+#pragma once
+
+#include "tracer/render.h"
+
+namespace alidade::numerics {
+
+/// A row for each closed form in the table of shapes, a mesh and a solid, times the surfaces.
+size_t toy_scene_count();
+
+/// Everything below one root that is scaled by `scale` and moved by `offset`; what is in world units (light, fading, fog, the falling off of what is clear) is scaled to match.
+Scene toy_scene(size_t number, double scale = 1, const Vec3& offset = Vec3(0));
+std::string toy_scene_name(size_t number);
+
+/// 40 x 30, through the centres of pixels. Empty if it cannot be rendered.
+Picture toy_picture(const Scene& scene, const CompileOptions& compile_options = {}, RenderOptions options = {});
+
+}  // namespace alidade::numerics
