@@ -14,7 +14,7 @@ template <template <class> class Structure> std::unique_ptr<Accelerator> over_se
 
 static constexpr AcceleratorEntry kTable[] = {
     {"brute", "tests every primitive; the oracle", over_triangles<Brute>, over_set<Brute>},
-    {"bvh", "tree of boxes, split by the surface area heuristic over bins; eight children a node over triangles", over_triangles<Bvh>, over_set<Bvh>},
+    {"bvh", "tree of boxes, split by the surface area heuristic over bins; over triangles eight children a node, and cut by planes where that pays", over_triangles<Bvh>, over_set<Bvh>},
     {"grid", "grid of cells, walked one by one; crowded cells are grids of their own", over_triangles<Grid>, over_set<Grid>},
     {"octree", "cells halved along their long axes, deeper where more primitives are", over_triangles<Octree>, over_set<Octree>},
 };

@@ -205,22 +205,23 @@ template <class R> std::vector<Sampled<R>> sampled(std::span<const BvhReference<
 /// Decides of triangles on the plane, one after the other, what it costs least to do.
 template <class R> class Unsplitter {
   public:
-    explicit Unsplitter(const SpatialSplit<R>& split) : below_(split.below), above_(split.above) {}
+    explicit Unsplitter(const SpatialSplit<R>& split) : below_(split.below.box), above_(split.above.box), lows_(split.below.count), highs_(split.above.count) {}
 
     enum class Side { both, below, above };
     Side side(const BoxEnds<R>& whole, bool may_cut) {
-        BoxEnds<R> with_below = below_.box, with_above = above_.box;
+        BoxEnds<R> with_below = below_, with_above = above_;
         with_below.extend(whole), with_above.extend(whole);
-        const double low = below_.box.half_area(), high = above_.box.half_area(), lows = below_.count, highs = above_.count;
-        const double split = may_cut ? low * lows + high * highs : kInf;
-        const double to_below = with_below.half_area() * lows + high * (highs - 1), to_above = low * (lows - 1) + with_above.half_area() * highs;
+        const double low = below_.half_area(), high = above_.half_area(), fewer_lows = std::max(lows_ - 1, 0.0), fewer_highs = std::max(highs_ - 1, 0.0);
+        const double split = may_cut ? low * lows_ + high * highs_ : kInf;
+        const double to_below = with_below.half_area() * lows_ + high * fewer_highs, to_above = low * fewer_lows + with_above.half_area() * highs_;
         if (split <= to_below && split <= to_above) return Side::both;
-        if (to_below <= to_above) return below_.box = with_below, --above_.count, Side::below;
-        return above_.box = with_above, --below_.count, Side::above;
+        if (to_below <= to_above) return below_ = with_below, highs_ = fewer_highs, Side::below;
+        return above_ = with_above, lows_ = fewer_lows, Side::above;
     }
 
   private:
-    SpatialSide<R> below_, above_;
+    BoxEnds<R> below_, above_;
+    double lows_, highs_;   ///< estimates, where the node was sampled
 };
 
 template <class R> BvhReference<R> part_of(const BvhReference<R>& reference, const BoxEnds<R>& part) { return {part.box(), reference.id()}; }
