@@ -12,6 +12,9 @@ namespace {
 
 constexpr double kMargin = 1.3;   // predictions are from one run on a smaller scene, on a machine that others may use
 
+/// Of a primitive, while its structure is built: more than any of ours takes on any kind of scene (an octree in double 540).
+constexpr double kUnknownBytes = 600;
+
 /// As n log n grows.
 double grown(double value, double from, double to) { return kMargin * value * to / from * std::log(to + 2) / std::log(from + 2); }
 
@@ -30,10 +33,10 @@ std::string bytes_text(double bytes) {
 }
 
 std::string StressBudget::admit(const StressPace& pace, double primitives, size_t builds, size_t rays, size_t bytes) {
-    if (pace.primitives == 0) return {};
-    const double needs = std::max(pace.peak_bytes, pace.bytes) * kMargin * primitives / pace.primitives;
+    const double needs = primitives * (pace.primitives == 0 ? kUnknownBytes : std::max(pace.peak_bytes, pace.bytes) * kMargin / pace.primitives);
     if (double(bytes) + needs > double(options_.bytes))
         return fmt::format("needs about {} while it is built, beside {}: more than {}", bytes_text(needs), bytes_text(double(bytes)), bytes_text(double(options_.bytes)));
+    if (pace.primitives == 0) return {};
     const double takes = options_.clock_factor * double(builds) * grown(pace.build_seconds, pace.primitives, primitives), traces = options_.clock_factor * double(rays) * grown_ray(pace, primitives);
     if (takes + traces + reserved_ > left())
         return fmt::format("takes about {}: {} are left", seconds_text(takes + traces), seconds_text(std::max(0.0, left() - reserved_)));

@@ -182,6 +182,7 @@ class Budgets(Stress):
         lefts = [one.get("left_out", "") for one in size["structures"]]
         self.assertIn("", lefts, "something fits")
         self.assertTrue(any(re.search(r"needs about .* while it is built, beside .*: more than 6.0 MB", left) for left in lefts), lefts)
+        self.assertIn("needs about 600 bytes while it is built", self.stress(self.scene, *QUICK, "--memory", "100", code=1).stdout)
         said = self.stress("--generate", "soup:1e9", *QUICK, "--memory", "100M", code=1)
         self.assertIn("the scene needs about", said.stdout)
         self.assertIn("nothing was measured", said.stderr)
