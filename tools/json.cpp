@@ -56,7 +56,7 @@ std::string table(const Json& rows) {
 
 Json to_json(const BuildStats& s) {
     return {{"seconds", s.seconds}, {"primitives", s.primitives}, {"references", s.references}, {"nodes", s.nodes}, {"leaves", s.leaves},
-            {"depth", s.depth}, {"bytes", s.bytes}, {"sah_cost", s.sah_cost}, {"removed", s.removed.size()}};
+            {"depth", s.depth}, {"bytes", s.bytes}, {"sah_cost", s.sah_cost}, {"spatial splits", s.splits}, {"split candidates", s.split_candidates}, {"removed", s.removed.size()}};
 }
 
 Json to_json(const CompiledSummary& s) {
