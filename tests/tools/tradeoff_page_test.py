@@ -74,7 +74,7 @@ class Page(unittest.TestCase):
         self.assertEqual(self.browser.run("document.querySelector('#details h2').textContent"), "spp=4 max-depth=0")
         self.browser.wait("[...document.querySelectorAll('#details img')].every(one => one.naturalWidth === 24)")
         self.assertEqual(self.browser.run("document.querySelectorAll('#details img').length"), 2)
-        self.assertIn("--max-depth=0", self.browser.run("document.querySelector('#details code').textContent"))
+        self.assertIn("max_abs", self.browser.run("document.querySelector('#details').textContent"))
         self.assertEqual(self.browser.run("document.querySelector('tr.chosen').dataset.row"), str(i))
 
     def test_keys_reach_every_point_and_names_are_text(self):

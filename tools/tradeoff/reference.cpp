@@ -4,7 +4,6 @@
 #include "tools/tradeoff/experiment.h"
 
 #include "core/image.h"
-#include "tracer/compiled_scene.h"
 
 #include <fmt/format.h>
 
@@ -94,10 +93,13 @@ Value<Reference> own_reference(const Job& job, const std::vector<Row>& rows, Ren
     Reference out;
     Picture halves[2];
     const auto seeds = other_seeds(job, rows);
+    Progress progress(job.progress, stderr);
     for (size_t i = 0; i < 2; ++i) {
         auto request = parse_request(job.scene, *options);
         request->render.seed = seeds[i];
-        auto run = renderer.run(*request, reading_of(*options));
+        Monitor monitor;
+        monitor.progress = [&progress, i](size_t done, size_t tiles) { progress.update(i * tiles + done, 2 * tiles); };
+        auto run = renderer.run(*request, reading_of(*options), monitor);
         if (!run) return tl::unexpected(run.error());
         halves[i] = std::move(run->picture);
     }

@@ -64,7 +64,7 @@ Value<std::shared_ptr<const CompiledScene>> Renderer::compiled(const Request& re
     return out;
 }
 
-Value<Run> Renderer::run(const Request& request, const std::string& reading) {
+Value<Run> Renderer::run(const Request& request, const std::string& reading, const Monitor& monitor) {
     const auto read = scene(request, reading);
     if (!read) return tl::unexpected(read.error());
     Scene copy = **read;
@@ -75,7 +75,7 @@ Value<Run> Renderer::run(const Request& request, const std::string& reading) {
     out.build_seconds = cpu_now() - start;
     say(said);
     if (!built) return tl::unexpected(std::string());
-    auto film = render(*built, request.render);
+    auto film = render(*built, request.render, monitor);
     if (!film) return tl::unexpected(film.error());
     out.picture = colors_of(film->picture);
     out.stats = film->stats;

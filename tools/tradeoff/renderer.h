@@ -21,7 +21,7 @@ class Renderer {
   public:
     /// Reads (or, of an analytic scene, makes), compiles, renders. `reading` stands for what decides how the scene is read: one that was read already is not
     /// read again. What has to be said is said once, on stderr; an error is "" if it was said there.
-    Value<Run> run(const Request& request, const std::string& reading);
+    Value<Run> run(const Request& request, const std::string& reading, const Monitor& monitor = {});
     /// The scene ready for its rays.
     Value<std::shared_ptr<const CompiledScene>> compiled(const Request& request, const std::string& reading);
 

@@ -57,7 +57,7 @@ Value<Row> own_row(const Job& job, const Setting& setting) {
     row.request = *request;
     Words words{"alidade", "render", job.scene};
     for (const std::string& word : as_words(row.options)) words.push_back(word);
-    row.command = shell_line(words);
+    if (!is_analytic(job.scene)) row.command = shell_line(words);   // which `render` could not read
     return row;
 }
 

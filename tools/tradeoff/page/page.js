@@ -54,7 +54,8 @@ function drawAxes(plot) {
 
 function drawPoint(plot, i) {
   const row = rows[i], at = {x: x(row.cpu_seconds), y: y(errorOf(row))};
-  make(plot, 'line', null, {class: 'spread', x1: x(row.cpu_seconds - row.cpu_seconds_mad), x2: x(row.cpu_seconds + row.cpu_seconds_mad), y1: at.y, y2: at.y});
+  const inside = place => Math.min(Math.max(place, box.left), box.right);
+  make(plot, 'line', null, {class: 'spread', x1: inside(x(row.cpu_seconds - row.cpu_seconds_mad)), x2: inside(x(row.cpu_seconds + row.cpu_seconds_mad)), y1: at.y, y2: at.y});
   const other = row.program !== 'alidade';
   const names = 'point' + (row.front ? ' front' : '') + (other ? ' other' : '');
   const common = {class: names, tabindex: 0, role: 'img', 'data-row': i, 'aria-label': `${row.name}: ${number(row.cpu_seconds)} s, ${data.metric} ${number(errorOf(row))}`};
@@ -77,7 +78,7 @@ function choose(i) {
   for (const one of document.querySelectorAll('.chosen')) one.classList.remove('chosen');
   for (const one of document.querySelectorAll(`[data-row="${i}"]`)) one.classList.add('chosen');
   details.textContent = '';
-  make(details, 'h2', row.name + (row.default ? ' (default)' : ''));
+  make(details, 'h2', row.name + (row.default && row.name !== 'default' ? ' (default)' : ''));
   for (const [what, image] of [['its picture', data.pictures[i].thumbnail], ['its FLIP error', data.pictures[i].flip]])
     if (image) make(details, 'img', null, {src: 'data:image/png;base64,' + image, alt: what});
   make(details, 'p', `${number(row.cpu_seconds)} s ± ${number(row.cpu_seconds_mad)}, ${number(row.times_default_cost)} of the default's` + (row.cost_differs_from_default === false ? ' (no difference)' : ''));
@@ -104,7 +105,7 @@ function drawTable() {
     const row = rows[i], line = make(find('rows'), 'tr', null, {'data-row': i});
     const rays = row.counts.rays === undefined ? null : row.counts.rays / 1e6;
     for (const cell of [row.front ? '*' : '', number(row.cpu_seconds), number(row.cpu_seconds_mad), number(rays), ...Object.keys(rows[0].errors).map(name => number(row.errors[name]))]) make(line, 'td', cell);
-    make(line, 'td', row.name + (row.default ? ' (default)' : ''));
+    make(line, 'td', row.name + (row.default && row.name !== 'default' ? ' (default)' : ''));
     line.addEventListener('mouseenter', () => choose(i));
   });
 }
