@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 /// PNG, by libpng. Its gAMA, cHRM and iCCP chunks are not applied (glTF 2.0, section 3.8.4.1, forbids it): Encoding says what the
 /// numbers mean. Who reads the stored numbers is told the gamma.
+#include "core/deep_png.h"
 #include "core/image/codec.h"
 
 #include <fmt/format.h>
 #include <png.h>
 
+#include <algorithm>
 #include <bit>
 #include <csetjmp>
 #include <cstdio>
@@ -162,3 +164,27 @@ Result<Bytes> encode_png(const Picture& picture) {
 }
 
 }  // namespace alidade::image
+
+namespace alidade {
+
+tl::expected<std::vector<std::byte>, std::string> encode_linear_png(const Picture& picture) {
+    if (picture.channels != 3 && picture.channels != 4) return tl::unexpected(std::string("a linear PNG file has channels R, G, B, or R, G, B, A"));
+    std::vector<uint16_t> codes;
+    codes.reserve(picture.values.size());
+    for (const float value : picture.values) codes.push_back(uint16_t(std::clamp(value, 0.0f, 1.0f) * 65535.0f + 0.5f));
+    png_image out{};
+    out.version = PNG_IMAGE_VERSION;
+    out.width = png_uint_32(picture.width);
+    out.height = png_uint_32(picture.height);
+    out.format = picture.channels == 4 ? PNG_FORMAT_LINEAR_RGB_ALPHA : PNG_FORMAT_LINEAR_RGB;
+    out.flags = PNG_IMAGE_FLAG_FAST;
+    png_alloc_size_t size = PNG_IMAGE_PNG_SIZE_MAX(out);
+    std::vector<std::byte> bytes(size);
+    const int done = png_image_write_to_memory(&out, bytes.data(), &size, 0, codes.data(), 0, nullptr);
+    png_image_free(&out);
+    if (!done) return tl::unexpected(std::string(out.message));
+    bytes.resize(size);
+    return bytes;
+}
+
+}  // namespace alidade

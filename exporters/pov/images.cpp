@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "exporters/pov/images.h"
 
+#include "core/deep_png.h"
 #include "core/image_colors.h"
 
 #include <fmt/format.h>
@@ -47,7 +48,7 @@ tl::expected<Picture, std::string> decoded(const std::string& bytes, Encoding en
     return decode_picture(as_bytes(bytes), encoding).and_then(colors_alone);
 }
 
-/// The picture times `tint` with its edges, as a PNG file. What is above 1 is cut off.
+/// The picture times `tint` with its edges, as a PNG file; of 16 bits, linear, if it is tinted: 8 are too few for what becomes dark and is lit brightly. What is above 1 is cut off.
 tl::expected<std::string, std::string> remade(const std::string& bytes, const Vec4& tint, PictureAlpha alpha, bool srgb, const PictureEdges& edges) {
     const auto picture = decoded(bytes, srgb ? Encoding::automatic : Encoding::linear);
     if (!picture) return tl::unexpected(picture.error());
@@ -63,7 +64,8 @@ tl::expected<std::string, std::string> remade(const std::string& bytes, const Ve
             for (int c = 0; c < 3; ++c) to[c] = float(double(from[grey ? 0 : c]) * tint[c] * (keeps && a > 0 ? a : 1));   // encode_picture wants it premultiplied
             if (keeps) to[3] = float(a);
         }
-    const auto encoded = encode_picture(edges.none() ? out : with_edges(out, edges), ".png");
+    if (!edges.none()) out = with_edges(out, edges);
+    const auto encoded = tint == Vec4(1) ? encode_picture(out, ".png") : encode_linear_png(out);
     if (!encoded) return tl::unexpected(encoded.error());
     return std::string(reinterpret_cast<const char*>(encoded->data()), encoded->size());
 }
@@ -112,7 +114,7 @@ ImageWriter::File ImageWriter::make_file(const ImageSignal& image, const Vec4& t
         losses_.add(fmt::format("picture '{}', which cannot be decoded", source.name), 1, "its factor alone");
         return {};
     }
-    return {fmt::format("png {}", quoted(files_.add_picture(source, std::move(*made))))};
+    return {fmt::format("png {}", quoted(files_.add_picture(source, std::move(*made)))), tint != Vec4(1)};
 }
 
 const ImageWriter::File& ImageWriter::file(const ImageSignal& image, const Vec4& tint, PictureAlpha alpha) {
@@ -133,7 +135,7 @@ const ImageWriter::Framed& ImageWriter::edges(const ImageSignal& image) {
 
 void ImageWriter::picture(const char* word, const File& file, const ImageSignal& image, const char* more, double transmit) {
     sdl_.begin(word);
-    sdl_.line(file.words, "gamma", image.srgb ? "srgb" : "1");
+    sdl_.line(file.words, "gamma", image.srgb && !file.linear ? "srgb" : "1");
     if (image.wrap_u == Wrap::once && image.wrap_v == Wrap::once) sdl_.line("once");
     if (image.filter == Filter::linear) sdl_.line("interpolate 2");
     if (*more) sdl_.line(more);

@@ -18,7 +18,7 @@ namespace alidade::pov_export {
 enum class PictureAlpha { kept, removed };
 
 /// Pictures are written as they are, but where POV-Ray would show them otherwise: it cannot multiply a picture by a colour, nor ignore its alpha, nor clamp or
-/// mirror it at its edges, it reads fewer formats, and some files not as they are. Then a PNG file of 8 bits a colour is made.
+/// mirror it at its edges, it reads fewer formats, and some files not as they are. Then a PNG file is made.
 class ImageWriter {
   public:
     ImageWriter(const Scene& scene, Sdl& sdl, OutputFiles& files, Losses& losses) : scene_(scene), sdl_(sdl), files_(files), losses_(losses) {}
@@ -52,7 +52,8 @@ class ImageWriter {
         friend auto operator<=>(const Key&, const Key&) = default;
     };
     struct File {
-        std::string words;   ///< `png "name.png"`; empty: it cannot be read
+        std::string words;      ///< `png "name.png"`; empty: it cannot be read
+        bool linear = false;
     };
     const std::string* encoded(ImageId id);
     const File& file(const ImageSignal& image, const Vec4& tint, PictureAlpha alpha);

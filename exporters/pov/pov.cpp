@@ -99,7 +99,22 @@ void tell_losses(const Scene& scene, Losses& losses) {
     const Bounds box = world_bounds(scene);
     const bool bounded = !box.empty() && box.finite();
     losses.add("places farther than 1e7 from the middle, which POV-Ray does not see", bounded && std::max(max_abs(box.min), max_abs(box.max)) > 1e7, "as they are");
-    losses.add("scenes smaller than a thousandth, in which POV-Ray misses things", bounded && max_component(box.extent()) < 1e-3, "as it is");
+}
+
+/// POV-Ray takes surfaces nearer to each other than 0.0001, in shadows 0.001, for one: that costs a cube of 0.014 that lets light through 0.9 % of its light, of
+/// 0.0014 19 %, and a mirror of 0.0014 3 %.
+void tell_smallness(const Scene& scene, Losses& losses) {
+    constexpr double kSmall = 0.02, kSmallIfClear = 0.1;
+    const Bounds box = world_bounds(scene);
+    if (box.empty() || !box.finite() || max_component(box.extent()) >= kSmallIfClear) return;
+    const auto is_clear = [&](const MaterialRef& ref) {
+        if (ref.index >= scene.materials.size() || scene.materials[ref.index].layers.empty()) return false;
+        const auto* pbr = std::get_if<GltfPbr>(&scene.materials[ref.index].layers.front());
+        return !pbr || pbr->transmission || pbr->alpha_mode != AlphaMode::opaque;
+    };
+    const std::vector<WrittenMaterial> written = losses.materials();
+    for (const WrittenMaterial& each : written)
+        losses.add_of_material(each.material, "the light that POV-Ray misses in so small a scene", max_component(box.extent()) < kSmall || is_clear(each.material), "what it finds");
 }
 
 }  // namespace
@@ -112,6 +127,7 @@ tl::expected<void, std::string> write_pov(const Scene& scene, OutputFiles& files
         return mesh && !mesh->morphs.empty();
     });
     files.set_main(still ? Document(scene, files, losses).text() : Document(deform(scene), files, losses).text());
+    tell_smallness(scene, losses);
     return {};
 }
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 /// Every kind of PNG that the standard knows, written by libpng with known samples.
+#include "core/deep_png.h"
 #include "core/image.h"
 
 #include <gtest/gtest.h>
@@ -175,6 +176,26 @@ std::string kind_name(const testing::TestParamInfo<Kind>& info) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Standard, EveryPng, testing::ValuesIn(all_kinds()), kind_name);
+
+/// Half a step of 16 bits, wherever alpha is.
+TEST(LinearPng, KeepsLinearValues) {
+    Picture picture(5, 3, {"R", "G", "B", "A"});
+    for (int i = 0; i < 15; ++i)
+        for (int c = 0; c < 4; ++c) picture.values[size_t(4 * i + c)] = c == 3 ? float(i + 1) / 15 : float(i + 1) / 15 * float(i * (c + 1)) / 45;
+    const auto bytes = encode_linear_png(picture);
+    ASSERT_TRUE(bytes) << bytes.error();
+    const auto stored = decode_stored_picture(*bytes);
+    ASSERT_TRUE(stored) << stored.error();
+    EXPECT_EQ(stored->levels, 65535u);
+    EXPECT_EQ(stored->gamma, 1);
+    for (int i = 0; i < 15; ++i) {
+        const float* pixel = stored->picture.at(i % 5, i / 5);
+        const double alpha = (i + 1) / 15.0;
+        EXPECT_NEAR(double(pixel[3]), alpha, 0.51 / 65535);
+        for (int c = 0; c < 3; ++c) EXPECT_NEAR(double(pixel[c]) * alpha, double(picture.values[size_t(4 * i + c)]), 1.1 / 65535);
+    }
+    EXPECT_FALSE(encode_linear_png(Picture(1, 1, {"Y"})));
+}
 
 TEST(EncodePicture, GivesTheBytesOfAFile) {
     Picture picture(3, 2, {"R", "G", "B"});

@@ -184,6 +184,37 @@ class PovExpressed(InFolder):
         both = textured(emissiveFactor=[0.6, 0.8, 1], emissiveTexture={"index": 0, "texCoord": 1})
         self.assert_told(wall_scene([both], png_bytes(COLOURS), TEXCOORD_0=UNIT_UVS, TEXCOORD_1=second), "the texture coordinates of the picture of emission")
 
+    def test_a_tinted_picture_keeps_its_steps(self):
+        """Dark colours, lit brightly: a tinted picture of 8 bits had a FLIP of 0.06 and 0.01."""
+        for factor, flip in (((0.5, 0.7, 0.2), 0.015), ((0.9, 0.5, 0.6), 0.003)):
+            for mode in ("OPAQUE", "BLEND"):
+                with self.subTest(case=f"{factor} {mode}"):
+                    self.assert_same(wall_scene([textured(alphaMode=mode, base={"baseColorFactor": [*factor, 0.8]})], png_bytes([[p[:3] for p in row] for row in ALPHA_PICTURE])), flip=flip)
+
+    def test_one_vertex_colour_tints_a_picture(self):
+        for mode in ("OPAQUE", "MASK", "BLEND"):
+            with self.subTest(case=mode):
+                self.assert_same(wall_scene([textured(alphaMode=mode)], png_bytes(ALPHA_PICTURE), COLOR_0=[(0.5, 0.7, 0.9, 0.9)] * 4), ["faint mirror images under the vertex colours"])
+        self.assert_told(wall_scene([textured()], png_bytes(COLOURS), COLOR_0=[(0.5, 0.7, 0.2, 1)] * 3 + [(1, 1, 1, 1)]), "the vertex colours")
+
+    def test_vertex_colours_whose_alpha_cuts_are_told(self):
+        told = "the border of what the alpha of vertex colours cuts out"
+        for alphas, there in (((1, 1, 0.1, 0.1), True), ((1, 0.9, 0.6, 0.6), False)):
+            lost = self.compared(wall_scene([lambert(alphaMode="MASK")], COLOR_0=[(1, 0.5, 0.2, a) for a in alphas]))["wall"]["lost"]
+            self.assertEqual(told in lost, there)
+
+    def test_what_pov_ray_misses_in_small_scenes_is_told(self):
+        """The scene is eight times `size` wide."""
+        told = "the light that POV-Ray misses in so small a scene"
+        clear, opaque = lambert(alphaMode="BLEND", base={"baseColorFactor": [0.9, 0.2, 0.2, 0.5]}), lambert()
+        for material, size, lost in ((clear, 0.013, []), (clear, 0.012, [told]), (opaque, 0.0026, []), (opaque, 0.0024, [told])):
+            with self.subTest(case=f"{size} {len(lost)}"):
+                wall = self.compared(wall_scene([material], size=size))["wall"]
+                self.assertEqual(wall["lost"], lost)
+                if not lost:
+                    self.assertLess(wall["flip"], 0.02)
+                    self.assertLess(abs(wall["brighter"]), 0.01)
+
 
 if __name__ == "__main__":
     if SANITIZED:
