@@ -42,7 +42,7 @@ class Toy {
         const MaterialId far = material(0);
         object(Sphere{Vec3(0), 60}, far);   // light goes on for ever nowhere: a fog ends at a distance that no scale changes
         scene_.nodes.back().flags.hollow = true;
-        light({2, 4, 3}, 40, true), light({-3, 3, 2}, 0.4, false);
+        light({2, 4.3, 3}, 40, true), light({-3, 3, 2}, 0.4, false);
         Fog fog;
         fog.distance = 40 * scale_, fog.color = Color(0.3, 0.4, 0.5);
         scene_.atmosphere.fogs.push_back(fog);
