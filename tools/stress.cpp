@@ -27,6 +27,7 @@ tl::expected<void, std::string> write_files(const StressRequest& request, const 
     const Json document = stress_document(request, results, code);
     if (!request.csv.empty()) done = write(request.csv, stress_csv(results));
     if (done && !request.json.empty()) done = write(request.json, as_json_text(document));
+    if (request.prints_json) fmt::print("{}", as_json_text(document));
     if (done && !request.report.empty()) done = write(request.report, stress_page(document));
     return done;
 }
@@ -56,13 +57,13 @@ int run_stress(const Verb& verb, const Words& given) {
         constexpr size_t kSteps = 1000;
         results = measure_series(*request, signals.stop(), [&](double fraction) { progress.update(size_t(fraction * kSteps), kSteps); }, [&](const StressSource& source, const StressSize& size) {
             progress.hide();
-            tell(source, size);
+            if (!request->prints_json) tell(source, size);
         });
     }
     fmt::print(stderr, "{}", results.said.text());
     if (results.said.has_errors()) return kError;
     for (const StressSeries& series : results.series)
-        if (!series.growth.empty()) fmt::print("{}\n{}\n", series.source.name, growth_table(series.growth));
+        if (!series.growth.empty() && !request->prints_json) fmt::print("{}\n{}\n", series.source.name, growth_table(series.growth));
     const int code = exit_code(results);
     tell_why(results);
     if (const auto written = write_files(*request, results, code); !written) return fail(written.error());

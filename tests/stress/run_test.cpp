@@ -204,7 +204,9 @@ TEST(StressMeasure, PeakMemoryIsWhatWasTakenAtOnce) {
         EXPECT_EQ(memory[memory.size() / 2], i + 1);
     }
     EXPECT_GE(*mark.bytes(), (kMegabytes - 1) << 20) << "Linux counts pages in batches, a thread at a time";
+#if !defined(ALIDADE_SANITIZED)   // which keep what was freed
     EXPECT_LE(*mark.bytes(), (kMegabytes + 16) << 20) << "once, not three times";
+#endif
 }
 
 TEST(StressMeasure, TextsForPeople) {

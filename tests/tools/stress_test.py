@@ -29,6 +29,13 @@ class Stress(InFolder):
 
 
 class Figures(Stress):
+    def test_json_is_printed_or_written(self):
+        words = ["--generate", "soup:500", "--side", "8", "--rounds", "1"]
+        self.assertIn("soup", json.dumps(json.loads(self.stress(*words, "--json").stdout)))
+        self.assertFalse((self.folder / "out.json").exists())
+        self.assertIn("all agree", self.stress(*words, "--json", "out.json").stdout)
+        self.assertTrue((self.folder / "out.json").exists())
+
     def test_the_table_has_all_structures_and_rays_and_they_agree(self):
         said = self.stress("--generate", "scan:2000", *QUICK).stdout
         self.assertTrue(said.startswith("scan: 2028 triangles\n"), said)

@@ -112,7 +112,8 @@ void add_files(CLI::App& app, StressRequest& request) {
     app.add_option("--dump-rays", request.dump_rays, "writes the rays that are asked, a file for each kind: rays.bin becomes rays.primary.bin, ...")->type_name("FILE");
     add_choice(app, "--dump-as", {"float32", "float64"}, [&request](size_t i) { request.dump_numbers = i ? RayNumbers::float64 : RayNumbers::float32; }, "numbers of --dump-rays (default float32)");
     app.add_option("--csv", request.csv, "writes the figures as a table for programs")->type_name("FILE");
-    app.add_option("--json", request.json, "writes the figures as JSON (docs/stress.md)")->type_name("FILE");
+    app.add_option_function<std::string>("--json", [&request](const std::string& file) { request.json = file, request.prints_json = file.empty(); },
+        "prints JSON instead of tables, or writes it to a file (docs/stress.md)")->type_name("[FILE]")->expected(0, 1);
     app.add_option("--report", request.report, "writes one HTML file with tables and plots")->type_name("FILE");
 }
 

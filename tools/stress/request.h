@@ -33,6 +33,7 @@ struct StressRequest {
     int rounds = 5;
     std::optional<double> seconds, bytes;   ///< budgets; without the second, 8/10 of what the system has available
     std::string rays, dump_rays, csv, json, report;
+    bool prints_json = false;   ///< instead of tables
     RayNumbers dump_numbers = RayNumbers::float32;
     ProgressMode progress = ProgressMode::bar;
     Words words;                            ///< as they were given
