@@ -153,6 +153,18 @@ void tell_left_out(const Imf::Header& header, std::vector<std::string>& left_out
     if (!same(own.red, usual.red) || !same(own.green, usual.green) || !same(own.blue, usual.blue) || !same(own.white, usual.white)) add("its chromaticities, which are not Rec. 709's");
 }
 
+/// Are there integers that a float rounds?
+bool has_large_integers(const Imf::ChannelList& channels, const Picture& picture) {
+    constexpr float kLargest = 0x1p24f;
+    for (int c = 0; c < picture.channels; ++c) {
+        const Imf::Channel* channel = channels.findChannel(picture.names[size_t(c)]);
+        if (!channel || channel->type != Imf::UINT) continue;
+        for (size_t i = size_t(c); i < picture.values.size(); i += size_t(picture.channels))
+            if (picture.values[i] >= kLargest) return true;
+    }
+    return false;
+}
+
 Result<Stored> decode(std::span<const std::byte> bytes) {
     MemoryInput input(bytes);
     Imf::MultiPartInputFile file(input, 0);
@@ -172,6 +184,7 @@ Result<Stored> decode(std::span<const std::byte> bytes) {
             continue;
         }
         tell_left_out(file.header(i), left_out);
+        if (has_large_integers(file.header(i).channels(), *part)) left_out.push_back("the last digits of integers from 16777216 on");
         for (std::string& name : part->names) name = i == 0 ? name : part_name(file.header(i), i) + "." + name;
         channels += part->names.size();
         parts.push_back(std::move(*part));

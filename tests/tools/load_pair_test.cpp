@@ -186,6 +186,24 @@ std::string with_surroundings(const std::string& path, bool other_primaries) {
     return path;
 }
 
+std::string of_integers(const std::string& path, unsigned value) {
+    Imf::Header header(4, 3);
+    header.channels().insert("id", Imf::Channel(Imf::UINT));
+    std::vector<unsigned> values(12, value);
+    Imf::FrameBuffer frame;
+    frame.insert("id", Imf::Slice(Imf::UINT, reinterpret_cast<char*>(values.data()), sizeof(unsigned), 4 * sizeof(unsigned)));
+    Imf::OutputFile file(path.c_str(), header);
+    file.setFrameBuffer(frame);
+    file.writePixels(3);
+    return path;
+}
+
+TEST_F(LoadPair, IntegersThatFloatsRoundAreTold) {
+    const auto a = of_integers((folder_ / "a.exr").string(), 20000000), small = of_integers((folder_ / "b.exr").string(), 16777215);
+    EXPECT_THAT(compare(a, a, "id").loaded->notes, Contains(HasSubstr("the last digits of integers")));
+    EXPECT_TRUE(compare(small, small, "id").loaded->notes.empty());
+}
+
 TEST_F(LoadPair, WhatAFileSaysBesidesIsTold) {
     const auto a = with_surroundings((folder_ / "a.exr").string(), false), b = with_surroundings((folder_ / "b.exr").string(), true);
     const Comparison found = compare(a, b);
