@@ -7,7 +7,7 @@ const byId = (id) => document.getElementById(id);
 
 /// An element: `of('td', {class: 'number'}, 'text', child)`. Texts stay texts.
 function of(tag, attributes = {}, ...children) {
-  const svg = ['svg', 'rect', 'line', 'text', 'title', 'g', 'path', 'circle'].includes(tag);
+  const svg = ['svg', 'rect', 'line', 'text', 'title', 'g', 'path', 'polyline', 'circle'].includes(tag);
   const element = svg ? document.createElementNS('http://www.w3.org/2000/svg', tag) : document.createElement(tag);
   for (const [name, value] of Object.entries(attributes)) {
     if (name.startsWith('on')) element.addEventListener(name.slice(2), value);

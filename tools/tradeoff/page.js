@@ -1,14 +1,14 @@
-'use strict';
-const data = JSON.parse(document.getElementById('data').textContent);
+// SPDX-License-Identifier: Apache-2.0
+// The page of `alidade tradeoff`; elements.js stands before it.
 const rows = data.rows;
-const find = id => document.getElementById(id);
-const make = (parent, name, text, attributes = {}) => {
-  const svg = parent instanceof SVGElement;
-  const one = svg ? document.createElementNS('http://www.w3.org/2000/svg', name) : document.createElement(name);
-  if (text !== null) one.textContent = text;
-  for (const [key, value] of Object.entries(attributes)) one.setAttribute(key, value);
-  return parent.appendChild(one);
-};
+const make = (parent, name, text, attributes = {}) => parent.appendChild(of(name, attributes, text));
+byId('main').append(
+  of('p', {id: 'reference'}),
+  of('div', {id: 'view'},
+    of('div', {id: 'stage'}, of('svg', {id: 'plot', viewBox: '0 0 900 520', role: 'group', 'aria-label': 'Error over cost, both logarithmic'})),
+    of('aside', {id: 'details', 'aria-live': 'polite'}, of('p', {class: 'quiet'}, 'Point at a setting, or go to it with the Tab key.'))),
+  of('p', {id: 'legend', class: 'quiet'}), of('ul', {id: 'recommended'}), of('ul', {id: 'complaints'}),
+  of('table', {}, of('thead', {}, of('tr', {id: 'heads'})), of('tbody', {id: 'rows'})));
 const number = value => value === null || value === undefined ? '-' : Number(value).toPrecision(4).replace(/\.?0+($|e)/, '$1');
 const errorOf = row => row.errors[data.metric];
 
@@ -64,7 +64,7 @@ function drawPoint(plot, i) {
 }
 
 function drawPlot() {
-  const plot = find('plot');
+  const plot = byId('plot');
   drawAxes(plot);
   const front = shown.filter(i => rows[i].front).sort((a, b) => rows[a].cpu_seconds - rows[b].cpu_seconds);
   make(plot, 'polyline', null, {class: 'front-line', points: front.map(i => `${x(rows[i].cpu_seconds)},${y(errorOf(rows[i]))}`).join(' ')});
@@ -74,7 +74,7 @@ function drawPlot() {
 
 // ---- One setting ----
 function choose(i) {
-  const row = rows[i], details = find('details');
+  const row = rows[i], details = byId('details');
   for (const one of document.querySelectorAll('.chosen')) one.classList.remove('chosen');
   for (const one of document.querySelectorAll(`[data-row="${i}"]`)) one.classList.add('chosen');
   details.textContent = '';
@@ -90,19 +90,19 @@ function choose(i) {
 
 // ---- Words ----
 function drawText() {
-  find('reference').textContent = `${data.width} x ${data.height} pixels; reference: ${data.reference.what}`;
-  find('legend').textContent = 'Blue: the front. Grey: another setting is faster and no worse, or better and no slower. Squares: other programs. Dashed: the reference\'s own error.';
+  byId('reference').textContent = `${data.width} x ${data.height} pixels; reference: ${data.reference.what}`;
+  byId('legend').textContent = 'Blue: the front. Grey: another setting is faster and no worse, or better and no slower. Squares: other programs. Dashed: the reference\'s own error.';
   const chosen = data.recommended, name = row => row === null ? 'none' : rows[row].name;
-  make(find('recommended'), 'li', `fastest with ${data.metric} <= ${number(chosen.error)}: ${name(chosen.fastest_within_error)}`);
-  make(find('recommended'), 'li', `best within ${number(chosen.cpu_seconds)} s: ${name(chosen.best_within_time)}`);
-  make(find('recommended'), 'li', `knee of the front: ${name(chosen.knee)}`);
-  for (const text of [...data.not_free.map(each => each.sentence), ...data.warnings]) make(find('complaints'), 'li', text);
+  make(byId('recommended'), 'li', `fastest with ${data.metric} <= ${number(chosen.error)}: ${name(chosen.fastest_within_error)}`);
+  make(byId('recommended'), 'li', `best within ${number(chosen.cpu_seconds)} s: ${name(chosen.best_within_time)}`);
+  make(byId('recommended'), 'li', `knee of the front: ${name(chosen.knee)}`);
+  for (const text of [...data.not_free.map(each => each.sentence), ...data.warnings]) make(byId('complaints'), 'li', text);
 }
 
 function drawTable() {
-  for (const head of ['', 'CPU s', '±', 'Mrays', ...Object.keys(rows[0].errors), 'setting']) make(find('heads'), 'th', head);
+  for (const head of ['', 'CPU s', '±', 'Mrays', ...Object.keys(rows[0].errors), 'setting']) make(byId('heads'), 'th', head);
   rows.map((row, i) => i).sort((a, b) => rows[a].cpu_seconds - rows[b].cpu_seconds).forEach(i => {
-    const row = rows[i], line = make(find('rows'), 'tr', null, {'data-row': i});
+    const row = rows[i], line = make(byId('rows'), 'tr', null, {'data-row': i});
     const rays = row.counts.rays === undefined ? null : row.counts.rays / 1e6;
     for (const cell of [row.front ? '*' : '', number(row.cpu_seconds), number(row.cpu_seconds_mad), number(rays), ...Object.keys(rows[0].errors).map(name => number(row.errors[name]))]) make(line, 'td', cell);
     make(line, 'td', row.name + (row.default && row.name !== 'default' ? ' (default)' : ''));
