@@ -3,11 +3,14 @@
 import fcntl
 import json
 import os
+import pathlib
 import select
 import shutil
 import subprocess
+import sys
 import tempfile
 import time
+import unittest
 
 CHROMIUM = shutil.which("chromium") or shutil.which("chromium-browser")
 KEYS = {" ": ("Space", 32, " "), "ArrowLeft": ("ArrowLeft", 37, ""), "ArrowUp": ("ArrowUp", 38, ""), "ArrowRight": ("ArrowRight", 39, ""),
@@ -113,3 +116,32 @@ class Browser:
 
     def requests(self):
         return [event["params"]["request"]["url"] for event in self.events if event["method"] == "Network.requestWillBeSent"]
+
+
+class PageTest(unittest.TestCase):
+    """Tests of a page that `make(folder)` writes, and gives the path of. A page must be quiet: no error, nothing from the network."""
+    @classmethod
+    def setUpClass(cls):
+        cls.folder = tempfile.TemporaryDirectory()
+        cls.browser = Browser()
+        cls.page = cls.make(pathlib.Path(cls.folder.name))
+
+    @classmethod
+    def tearDownClass(cls):
+        cls.browser.close()
+        cls.folder.cleanup()
+
+    def show(self, address="", **media):
+        self.browser.open(self.page.as_uri() + address, **media)
+        self.browser.wait("document.documentElement?.dataset.ready")
+
+    def tearDown(self):
+        self.assertEqual(self.browser.complaints(), [])
+        self.assertEqual([url for url in self.browser.requests() if not url.startswith(("file:", "data:"))], [], "no network")
+
+
+def main():
+    if not CHROMIUM:
+        print("skipped: there is no chromium")
+        sys.exit(77)
+    unittest.main()

@@ -6,12 +6,9 @@ import pathlib
 import re
 import struct
 import subprocess
-import sys
-import tempfile
 import time
-import unittest
 
-from browser import CHROMIUM, Browser
+from browser import PageTest, main
 from program import run
 
 EXAMPLE = os.environ.get("ALIDADE_REPORT_EXAMPLE", str(pathlib.Path(__file__).resolve().parents[2] / "build/release/tests/tools/tools_report_example"))
@@ -31,26 +28,7 @@ def write_ppm(path, code):
     path.write_bytes(b"P6 %d %d 255\n" % (WIDTH, HEIGHT) + values)
 
 
-class InBrowser(unittest.TestCase):
-    @classmethod
-    def setUpClass(cls):
-        cls.folder = tempfile.TemporaryDirectory()
-        cls.browser = Browser()
-        cls.page = cls.make(pathlib.Path(cls.folder.name))
-
-    @classmethod
-    def tearDownClass(cls):
-        cls.browser.close()
-        cls.folder.cleanup()
-
-    def show(self, address="", **media):
-        self.browser.open(self.page.as_uri() + address, **media)
-        self.browser.wait("document.documentElement?.dataset.ready")
-
-    def tearDown(self):
-        self.assertEqual(self.browser.complaints(), [])
-        self.assertEqual([url for url in self.browser.requests() if not url.startswith(("file:", "data:"))], [], "no network")
-
+class InBrowser(PageTest):
     def text(self, selector):
         return self.browser.run(f"document.querySelector({json.dumps(selector)})?.textContent")
 
@@ -391,7 +369,4 @@ class OfACorpus(InBrowser):
 
 
 if __name__ == "__main__":
-    if not CHROMIUM:
-        print("skipped: there is no chromium")
-        sys.exit(77)
-    unittest.main()
+    main()

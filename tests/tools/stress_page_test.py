@@ -2,39 +2,23 @@
 """The page of `alidade stress` in a real browser: its numbers are those of the document, its axes are logarithmic, and mouse and keys tell points."""
 import json
 import math
-import pathlib
-import sys
-import tempfile
-import unittest
 
-from browser import CHROMIUM, Browser
+from browser import PageTest, main
 from program import run
 
 WORDS = ["--side", "16", "--rounds", "1", "--accel", "bvh,grid"]
 
 
-class InBrowser(unittest.TestCase):
+class InBrowser(PageTest):
     @classmethod
-    def setUpClass(cls):
-        cls.folder = tempfile.TemporaryDirectory()
-        folder = pathlib.Path(cls.folder.name)
+    def make(cls, folder):
         done = run("stress", *cls.WORDS, "--report", folder / "out.html", "--json", folder / "out.json")
         assert done.returncode == 0, done
-        cls.document, cls.page = json.loads((folder / "out.json").read_text()), folder / "out.html"
-        cls.browser = Browser()
-
-    @classmethod
-    def tearDownClass(cls):
-        cls.browser.close()
-        cls.folder.cleanup()
+        cls.document = json.loads((folder / "out.json").read_text())
+        return folder / "out.html"
 
     def setUp(self):
-        self.browser.open(self.page.as_uri())
-        self.browser.wait("document.documentElement?.dataset.ready")
-
-    def tearDown(self):
-        self.assertEqual(self.browser.complaints(), [])
-        self.assertEqual([url for url in self.browser.requests() if not url.startswith(("file:", "data:"))], [], "no network")
+        self.show()
 
     def all(self, selector, value):
         return self.browser.run(f"[...document.querySelectorAll({json.dumps(selector)})].map(one => {value})")
@@ -107,7 +91,4 @@ class OneSize(InBrowser):
 
 
 if __name__ == "__main__":
-    if not CHROMIUM:
-        print("skipped: there is no chromium")
-        sys.exit(77)
-    unittest.main()
+    main()

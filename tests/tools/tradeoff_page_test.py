@@ -2,41 +2,24 @@
 """The page of `alidade tradeoff` in a real browser: its points stand where the numbers say, and tell what they are."""
 import json
 import math
-import pathlib
-import sys
-import tempfile
-import unittest
 
-from browser import CHROMIUM, Browser
+from browser import PageTest, main
 from program import run
 
 
-class Page(unittest.TestCase):
+class Page(PageTest):
     @classmethod
-    def setUpClass(cls):
-        cls.folder = tempfile.TemporaryDirectory()
-        folder = pathlib.Path(cls.folder.name)
+    def make(cls, folder):
         words = ["tradeoff", "analytic:mirror-sphere", "--size", "24x24", "--repeat", "2", "--vary", "spp=1,4,16,64", "--vary", "max-depth=0,4",
                  "--external", "cp " + str(folder / "flat<b>.pfm") + " {out.pfm}"]
         (folder / "flat<b>.pfm").write_bytes(b"PF\n24 24\n-1.0\n" + bytes(24 * 24 * 12))
-        cls.page = folder / "page.html"
-        said = run(*words, "--json", "--report", cls.page)
+        said = run(*words, "--json", "--report", folder / "page.html")
         assert said.returncode == 0, said
         cls.document = json.loads(said.stdout)
-        cls.browser = Browser()
-
-    @classmethod
-    def tearDownClass(cls):
-        cls.browser.close()
-        cls.folder.cleanup()
+        return folder / "page.html"
 
     def setUp(self):
-        self.browser.open(self.page.as_uri())
-        self.browser.wait("document.documentElement?.dataset.ready")
-
-    def tearDown(self):
-        self.assertEqual(self.browser.complaints(), [])
-        self.assertEqual([url for url in self.browser.requests() if not url.startswith(("file:", "data:"))], [], "no network")
+        self.show()
 
     def points(self):
         return self.browser.run("""[...document.querySelectorAll('.point')].map(one => ({row: Number(one.dataset.row), front: one.classList.contains('front'), shape: one.tagName,
@@ -91,7 +74,4 @@ class Page(unittest.TestCase):
 
 
 if __name__ == "__main__":
-    if not CHROMIUM:
-        print("skipped: there is no chromium")
-        sys.exit(77)
-    unittest.main()
+    main()
