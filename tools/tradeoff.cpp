@@ -97,10 +97,10 @@ std::string why_senseless(const TradeoffWords& words) {
     if (job.axes.empty() && job.externals.empty()) return "there is nothing to compare: --vary NAME=V1,V2,... varies an option of `render`";
     if (job.seeds > 1 && job.seeds < 8) return fmt::format("--seeds {}: a variance needs 8 or more", job.seeds);
     const ErrorColumn* column = find_error(words.questions.metric);
-    if (!column || !column->is_error()) {
+    if (!column || !column->is_error) {
         std::vector<std::string> names;
         for (const ErrorColumn& each : error_columns())
-            if (each.is_error()) names.emplace_back(each.name);
+            if (each.is_error) names.emplace_back(each.name);
         return fmt::format("--metric: '{}' is not one of {}", words.questions.metric, fmt::join(names, ", "));
     }
     if (job.instructions && is_analytic(job.scene)) return "--instructions: an analytic scene is in no file that the counted program could read";

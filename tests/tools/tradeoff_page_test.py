@@ -68,6 +68,10 @@ class Page(PageTest):
         unnamed = self.browser.run("[...document.querySelectorAll('.point')].filter(one => !one.getAttribute('aria-label') || one.tabIndex !== 0).length")
         self.assertEqual(unnamed, 0)
 
+    def test_numbers_are_shown_to_four_digits(self):
+        for value, shown in ((1000, "1000"), (1230, "1230"), (1234.5, "1235"), (0.125, "0.125"), (1.5e7, "1.5e7"), (2e-5, "2e-5"), (0, "0"), (None, "-")):
+            self.assertEqual(self.browser.run(f"number({json.dumps(value)})"), shown)
+
     def test_the_table_has_a_line_for_each(self):
         self.assertEqual(self.browser.run("document.querySelectorAll('#rows tr').length"), len(self.document["rows"]))
         self.assertIn("knee of the front", self.browser.run("document.getElementById('recommended').textContent"))

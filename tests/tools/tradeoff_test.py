@@ -181,6 +181,13 @@ class Measurements(InFolder):
         self.assertEqual([row["set_spp"] for row in rows], ["", "1", "16"])
         self.assertGreater(float(rows[1]["rmse"]), float(rows[2]["rmse"]))
 
+    def test_a_picture_without_numbers_keeps_the_columns(self):
+        (self.folder / "nan.pfm").write_bytes(b"PF\n8 6\n-1.0\n" + bytes.fromhex("0000c07f") * (8 * 6 * 3))
+        words = ("tradeoff", self.scene, "--size", "8x6", "--repeat", 1, "--reference", "self:4", "--vary", "spp=1", "--external", f"cp {self.folder}/nan.pfm {{out.pfm}}", "--csv", self.folder / "out.csv")
+        self.assertEqual(run(*words).returncode, 0)
+        rows = list(csv.DictReader((self.folder / "out.csv").read_text().splitlines()))
+        self.assertEqual([(row["program"], row["rmse"] == "", row["non_finite"]) for row in rows], [("alidade", False, "0")] * 2 + [("cp", True, "48")])
+
     def test_every_key_is_documented(self):
         text = (pathlib.Path(__file__).resolve().parents[2] / "docs" / "tradeoff.md").read_text()
         said = document(self.scene, *self.WORDS, "--vary", "spp=1,16", "--seeds", 8)
@@ -269,6 +276,31 @@ class Resuming(InFolder):
         said = run(*words, "--light-samples", 2)
         self.assertEqual((said.returncode, said.stdout), (1, ""))
         self.assertIn("holds measurements of something else (another options)", said.stderr)
+
+    def test_errors_that_are_infinite_are_read_again(self):
+        words = ("tradeoff", "analytic:furnace", "--size", "8x8", "--vary", "spp=1,4", "--repeat", 1, "--out", self.folder / "out", "--csv", self.folder / "out.csv")
+        self.assertEqual(run(*words).returncode, 0)
+        first = (self.folder / "out.csv").read_text()
+        self.assertEqual(run(*words).returncode, 0)
+        self.assertEqual((self.folder / "out.csv").read_text(), first)
+
+    def test_a_reference_of_the_same_name_is_another_one(self):
+        words = ("tradeoff", self.scene, "--size", "8x6", "--vary", "spp=1,2", "--repeat", 1, "--out", self.folder / "out", "--reference", self.folder / "ref.pfm")
+        for exposure, code in ((0, 0), (0, 0), (3, 1)):
+            run("render", self.scene, "--size", "8x6", "--exposure", exposure, "-o", self.folder / "ref.pfm")
+            said = run(*words)
+            self.assertEqual(said.returncode, code, said)
+        self.assertIn("(another reference)", said.stderr)
+
+    def test_finer_settings_are_added_to_what_is_there(self):
+        words = ("tradeoff", self.scene, "--size", "8x6", "--repeat", 1, "--out", self.folder / "out", "--json")
+        first = json.loads(run(*words, "--vary", "spp=1,2").stdout)
+        said = run(*words, "--vary", "spp=1,2,32")
+        self.assertEqual(said.returncode, 0, said)
+        second = json.loads(said.stdout)
+        self.assertEqual(second["reference"], first["reference"])
+        self.assertIn("has a reference already: the mean of two pictures of ours with", "".join(second["warnings"]))
+        self.assertEqual([row["errors"] for row in second["rows"][:3]], [row["errors"] for row in first["rows"]])
 
 
 @unittest.skipIf(POVRAY is None, "needs POV-Ray")

@@ -17,6 +17,12 @@ function of(tag, attributes = {}, ...children) {
   return element;
 }
 
+/// Four digits, for people: 1.234, 12340000 as 1.234e7.
+function brief(value) {
+  const size = Math.abs(value);
+  return size !== 0 && (size < 1e-3 || size >= 1e6) ? Number(value.toPrecision(4)).toExponential().replace('e+', 'e') : String(Number(value.toPrecision(4)));
+}
+
 /// Six digits; JSON has no infinities and writes null.
 function short(value) {
   if (value === null || value === undefined) return 'infinite';

@@ -20,12 +20,6 @@ for (const peer of peers) {
 }
 const peerOf = (one) => peers.find((peer) => peer.name === one.accelerator && peer.precision === one.precision);
 
-/// Four digits, for people: 1.234, 12340000 as 1.234e7.
-function brief(value) {
-  const size = Math.abs(value);
-  return size !== 0 && (size < 1e-3 || size >= 1e6) ? Number(value.toPrecision(4)).toExponential().replace('e+', 'e') : String(Number(value.toPrecision(4)));
-}
-
 // ---- plots
 
 const BOX = {left: 62, top: 12, width: 400, height: 230};

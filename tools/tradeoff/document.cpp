@@ -39,14 +39,13 @@ Json row_of(const Experiment& e, const Verdicts& v, size_t i) {
                 {"rounds", row.seconds}, {"counts", row.counts}, {"instructions", row.instructions ? number(*row.instructions) : Json()}};
     Json& errors = out["errors"] = Json::object();
     for (const ErrorColumn& column : error_columns())
-        if (const auto found = row.errors.find(column.name); found != row.errors.end()) errors[column.name] = number(found->second);
+        errors[column.name] = row.errors.contains(column.name) ? number(row.error(column.name)) : Json();
     out["noise"] = row.noise ? Json{{"bias2", row.noise->bias2}, {"variance", row.noise->variance}} : Json();
     out["non_finite"] = row.non_finite;
-    if (const Row* usual = e.default_row()) {
-        out["times_default_cost"] = ratio(time.median, usual->time().median);
-        out["times_default_error"] = ratio(row.error(v.metric), usual->error(v.metric));
-        out["cost_differs_from_default"] = differ(time, usual->time());
-    }
+    const Row& usual = e.default_row();
+    out["times_default_cost"] = ratio(time.median, usual.time().median);
+    out["times_default_error"] = ratio(row.error(v.metric), usual.error(v.metric));
+    out["cost_differs_from_default"] = differ(time, usual.time());
     return out;
 }
 
@@ -90,7 +89,7 @@ Json as_document(const Experiment& e, const Verdicts& v) {
             {"machine", {{"processor", processor()}, {"threads", hardware_threads()}}}, {"rows", rows},
             {"recommended", {{"error", number(v.most_error)}, {"fastest_within_error", index(v.fastest)}, {"cpu_seconds", number(v.most_time)},
                              {"best_within_time", index(v.best)}, {"knee", index(v.knee)}}},
-            {"free_axes", v.free_axes}, {"not_free", not_free}, {"required", required}, {"warnings", e.warnings}};
+            {"free_axes", v.free_axes}, {"unchecked_axes", v.unchecked_axes}, {"not_free", not_free}, {"required", required}, {"warnings", e.warnings}};
 }
 
 std::string as_csv(const Experiment& e, const Verdicts& v) {

@@ -10,13 +10,13 @@ namespace alidade::tradeoff {
 namespace {
 
 constexpr ErrorColumn kColumns[] = {
-    {"rmse", "rmse", "value", false, 2, "root of the mean squared error of linear values"},
-    {"rel_mse", "rel_mse", "value", false, 4, "mean of squared error / (squared reference + 0.01), linear"},
-    {"psnr", "psnr", "value", false, 0, "-10 log10 of the mean squared error of linear values, dB; more is better"},
-    {"max_abs", "max_abs", "value", false, 2, "the largest difference of linear values"},
-    {"ssim", "ssim", "value", true, 0, "structural similarity of display values; 1 if equal, more is better"},
-    {"flip", "flip", "mean", true, 2, "mean perceived difference of display values"},
-    {"over4", "over4", "value", true, 1, "share of pixels that differ by more than 4/255 of display values"},
+    {"rmse", "rmse", "value", false, true, 2, "root of the mean squared error of linear values"},
+    {"rel_mse", "rel_mse", "value", false, true, 4, "mean of squared error / (squared reference + 0.01), linear"},
+    {"psnr", "psnr", "value", false, false, 0, "-10 log10 of the mean squared error of linear values, dB; more is better"},
+    {"max_abs", "max_abs", "value", false, true, 0, "the largest difference of linear values"},
+    {"ssim", "ssim", "value", true, false, 0, "structural similarity of display values; 1 if equal, more is better"},
+    {"flip", "flip", "mean", true, true, 0, "mean perceived difference of display values"},
+    {"over4", "over4", "value", true, true, 0, "share of pixels that differ by more than 4/255 of display values"},
 };
 
 bool is_finite(const Picture& picture, size_t pixel) {
@@ -76,11 +76,12 @@ MeasuredErrors measure_errors(const Picture& reference, const Picture& test, boo
     return out;
 }
 
-/// Both halves have one variance: their mean is as far from the truth, root mean square, as half of their distance.
+/// Both halves have one variance: their mean is as far from the truth, root mean square, as half of their distance. The largest error, FLIP and shares of
+/// pixels keep no such law.
 Errors errors_of_halves(const Picture& a, const Picture& b, bool clip) {
     Errors errors = measure_errors(a, b, clip).values;
     for (const ErrorColumn& column : kColumns) {
-        if (column.is_error()) errors[column.name] /= column.halves;
+        if (column.halves > 0) errors[column.name] /= column.halves;
         else errors.erase(column.name);
     }
     return errors;

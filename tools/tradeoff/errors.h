@@ -16,9 +16,9 @@ struct ErrorColumn {
     const char* metric;
     const char* number;
     bool display;      ///< of display values (sRGB-encoded, 0 .. 1); else of linear ones
-    int halves;        ///< the reference's own error is that of its halves divided by this; 0: it has none
+    bool is_error;     ///< less is better, and 0 is equal: what a front can be made of
+    int halves;        ///< the mean of two halves is off by their difference divided by this; 0: no such law is known
     const char* doc;
-    bool is_error() const { return halves > 0; }   ///< less is better, and 0 is equal: what a front can be made of
 };
 std::span<const ErrorColumn> error_columns();
 const ErrorColumn* find_error(std::string_view name);

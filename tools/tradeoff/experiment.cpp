@@ -54,16 +54,26 @@ std::map<std::string, double> counts_of(const RenderStats& s) {
 }
 
 Json as_json(const Row& row) {
-    Json out = {{"errors", row.errors}, {"counts", row.counts}, {"non_finite", row.non_finite}, {"fingerprint", row.fingerprint}, {"thumbnail", row.thumbnail}, {"flip", row.flip}};
+    Json errors = Json::object();   // an infinite one, PSNR of what is equal, is null
+    for (const auto& [name, value] : row.errors) errors[name] = std::isfinite(value) ? Json(value) : Json();
+    Json out = {{"errors", errors}, {"counts", row.counts}, {"non_finite", row.non_finite}, {"fingerprint", row.fingerprint}, {"thumbnail", row.thumbnail}, {"flip", row.flip}};
     if (row.noise) out["noise"] = {{"bias2", row.noise->bias2}, {"variance", row.noise->variance}};
     return out;
 }
 
 void take_json(const Json& known, Row& row) {
-    row.errors = known["errors"].get<Errors>(), row.counts = known["counts"].get<std::map<std::string, double>>();
+    for (const auto& [name, value] : known["errors"].items()) row.errors[name] = value.is_null() ? kInf : value.get<double>();
+    row.counts = known["counts"].get<std::map<std::string, double>>();
     row.non_finite = known["non_finite"].get<size_t>(), row.fingerprint = known["fingerprint"].get<uint64_t>();
     row.thumbnail = known["thumbnail"].get<std::string>(), row.flip = known["flip"].get<std::string>();
     if (known.contains("noise")) row.noise = Noise{known["noise"]["bias2"].get<double>(), known["noise"]["variance"].get<double>()};
+}
+
+/// Stands for what a file holds: "" for no file. One that cannot be read is told of by who needs it.
+std::string contents_of(const std::string& path) {
+    if (path.empty()) return "";
+    const auto bytes = read_file(path);
+    return bytes ? fmt::format("{:016x}", fingerprint(*bytes)) : bytes.error();
 }
 
 /// Takes the measurements, shows how far they are, and keeps each one.
@@ -103,14 +113,15 @@ class Measuring {
     std::string key_of(const Row& row) const {
         std::string text = row.external < 0 ? "ours" : job_.externals[size_t(row.external)].text;
         for (const std::string& word : as_words(row.external < 0 ? row.options : row.setting)) text += " " + word;
-        return text;
+        const std::string& environment = row.request.compile.environment_file;
+        return environment.empty() ? text : text + " " + contents_of(environment);
     }
 
     ExternalJob external_job() const { return {job_.scene, e_.reference.picture.width, e_.reference.picture.height, job_.timeout}; }
 
-    void measure(const Picture& picture, Row& row, int seed) {
+    void measure(const Picture& picture, Row& row, int seed, double weight) {
         const MeasuredErrors measured = measure_errors(e_.reference.picture, picture, e_.clip);
-        for (const auto& [name, value] : measured.values) row.errors[name] += (name == "rmse" ? value * value : value) / job_.seeds;
+        for (const auto& [name, value] : measured.values) row.errors[name] += weight * (name == "rmse" ? value * value : value);
         row.non_finite = std::max(row.non_finite, measured.non_finite);
         if (seed > 0) return;
         row.fingerprint = fingerprint(std::as_bytes(std::span(picture.values)));
@@ -122,7 +133,7 @@ class Measuring {
         if (!run) return tl::unexpected(run.error());
         if (run->picture.width != e_.reference.picture.width || run->picture.height != e_.reference.picture.height)
             return tl::unexpected(fmt::format("{} made {} x {} pixels, not {} x {}", row.command, run->picture.width, run->picture.height, e_.reference.picture.width, e_.reference.picture.height));
-        for (int seed = 0; seed < job_.seeds; ++seed) measure(run->picture, row, seed);   // the same one: it has no seeds
+        measure(run->picture, row, 0, 1);   // it has no seeds
         return true;
     }
 
@@ -137,7 +148,7 @@ class Measuring {
             const auto run = renderer_.run(request, reading_of(row.options));
             if (!run) return tl::unexpected(run.error());
             if (seed == 0) row.counts = counts_of(run->stats);
-            measure(run->picture, row, seed);
+            measure(run->picture, row, seed, 1.0 / job_.seeds);
             spread.add(run->picture);
         }
         if (job_.seeds > 1 && row.external < 0 && row.non_finite + count_non_finite(e_.reference.picture) == 0) row.noise = spread.against(e_.reference.picture);
@@ -161,7 +172,7 @@ class Measuring {
             const auto run = renderer_.run(row.request, reading_of(row.options));
             if (!run) return tl::unexpected(run.error());
             cpu = run->cpu_seconds(), build = run->build_seconds;
-            if (fingerprint(std::as_bytes(std::span(run->picture.values))) != row.fingerprint) e_.warnings.push_back(fmt::format("{}: another run made another picture, which is a bug", row.name(job_)));
+            if (fingerprint(std::as_bytes(std::span(run->picture.values))) != row.fingerprint) e_.unrepeatable.insert(number);
         }
         row.seconds.push_back(cpu), row.build_seconds.push_back(build);
         spent_[number] = seconds_now() - start;
@@ -189,12 +200,16 @@ class Measuring {
     const double start_ = seconds_now();
 };
 
-/// Whoever reads the measurements of another run has to read the same ones.
-Json head_of(const Job& job, const std::vector<Row>& rows, const CompiledScene& scene, bool clip) {
+/// Whoever reads the measurements of another run has to read the same ones. A reference of our own that nobody described is whatever the folder has.
+Value<Json> head_of(const Job& job, const std::vector<Row>& rows, Renderer& renderer, bool clip) {
+    const auto compiled = renderer.compiled(rows[0].request, reading_of(rows[0].options));
+    if (!compiled) return tl::unexpected(compiled.error());
     Json base = Json::array();
     for (const std::string& word : as_words(job.base)) base.push_back(word);
-    Json out = {{"schema", 1}, {"options", base}, {"reference", *reference_name(job, rows)}, {"seeds", job.seeds}, {"cut off", clip}};
-    for (const auto& [name, value] : identity(scene, rows[0].request.render))
+    const std::string reference = is_usual_reference(job) ? "of our own" : *reference_name(job, rows) + (is_reference_file(job) ? " " + contents_of(job.reference) : "");
+    Json out = {{"schema", 1}, {"options", base}, {"reference", reference}, {"reference with", as_words(job.reference_with)}, {"environment", contents_of(rows[0].request.compile.environment_file)},
+                {"seeds", job.seeds}, {"cut off", clip}};
+    for (const auto& [name, value] : identity(**compiled, rows[0].request.render))
         if (name == "program" || name == "scene" || name == "size") out[name] = value;
     return out;
 }
@@ -231,18 +246,19 @@ Value<Experiment> run_experiment(const Job& job, std::vector<Row> rows) {
     Experiment e;
     e.job = job, e.rows = std::move(rows);
     Renderer renderer;
-    const auto compiled = renderer.compiled(e.rows[0].request, reading_of(e.rows[0].options));
-    if (!compiled) return tl::unexpected(compiled.error());
     e.clip = !job.externals.empty();
     Store store;
     if (!job.out.empty()) {
-        auto opened = Store::open(job.out, head_of(job, e.rows, **compiled, e.clip));
+        const auto head = head_of(job, e.rows, renderer, e.clip);
+        if (!head) return tl::unexpected(head.error());
+        auto opened = Store::open(job.out, *head);
         if (!opened) return tl::unexpected(opened.error());
         store = std::move(*opened);
     }
     auto reference = make_reference(job, e.rows, renderer, store, e.clip);
     if (!reference) return tl::unexpected(reference.error());
     e.reference = std::move(*reference);
+    if (e.reference.what != *reference_name(job, e.rows)) e.warnings.push_back(fmt::format("{} has a reference already: {} (--reference names another)", job.out, e.reference.what));
     e.clip = e.clip || e.reference.display;
     Measuring measuring(e, renderer, store);
     if (const auto done = measuring.pictures(); !done) return tl::unexpected(done.error());

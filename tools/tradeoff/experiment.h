@@ -10,7 +10,7 @@
 #include "tools/tradeoff/statistics.h"
 #include "tools/tradeoff/store.h"
 
-#include <atomic>
+#include <set>
 
 namespace alidade::tradeoff {
 
@@ -71,7 +71,9 @@ struct Experiment {
     Reference reference;
     bool clip = false;                   ///< values are cut off at 0 and 1, what files of 8 bits can hold
     std::vector<std::string> warnings;
-    const Row* default_row() const;
+    std::set<size_t> unrepeatable;       ///< rows whose next run made another picture, which is a bug
+    /// rows_of() leaves one whatever is varied.
+    const Row& default_row() const;
 };
 
 /// The settings, each one checked by the parser: an error is a usage error.
@@ -82,6 +84,9 @@ Value<Experiment> run_experiment(const Job& job, std::vector<Row> rows);
 
 /// The reference picture of a job; what it costs is not measured.
 Value<Reference> make_reference(const Job& job, const std::vector<Row>& rows, Renderer& renderer, Store& store, bool clip);
+/// No reference is named, and the scene has no exact one.
+bool is_usual_reference(const Job& job);
+bool is_reference_file(const Job& job);
 /// Which reference it is, in a word or two, before anything is rendered: an error is a usage error.
 Value<std::string> reference_name(const Job& job, const std::vector<Row>& rows);
 

@@ -9,7 +9,7 @@ byId('main').append(
     of('aside', {id: 'details', 'aria-live': 'polite'}, of('p', {class: 'quiet'}, 'Point at a setting, or go to it with the Tab key.'))),
   of('p', {id: 'legend', class: 'quiet'}), of('ul', {id: 'recommended'}), of('ul', {id: 'complaints'}),
   of('table', {}, of('thead', {}, of('tr', {id: 'heads'})), of('tbody', {id: 'rows'})));
-const number = value => value === null || value === undefined ? '-' : Number(value).toPrecision(4).replace(/\.?0+($|e)/, '$1');
+const number = value => value === null || value === undefined ? '-' : brief(value);
 const errorOf = row => row.errors[data.metric];
 
 // ---- The plot: both axes logarithmic; an error of 0 stands on the floor ----

@@ -45,7 +45,7 @@ Value<int> own_samples(const Job& job, const std::vector<Row>& rows) {
     return int(*samples);
 }
 
-bool is_exact(const Job& job) { return is_analytic(job.scene) && (job.reference.empty() || job.reference == "exact"); }
+bool is_exact(const Job& job) { return find_analytic(job.scene) && (job.reference.empty() || job.reference == "exact"); }
 
 Setting best_options(const Job& job) {
     Setting options = job.base;
@@ -148,6 +148,12 @@ Value<Reference> made(const Job& job, const std::vector<Row>& rows, Renderer& re
 std::string kept_in(const Store& store) { return store.folder() + "/reference.pfm"; }
 
 }  // namespace
+
+bool is_usual_reference(const Job& job) { return !is_exact(job) && (job.reference.empty() || job.reference == "self"); }
+
+bool is_reference_file(const Job& job) {
+    return !job.reference.empty() && job.reference != "exact" && job.reference != "povray" && job.reference != "self" && !job.reference.starts_with("self:");
+}
 
 Value<std::string> reference_name(const Job& job, const std::vector<Row>& rows) {
     if (is_analytic(job.scene) && !find_analytic(job.scene)) return std::string();   // which the renderer tells of

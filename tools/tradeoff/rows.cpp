@@ -24,6 +24,7 @@ bool is_placeholder(const Job& job, const std::string& name) {
 constexpr const char* kNotVaried[] = {"size", "region", "aov", "camera", "exposure", "time"};
 
 std::string why_no_axes(const Job& job) {
+    if (std::any_of(job.base.begin(), job.base.end(), [](const Choice& choice) { return choice.name == "region"; })) return "--region: errors are those of whole pictures; take a smaller --size";
     for (size_t i = 0; i < job.axes.size(); ++i) {
         const Axis& axis = job.axes[i];
         if (std::any_of(job.axes.begin(), job.axes.begin() + long(i), [&](const Axis& other) { return other.name == axis.name; })) return fmt::format("--vary: '{}' is varied twice", axis.name);
@@ -93,9 +94,8 @@ double Row::error(const std::string& column) const {
     return found == errors.end() ? kInf : found->second;
 }
 
-const Row* Experiment::default_row() const {
-    const auto found = std::find_if(rows.begin(), rows.end(), [](const Row& row) { return row.is_default; });
-    return found == rows.end() ? nullptr : &*found;
+const Row& Experiment::default_row() const {
+    return *std::find_if(rows.begin(), rows.end(), [](const Row& row) { return row.is_default; });
 }
 
 Value<std::vector<Row>> rows_of(const Job& job) {

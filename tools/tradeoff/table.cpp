@@ -34,8 +34,9 @@ Line line_of(const Experiment& e, const Verdicts& v, size_t i) {
     const auto rays = row.counts.find("rays");
     Line line{v.front[i] ? "*" : "", fmt::format("{:.4g}", time.median), fmt::format("{:.2g}", time.deviation), rays == row.counts.end() ? "-" : fmt::format("{:.4g}", rays->second / 1e6)};
     const auto error = [&](const char* name) { return row.errors.contains(name) ? fmt::format("{:.4g}", row.error(name)) : "-"; };
-    line.push_back((v.uncertain[i] ? "~" : "") + error("rmse"));
-    if (v.metric != "rmse" && v.metric != "flip") line.push_back(error(v.metric.c_str()));
+    const std::string mark = v.uncertain[i] ? "~" : "";   // before the error that decides it
+    line.push_back((v.metric == "rmse" ? mark : "") + error("rmse"));
+    if (v.metric != "rmse" && v.metric != "flip" && v.metric != "over4") line.push_back(mark + error(v.metric.c_str()));
     line.push_back(error("flip"));
     line.push_back(row.errors.contains("over4") ? fmt::format("{:.3g}", 100 * row.error("over4")) : "-");
     if (e.job.seeds > 1) {
@@ -43,22 +44,20 @@ Line line_of(const Experiment& e, const Verdicts& v, size_t i) {
         line.push_back(row.noise ? fmt::format("{:.2g}", row.noise->variance) : "-");
     }
     if (e.job.instructions) line.push_back(row.instructions ? fmt::format("{:.5g}", *row.instructions / 1e6) : "-");
-    if (const Row* usual = e.default_row()) {
-        line.push_back(differ(time, usual->time()) ? times(time.median, usual->time().median) : "=");
-        line.push_back(times(row.error(v.metric), usual->error(v.metric)));
-    }
+    const Row& usual = e.default_row();
+    line.push_back(differ(time, usual.time()) ? times(time.median, usual.time().median) : "=");
+    line.push_back(times(row.error(v.metric), usual.error(v.metric)));
     line.push_back(row.name(e.job) + (row.is_default && !row.setting.empty() ? "  (default)" : ""));
     return line;
 }
 
 Line head_of(const Experiment& e, const Verdicts& v) {
     Line head{"", "CPU s", "+-", "Mrays", "rmse"};
-    if (v.metric != "rmse" && v.metric != "flip") head.push_back(v.metric);
+    if (v.metric != "rmse" && v.metric != "flip" && v.metric != "over4") head.push_back(v.metric);
     head.insert(head.end(), {"flip", ">4/255 %"});
     if (e.job.seeds > 1) head.insert(head.end(), {"bias^2", "variance"});
     if (e.job.instructions) head.emplace_back("Minstr");
-    if (e.default_row()) head.insert(head.end(), {"x time", "x error"});
-    head.emplace_back("setting");
+    head.insert(head.end(), {"x time", "x error", "setting"});
     return head;
 }
 
@@ -84,6 +83,7 @@ std::string as_lines(const Experiment& e, const Verdicts& v) {
     for (const Met& met : v.required)
         out += fmt::format("{}: {}\n", met.requirement.text, met.rows.empty() ? "NO SETTING MEETS IT" : fmt::format("met by {} settings, first {}", met.rows.size(), e.rows[met.rows[0]].name(e.job)));
     if (!v.free_axes.empty() && v.not_free.empty()) out += fmt::format("free, bit for bit: {}\n", fmt::join(v.free_axes, ", "));
+    if (!v.unchecked_axes.empty()) out += fmt::format("not checked, as no two settings differ in nothing else: {}\n", fmt::join(v.unchecked_axes, ", "));
     return out;
 }
 

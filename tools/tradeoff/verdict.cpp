@@ -31,14 +31,14 @@ std::vector<size_t> by_time(const Experiment& e) {
 }
 
 void recommend(const Experiment& e, const Questions& q, Verdicts& v) {
-    const Row* usual = e.default_row();
-    v.most_error = q.error.value_or(usual ? usual->error(v.metric) : kInf);
-    v.most_time = q.time.value_or(usual ? usual->time().median : kInf);
+    const Row& usual = e.default_row();
+    v.most_error = q.error.value_or(usual.error(v.metric));
+    v.most_time = q.time.value_or(usual.time().median);
     const std::vector<size_t> order = by_time(e);
     for (const size_t i : order) {
         const double error = e.rows[i].error(v.metric);
         if (!v.fastest && error <= v.most_error) v.fastest = i;
-        const bool in_time = e.rows[i].time().median <= v.most_time || (!q.time && usual && !differ(e.rows[i].time(), usual->time()));
+        const bool in_time = e.rows[i].time().median <= v.most_time || (!q.time && !differ(e.rows[i].time(), usual.time()));
         if (in_time && (!v.best || error < e.rows[*v.best].error(v.metric))) v.best = i;
     }
     std::vector<size_t> members;
@@ -89,11 +89,18 @@ Met met(const Experiment& e, const Requirement& requirement) {
     return out;
 }
 
-/// The options that may change the picture.
+/// The options that may change the picture, in an order of their own: settings have the varied ones last.
 std::string paid_part(const Row& row) {
     Setting paid = row.options;
     std::erase_if(paid, [](const Choice& choice) { return must_be_free(choice.name); });
+    std::stable_sort(paid.begin(), paid.end(), [](const Choice& a, const Choice& b) { return a.name < b.name; });
     return label(paid);
+}
+
+/// What it says of an option, if anything.
+std::string said_of(const Row& row, const std::string& option) {
+    const auto found = std::find_if(row.options.begin(), row.options.end(), [&](const Choice& choice) { return choice.name == option; });
+    return found == row.options.end() ? "" : found->value;
 }
 
 /// Pictures are not kept: both are made once more.
@@ -112,17 +119,20 @@ std::string first_difference(const Experiment& e, const Row& a, const Row& b) {
 }
 
 void check_free_axes(const Experiment& e, Verdicts& v) {
-    for (const Axis& axis : e.job.axes)
-        if (must_be_free(axis.name)) v.free_axes.push_back(axis.name);
-    if (v.free_axes.empty()) return;
+    for (const size_t i : e.unrepeatable) v.not_free.push_back({i, i, fmt::format("{}: another run made another picture, which is a bug", e.rows[i].name(e.job))});
+    std::set<std::string> compared;
     std::map<std::string, size_t> first;
     for (size_t i = 0; i < e.rows.size(); ++i) {
         const Row& row = e.rows[i];
         if (row.external >= 0) continue;
         const size_t other = first.emplace(paid_part(row), i).first->second;
+        for (const Axis& axis : e.job.axes)
+            if (said_of(row, axis.name) != said_of(e.rows[other], axis.name)) compared.insert(axis.name);
         if (row.fingerprint == e.rows[other].fingerprint) continue;
         v.not_free.push_back({other, i, fmt::format("{} and {} made different pictures, which is a bug{}", e.rows[other].name(e.job), row.name(e.job), first_difference(e, e.rows[other], row))});
     }
+    for (const Axis& axis : e.job.axes)
+        if (must_be_free(axis.name)) (compared.contains(axis.name) ? v.free_axes : v.unchecked_axes).push_back(axis.name);
 }
 
 }  // namespace

@@ -49,7 +49,8 @@ struct Verdicts {
     std::optional<size_t> fastest, best, knee;
     std::vector<Met> required;
     std::vector<NotFree> not_free;
-    std::vector<std::string> free_axes; ///< that were checked: names
+    std::vector<std::string> free_axes; ///< names of those that were checked
+    std::vector<std::string> unchecked_axes;   ///< and of those that no two settings differ in without differing in what is paid for
 };
 
 struct Questions {

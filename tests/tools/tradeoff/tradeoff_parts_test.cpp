@@ -172,6 +172,7 @@ Experiment with_two_accelerators(const std::string& second_spp) {
     for (const char* accel : {"bvh", "grid"}) {
         Row row;
         row.setting = {{"accel", accel}};
+        row.is_default = e.rows.empty();
         row.options = {{"accel", accel}, {"size", "8x8"}, {"spp", "1"}};
         Setting real = row.options;
         if (!e.rows.empty()) real.back().value = second_spp;
@@ -188,9 +189,28 @@ TEST(TradeoffVerdict, AFreeAxisThatChangesThePictureIsTold) {
     const Verdicts fine = judge(with_two_accelerators("1"), {});
     EXPECT_EQ(fine.free_axes, (std::vector<std::string>{"accel"}));
     EXPECT_TRUE(fine.not_free.empty());
+    EXPECT_TRUE(fine.unchecked_axes.empty());
     const Verdicts bad = judge(with_two_accelerators("4"), {});
     ASSERT_EQ(bad.not_free.size(), 1u);
     EXPECT_EQ(bad.not_free[0].sentence.rfind("accel=bvh and accel=grid made different pictures, which is a bug: pixel ", 0), 0u) << bad.not_free[0].sentence;
+}
+
+TEST(TradeoffVerdict, AnAxisIsCalledFreeOnlyWhereItWasCompared) {
+    Experiment e = with_two_accelerators("1");
+    e.rows[1].options.back().value = "4";   // which is paid for
+    EXPECT_TRUE(judge(e, {}).free_axes.empty());
+    EXPECT_EQ(judge(e, {}).unchecked_axes, (std::vector<std::string>{"accel"}));
+    e.rows[1].options = {{"spp", "1"}, {"accel", "grid"}, {"size", "8x8"}};   // in another order
+    e.rows[1].fingerprint = 1;
+    EXPECT_EQ(judge(e, {}).free_axes, (std::vector<std::string>{"accel"}));
+    EXPECT_EQ(judge(e, {}).not_free.size(), 1u);
+}
+
+TEST(TradeoffVerdict, APictureThatDoesNotComeAgainIsTold) {
+    Experiment e = with_two_accelerators("1");
+    e.unrepeatable = {1};
+    ASSERT_EQ(judge(e, {}).not_free.size(), 1u);
+    EXPECT_EQ(judge(e, {}).not_free[0].sentence, "accel=grid: another run made another picture, which is a bug");
 }
 
 TEST(TradeoffVerdict, WhatIsWithinTheReferencesErrorIsMarked) {
@@ -240,7 +260,7 @@ TEST(TradeoffErrors, OfEqualPicturesAreNone) {
     for (size_t i = 0; i < a.values.size(); ++i) a.values[i] = float(i % 7) / 7;
     const MeasuredErrors errors = measure_errors(a, a, false);
     for (const ErrorColumn& column : error_columns())
-        if (column.is_error()) { EXPECT_EQ(errors.values.at(column.name), 0) << column.name; }
+        if (column.is_error) { EXPECT_EQ(errors.values.at(column.name), 0) << column.name; }
     EXPECT_EQ(errors.values.at("ssim"), 1);
     Picture b = a;
     b.values[5] = NAN, b.values[8] = INFINITY;
