@@ -16,7 +16,7 @@ struct SphereCase {
     double distance;   ///< of the ray's origin from the centre
 };
 
-/// A sphere of any size somewhere, and a ray from `distance` radii away to a point `aside` radii from its centre.
+/// A sphere of any size somewhere, and a ray from `distance` radii away that passes `aside` radii from its centre.
 SphereCase aimed(Draws& draws, double distance, double aside) {
     SphereCase c;
     c.sphere = {draws.in_box(Vec3(-10), Vec3(10)), std::pow(10, draws.uniform(-6, 6))};
@@ -24,9 +24,8 @@ SphereCase aimed(Draws& draws, double distance, double aside) {
     Vec3 side, up;
     orthonormal_basis(from, side, up);
     const double phi = draws.uniform(0, 2 * kPi);
-    const Vec3 aim = c.sphere.center + (side * std::cos(phi) + up * std::sin(phi)) * (aside * c.sphere.radius);
-    c.ray.origin = c.sphere.center + from * (distance * c.sphere.radius);
-    c.ray.dir = normalized(aim - c.ray.origin), c.ray.tmin = -kInf;
+    c.ray.origin = c.sphere.center + (from * distance + (side * std::cos(phi) + up * std::sin(phi)) * aside) * c.sphere.radius;
+    c.ray.dir = from * -draws.uniform(0.1, 10), c.ray.tmin = -kInf;
     c.distance = distance * c.sphere.radius + length(c.sphere.center);
     return c;
 }
@@ -73,8 +72,12 @@ Check sphere_tangent() {
         const SphereCase c = aimed(draws, std::pow(10, draws.uniform(0.5, 3)), aside);
         const Exact inside = depth(c);
         if (abs(inside) <= 4 * ulp(c.distance)) return;
-        const int count = found(c).count;
-        tally.decide(count == (inside > 0 ? 2 : 0), [&] { return text(c, count); });
+        const Crossings got = found(c);
+        const auto what = [&] { return text(c, got.count); };
+        tally.decide(got.count == (inside > 0 ? 2 : 0), what);
+        if (inside < 0 || got.count != 2) return;
+        const std::vector<Exact> t = exact_crossings(c);
+        for (size_t i = 0; i < 2; ++i) tally.measure(ulps(got.at[i].t, t[i], t[i].get_d()), 4, what);
     };
 }
 

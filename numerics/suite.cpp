@@ -12,9 +12,9 @@ using namespace numerics;
 constexpr NumericsRow kSuite[] = {
     {"T07", "sphere-far", "spheres from 4 to 1e12 radii away; 512-bit arithmetic; units in the last place of t", "t within 4, hit or miss right outside of 4 units of the distance",
      "POV-Ray misses 0.4 % at 9e5 radii", 40000, 10000000, sphere_far},
-    {"T08", "sphere-tangent", "lines 1e-3 to 1e-14 radii inside or outside of the silhouette; 512-bit arithmetic", "hit or miss right outside of 4 units of the distance",
+    {"T08", "sphere-tangent", "lines 1e-3 to 1e-14 radii inside or outside of the silhouette; 512-bit arithmetic", "hit or miss right outside of 4 units of the distance, t within 4",
      "POV-Ray misses all at 1e-12", 40000, 10000000, sphere_tangent},
-    {"T09", "quadric-cancel", "cylinder, cone, ellipsoid 1:1e6, paraboloid, from 10 to 1e6 away; 512-bit arithmetic; units in the last place of t, or of the distance where that is more", "t within 4, normals within 1e-12 radians",
+    {"T09", "quadric-cancel", "cylinder, cone, ellipsoid 1:1e6, paraboloid, from 10 to 1e6 away; 512-bit arithmetic; units in the last place of t, or of the distance where that is more", "t within 4, normals within 1e-12 radians where it is less than 100 away",
      "", 20000, 4000000, quadric_cancel},
     {"T10", "quartic-far", "a torus and its quartic from 2 to 1e8 major radii away, half of the lines 1e-3 to 1e-9 from a tangent; Sturm's theorem in 512 bits; units of the distance",
      "no crossing missed or wrong, within 4 of the surface", "POV-Ray's quartic fails always from 1e4 on", 1500, 200000, quartic_far},

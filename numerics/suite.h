@@ -2,6 +2,7 @@
 /// What is measured of the numbers: rows of a table, each with its own inputs, an oracle that does not round, and a goal.
 #pragma once
 
+#include <cmath>
 #include <cstdint>
 #include <functional>
 #include <span>
@@ -21,7 +22,7 @@ class NumericsTally {
     }
     /// An error, in the row's unit; what is above `goal` is wrong, and so is NaN.
     template <class What> void measure(double error, double goal, What&& what) {
-        if (!(error <= worst_)) worst_ = error, worst_case_ = case_;
+        if (!(error <= worst_) && !std::isnan(worst_)) worst_ = error, worst_case_ = case_;
         decide(error <= goal, what);
     }
 

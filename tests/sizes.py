@@ -10,7 +10,7 @@ import pathlib
 import subprocess
 import sys
 
-FOLDERS = "core scene topology eval accel stress importers exporters tracer tools tests bench".split()
+FOLDERS = "core scene topology eval accel stress importers exporters tracer numerics tools tests bench".split()
 P95, FUNCTION, FILE = 40, 120, 400
 
 

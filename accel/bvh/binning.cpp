@@ -2,7 +2,6 @@
 #include "accel/bvh/binning.h"
 
 // This file is compiled once for each of these targets, by including itself.
-#define HWY_DISABLED_TARGETS (HWY_SSSE3 | HWY_AVX3_DL)
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "accel/bvh/binning.cpp"
 #include "hwy/foreach_target.h"

@@ -141,18 +141,6 @@ std::string part_name(const Imf::Header& header, int number) { return header.has
 
 bool is_within(const Window& a, const Window& b) { return a.x >= b.x && a.y >= b.y && a.x + a.width <= b.x + b.width && a.y + a.height <= b.y + b.height; }
 
-/// What a file says of a part beyond what is read of it.
-void tell_left_out(const Imf::Header& header, std::vector<std::string>& left_out) {
-    const auto add = [&](const char* clause) {
-        if (std::find(left_out.begin(), left_out.end(), clause) == left_out.end()) left_out.push_back(clause);
-    };
-    if (!is_within(Window(header.dataWindow()), Window(header.displayWindow()))) add("pixels outside of its display window");
-    const Imf::Chromaticities usual, own = Imf::hasChromaticities(header) ? Imf::chromaticities(header) : usual;
-    constexpr float kSame = 1e-3f;
-    const auto same = [](const Imath::V2f& a, const Imath::V2f& b) { return a.equalWithAbsError(b, kSame); };
-    if (!same(own.red, usual.red) || !same(own.green, usual.green) || !same(own.blue, usual.blue) || !same(own.white, usual.white)) add("its chromaticities, which are not Rec. 709's");
-}
-
 /// Are there integers that a float rounds?
 bool has_large_integers(const Imf::ChannelList& channels, const Picture& picture) {
     constexpr float kLargest = 0x1p24f;
@@ -163,6 +151,19 @@ bool has_large_integers(const Imf::ChannelList& channels, const Picture& picture
             if (picture.values[i] >= kLargest) return true;
     }
     return false;
+}
+
+/// What a file says of a part beyond what is read of it.
+void tell_left_out(const Imf::Header& header, const Picture& read, std::vector<std::string>& left_out) {
+    const auto add = [&](const char* clause) {
+        if (std::find(left_out.begin(), left_out.end(), clause) == left_out.end()) left_out.push_back(clause);
+    };
+    if (!is_within(Window(header.dataWindow()), Window(header.displayWindow()))) add("pixels outside of its display window");
+    const Imf::Chromaticities usual, own = Imf::hasChromaticities(header) ? Imf::chromaticities(header) : usual;
+    constexpr float kSame = 1e-3f;
+    const auto same = [](const Imath::V2f& a, const Imath::V2f& b) { return a.equalWithAbsError(b, kSame); };
+    if (!same(own.red, usual.red) || !same(own.green, usual.green) || !same(own.blue, usual.blue) || !same(own.white, usual.white)) add("its chromaticities, which are not Rec. 709's");
+    if (has_large_integers(header.channels(), read)) add("the last digits of integers from 16777216 on");
 }
 
 Result<Stored> decode(std::span<const std::byte> bytes) {
@@ -183,8 +184,7 @@ Result<Stored> decode(std::span<const std::byte> bytes) {
             ++other_parts;
             continue;
         }
-        tell_left_out(file.header(i), left_out);
-        if (has_large_integers(file.header(i).channels(), *part)) left_out.push_back("the last digits of integers from 16777216 on");
+        tell_left_out(file.header(i), *part, left_out);
         for (std::string& name : part->names) name = i == 0 ? name : part_name(file.header(i), i) + "." + name;
         channels += part->names.size();
         parts.push_back(std::move(*part));

@@ -56,11 +56,15 @@ bool write_all(File& file, std::span<const std::byte> bytes) {
     return file.close();
 }
 
+/// Names of what is open already: /dev/stdout, /dev/fd/3, /proc/self/fd/3.
+bool is_descriptor(const std::string& path) {
+    return path == "/dev/stdout" || path == "/dev/stderr" || path.starts_with("/dev/fd/") || (path.starts_with("/proc/") && path.find("/fd/") != path.npos);
+}
+
 /// A device, a pipe, or a descriptor by its name: what stands there stays, and takes the bytes. A pipe without a reader is an error, and not waited for.
 bool is_written_in_place(const std::string& path) {
     struct stat status {};
-    const bool there = ::stat(path.c_str(), &status) == 0;
-    return there && (!S_ISREG(status.st_mode) || path.starts_with("/dev/") || path.starts_with("/proc/"));
+    return ::stat(path.c_str(), &status) == 0 && (!S_ISREG(status.st_mode) || is_descriptor(path));
 }
 
 tl::expected<void, std::string> write_in_place(const std::string& path, std::span<const std::byte> bytes) {

@@ -141,26 +141,30 @@ Result<Stored> decode_png(std::span<const std::byte> bytes) {
     return stored;
 }
 
+/// `format`: libpng's PNG_FORMAT_...; `codes`: of 8 or 16 bits, as the format has them.
+static Result<Bytes> written(const Picture& picture, uint32_t format, const void* codes) {
+    png_image out{};
+    out.version = PNG_IMAGE_VERSION;
+    out.width = png_uint_32(picture.width);
+    out.height = png_uint_32(picture.height);
+    out.format = format;
+    // Without it, the smallest file of a few choices is looked for: a fifth smaller, eight times as slow, and longer than many a picture takes to render.
+    out.flags = PNG_IMAGE_FLAG_FAST;
+    png_alloc_size_t size = PNG_IMAGE_PNG_SIZE_MAX(out);
+    Bytes bytes(size);
+    const int done = png_image_write_to_memory(&out, bytes.data(), &size, 0, codes, 0, nullptr);
+    png_image_free(&out);
+    if (!done) return tl::unexpected(std::string(out.message));
+    bytes.resize(size);
+    return bytes;
+}
+
 Result<Bytes> encode_png(const Picture& picture) {
     const ColorChannels colors = color_channels(picture);
     if (colors.count == 0) return tl::unexpected(std::string("PNG holds colour, but the picture has no channels R, G, B or Y"));
     const bool with_alpha = is_transparent(picture, colors);
     const std::vector<uint8_t> codes = encode_8bit(picture, colors, with_alpha);
-
-    png_image out{};
-    out.version = PNG_IMAGE_VERSION;
-    out.width = png_uint_32(picture.width);
-    out.height = png_uint_32(picture.height);
-    out.format = (colors.count == 3 ? PNG_FORMAT_FLAG_COLOR : 0u) | (with_alpha ? PNG_FORMAT_FLAG_ALPHA : 0u);
-    // Without it, the smallest file of a few choices is looked for: a fifth smaller, eight times as slow, and longer than many a picture takes to render.
-    out.flags = PNG_IMAGE_FLAG_FAST;
-    png_alloc_size_t size = PNG_IMAGE_PNG_SIZE_MAX(out);
-    Bytes bytes(size);
-    const int done = png_image_write_to_memory(&out, bytes.data(), &size, 0, codes.data(), 0, nullptr);
-    png_image_free(&out);
-    if (!done) return tl::unexpected(std::string(out.message));
-    bytes.resize(size);
-    return bytes;
+    return written(picture, (colors.count == 3 ? PNG_FORMAT_FLAG_COLOR : 0u) | (with_alpha ? PNG_FORMAT_FLAG_ALPHA : 0u), codes.data());
 }
 
 }  // namespace alidade::image
@@ -171,20 +175,8 @@ tl::expected<std::vector<std::byte>, std::string> encode_linear_png(const Pictur
     if (picture.channels != 3 && picture.channels != 4) return tl::unexpected(std::string("a linear PNG file has channels R, G, B, or R, G, B, A"));
     std::vector<uint16_t> codes;
     codes.reserve(picture.values.size());
-    for (const float value : picture.values) codes.push_back(uint16_t(std::clamp(value, 0.0f, 1.0f) * 65535.0f + 0.5f));
-    png_image out{};
-    out.version = PNG_IMAGE_VERSION;
-    out.width = png_uint_32(picture.width);
-    out.height = png_uint_32(picture.height);
-    out.format = picture.channels == 4 ? PNG_FORMAT_LINEAR_RGB_ALPHA : PNG_FORMAT_LINEAR_RGB;
-    out.flags = PNG_IMAGE_FLAG_FAST;
-    png_alloc_size_t size = PNG_IMAGE_PNG_SIZE_MAX(out);
-    std::vector<std::byte> bytes(size);
-    const int done = png_image_write_to_memory(&out, bytes.data(), &size, 0, codes.data(), 0, nullptr);
-    png_image_free(&out);
-    if (!done) return tl::unexpected(std::string(out.message));
-    bytes.resize(size);
-    return bytes;
+    for (const float value : picture.values) codes.push_back(uint16_t(value > 0 ? std::min(value, 1.0f) * 65535.0f + 0.5f : 0));   // NaN is 0
+    return image::written(picture, picture.channels == 4 ? PNG_FORMAT_LINEAR_RGB_ALPHA : PNG_FORMAT_LINEAR_RGB, codes.data());
 }
 
 }  // namespace alidade

@@ -2,6 +2,7 @@
 #include "eval/shapes/frustum.h"
 
 #include "eval/shapes/approach.h"
+#include "eval/shapes/twice.h"
 
 namespace alidade {
 
@@ -51,6 +52,21 @@ double Frustum::polished(const Line& line, double t) const {
         t = next, here = there;
     }
     return t;
+}
+
+/// The crossing of the side at `s` along the line, where the ray is at `t`: near a tangent the roundings of |q| - |r| move it far.
+double Frustum::near_tangent(const Line& line, double s, const Ray& ray, double t) const {
+    const Vec3 across = line.start.across + s * line.across;
+    const double radius = line.start.radius + s * line.radius, slope = dot(across, line.across) - radius * line.radius;
+    if (slope * slope >= kNearTangent * dot(across, across) * (1 + slope_ * slope_) * line.size * line.size) return t;
+    const TwiceVec start = TwiceVec::difference(ray.origin, a_), axis(axis_);
+    const auto f = [&](double at) {
+        const TwiceVec x = start.moved(at, ray.dir);
+        const Twice along = dot(x, axis), r = slope_ * along + radius_a_;
+        const TwiceVec q = x.moved(-along, axis);
+        return dot(q, q) - r * r;
+    };
+    return refined(f, t, 2 * slope);
 }
 
 /// Where |q| <= |r|; returns how many stretches that are, in order.
@@ -107,13 +123,16 @@ Crossings Frustum::crossings(const Ray& ray, const ShapeGeometry& geometry) cons
     if (count == 0) return out;
     const LineInterval box = inside_bounds(ray, bounds(geometry));
     if (box.empty()) return out;
+    double last = -kInf;
     for (int i = 0; i < count; ++i) {
         const End enter = found[i].enter.t >= between.enter.t ? found[i].enter : between.enter;
         const End leave = found[i].leave.t <= between.leave.t ? found[i].leave : between.leave;
         if (!(enter.t <= leave.t)) continue;
         for (const End& end : {enter, leave}) {
             if ((open_ && end.part != 0) || !std::isfinite(end.t)) continue;
-            out.add(std::clamp(p.shift + (p.rest + end.t), box.entry, box.exit), end.part);
+            const double s = p.rest + end.t, t = p.shift + s;
+            last = std::max(last, end.part == 0 ? near_tangent(line, s, ray, t) : t);
+            out.add(std::clamp(last, box.entry, box.exit), end.part);
         }
     }
     return out;

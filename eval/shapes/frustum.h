@@ -14,7 +14,7 @@ class Frustum {
     /// Method   the ray is moved to its point nearest to `a`: p + t d. With w the unit axis, h and q the parts of a point along and across it (H and Q of
     ///          the direction), and the radius r = radius_a + k h that the axis says, the side is |q|^2 = r^2. Its discriminant is
     ///          |r Q - k H q|^2 - |q x Q|^2, a difference of squares that cancels only at the silhouette; of the two roots, the one without cancellation
-    ///          comes from the formula, the other from their product. Each is polished by Newton steps on |q| - |r|, which carries no squares. Then the
+    ///          comes from the formula, the other from their product. Each is polished by Newton steps on |q| - |r|, which carries no squares, and near a tangent by one with twice the digits. Then the
     ///          stretches with |q| <= |r| are cut to those between the caps.
     /// Error    of t: <= 4 units of 2^-52 (|t| + size / |d|) / cosine of the angle to the normal, size being that of the shape. Held by
     ///          tests/eval/frustum_test.cpp against 113-bit arithmetic.
@@ -43,6 +43,7 @@ class Frustum {
     Vec3 outwards(const Place& here, const Vec3& any) const;
     Vec3 side_normal(const Place& here, const Vec3& outwards) const;
     double polished(const Line& line, double t) const;
+    double near_tangent(const Line& line, double s, const Ray& ray, double t) const;
     int stretches(const Line& line, Stretch (&out)[2]) const;
 
     Vec3 a_, b_, axis_;

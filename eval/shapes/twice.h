@@ -65,6 +65,15 @@ struct TwiceVec {
     }
 };
 
+/// Lines whose cosine to the normal has a smaller square than this are near a tangent.
+inline constexpr double kNearTangent = 1.0 / 16;
+
+/// A root of a function with derivative `slope` there, after a Newton step with twice the digits if that leads nearer. `f(t)` is a Twice.
+template <class F> double refined(const F& f, double t, double slope) {
+    const double here = f(t).value(), next = t - here / slope;
+    return std::isfinite(next) && std::abs(f(next).value()) < std::abs(here) ? next : t;
+}
+
 inline Twice dot(const TwiceVec& a, const TwiceVec& b) { return a.v[0] * b.v[0] + a.v[1] * b.v[1] + a.v[2] * b.v[2]; }
 
 }  // namespace alidade

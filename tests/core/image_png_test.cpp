@@ -195,6 +195,9 @@ TEST(LinearPng, KeepsLinearValues) {
         for (int c = 0; c < 3; ++c) EXPECT_NEAR(double(pixel[c]) * alpha, double(picture.values[size_t(4 * i + c)]), 1.1 / 65535);
     }
     EXPECT_FALSE(encode_linear_png(Picture(1, 1, {"Y"})));
+    Picture odd(1, 1, {"R", "G", "B"});
+    odd.values = {NAN, -INFINITY, INFINITY};
+    EXPECT_EQ(decode_stored_picture(*encode_linear_png(odd))->picture.values, (std::vector<float>{0, 0, 1}));
 }
 
 TEST(EncodePicture, GivesTheBytesOfAFile) {

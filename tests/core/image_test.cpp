@@ -2,11 +2,13 @@
 /// Writing pictures and reading them back: what is exact is exact, what is rounded is rounded as the standard says, and a failure leaves nothing.
 #include "core/image.h"
 
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <sys/resource.h>
 #include <sys/stat.h>
+#include <unistd.h>
 
 #include <bit>
 #include <csignal>
@@ -213,6 +215,16 @@ TEST_F(ImageFiles, LinksAreFollowedAndWhatIsNoFileStays) {
     EXPECT_THAT(write_file(path("full"), std::vector<std::byte>(1)).error(), HasSubstr("No space left"));
     EXPECT_TRUE(fs::is_symlink(path("full")));
     EXPECT_TRUE(fs::is_character_file("/dev/full"));
+}
+
+/// Files there are files, though their path begins as a device's does.
+TEST(ImageFilesInMemory, AreReplacedWhole) {
+    if (!fs::is_directory("/dev/shm")) GTEST_SKIP() << "there is no /dev/shm";
+    const std::string path = fmt::format("/dev/shm/alidade_test_{}", ::getpid());
+    ASSERT_TRUE(write_file(path, std::vector<std::byte>(200)));
+    ASSERT_TRUE(write_file(path, std::vector<std::byte>(3)));
+    EXPECT_EQ(fs::file_size(path), 3u);
+    fs::remove(path);
 }
 
 TEST(Image, KnowsTheEndingsThatNeedNoModule) {

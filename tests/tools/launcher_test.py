@@ -2,6 +2,7 @@
 """The launcher's own logic, in a small tree with stand-ins for cmake, dpkg-query, apt-get and sudo that write down how they were called."""
 import os
 import pathlib
+import re
 import subprocess
 import tempfile
 import time
@@ -75,6 +76,13 @@ class Launcher(unittest.TestCase):
         self.assertEqual(len(self.called()), 1)
         self.launch()
         self.assertEqual(self.called(), [])
+
+    def test_all_folders_of_the_program_are_watched(self):
+        folders = set(re.search(r"set\(ALIDADE_FOLDERS ([^)]*)\)", (ROOT / "CMakeLists.txt").read_text())[1].split())
+        self.assertEqual(folders - set(re.search(r"for each in (.*); do", (ROOT / "alidade").read_text())[1].split()), set())
+        for script in ("layers", "sizes"):
+            text = (ROOT / "tests" / f"{script}.py").read_text()
+            self.assertEqual([folder for folder in sorted(folders) if not re.search(rf"\b{folder}\b", text)], [], script)
 
     def test_a_link_and_another_folder(self):
         elsewhere = self.top / "elsewhere"
