@@ -12,6 +12,7 @@
 #include <cmath>
 #include <map>
 #include <new>
+#include <set>
 
 namespace alidade {
 
@@ -207,10 +208,11 @@ class StressRun {
         if (!peer.accountable) return;
         for (StressDisagreement& known : out_.disagreements)
             if (known.peer == peer.name && known.precision == peer.precision && known.rays == set.name) {
-                known.wrong += known.ray != ray;
+                known.wrong += accused_.emplace(&known - out_.disagreements.data(), ray).second;
                 if (ray < known.ray) known.ray = ray, known.asked = set.rays[ray], known.got = got, known.wanted = wanted;
                 return;
             }
+        accused_.emplace(out_.disagreements.size(), ray);
         out_.disagreements.push_back({peer.name, peer.precision, set.name, set.question, ray, 1, set.rays[ray], got, wanted});
     }
 
@@ -222,6 +224,7 @@ class StressRun {
     StressBudget budget_;
     StressOracle oracle_;
     StressFigures out_;
+    std::set<std::pair<size_t, size_t>> accused_;    // disagreements and their rays: several may find one wrong
     size_t rays_ = 0, standing_ = 0;
     double done_ = 0;
     std::vector<std::vector<double>> builds_;        // seconds, by peer

@@ -2,7 +2,9 @@
 #include "tools/json.h"
 
 #include <algorithm>
+#include <cmath>
 #include <fmt/format.h>
+#include <fstream>
 #include <nlohmann/json.hpp>
 
 namespace alidade {
@@ -78,6 +80,22 @@ Json to_json(const Diagnostics& diagnostics) {
     for (const Diagnostic& d : diagnostics.list())
         list.push_back({{"severity", kSeverity[int(d.severity)]}, {"where", diagnostics.where(d.at)}, {"message", d.message}, {"hint", d.hint}});
     return list;
+}
+
+Json number_or_null(double value) { return std::isfinite(value) ? Json(value) : Json(); }
+
+std::string processor() {
+    std::ifstream lines("/proc/cpuinfo");
+    for (std::string line; std::getline(lines, line);)
+        if (line.starts_with("model name") && line.find(": ") != line.npos) return line.substr(line.find(": ") + 2);
+    return "unknown";
+}
+
+std::string csv_cell(const std::string& text) {
+    if (text.find_first_of(",\"\n\r") == text.npos) return text;
+    std::string out = "\"";
+    for (const char c : text) out += c == '"' ? std::string("\"\"") : std::string(1, c);
+    return out + "\"";
 }
 
 std::string as_text(const Json& object) {

@@ -18,6 +18,15 @@ Json to_json(const RenderStats& stats);
 /// An array of {severity, where, message, hint}.
 Json to_json(const Diagnostics& diagnostics);
 
+/// JSON has no infinities and no NaN: they are null.
+Json number_or_null(double value);
+
+/// The processor's own name; "unknown" where the machine does not say.
+std::string processor();
+
+/// The text of a cell of a CSV file, as RFC 4180 quotes it.
+std::string csv_cell(const std::string& text);
+
 /// An object as lines "key: value"; then each array of objects as a table below its key, a column for each of their keys, numbers to the right.
 std::string as_text(const Json& object);
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tools/options.h"
 
-#include "tools/values.h"
+#include "tools/option_words.h"
 #include "topology/subdivide.h"
 #include "tracer/render.h"
 #include "tracer/sample_stop.h"
@@ -14,37 +14,6 @@ namespace alidade {
 
 namespace {
 
-/// An option whose word goes through `parse` (tools/values.h) to `store`.
-template <class Parse, class Store> CLI::Option* add(CLI::App& app, const char* option, const char* kind, Parse parse, Store store, const std::string& doc) {
-    const auto take = [option, parse, store](const std::string& word) {
-        const auto value = parse(word);
-        if (!value) throw CLI::ValidationError(option, value.error());
-        store(*value);
-    };
-    return app.add_option_function<std::string>(option, take, doc)->type_name(kind);
-}
-
-template <class T> void add_integer(CLI::App& app, const char* option, T& target, int64_t low, int64_t high, const std::string& doc) {
-    add(app, option, "N", [low, high](const std::string& word) { return parse_integer(word, low, high); }, [&target](int64_t n) { target = T(n); }, doc);
-}
-
-template <class Store> void add_number(CLI::App& app, const char* option, const char* kind, double low, Store store, const std::string& doc) {
-    add(app, option, kind, [low](const std::string& word) { return parse_number(word, low); }, store, doc);
-}
-
-/// The name of a table's row, or which names there are.
-Value<std::string> one_of(const std::string& word, const std::vector<std::string>& names) {
-    if (std::find(names.begin(), names.end(), word) != names.end()) return word;
-    const std::string near = nearest(word, names);
-    return tl::unexpected(fmt::format("'{}' is not one of {}{}", word, fmt::join(names, ", "), near.empty() ? "" : fmt::format("; did you mean '{}'?", near)));
-}
-
-template <class Rows> std::vector<std::string> names_of(const Rows& rows) {
-    std::vector<std::string> names;
-    for (const auto& row : rows) names.emplace_back(row.name);
-    return names;
-}
-
 struct SkyWord {
     std::optional<Color> color;
     std::string file;
@@ -55,27 +24,10 @@ Value<SkyWord> parse_sky(const std::string& word) {
     return parse_color(word).map([](const Color& color) { return SkyWord{color, {}}; });
 }
 
-/// Options that no group has yet go to `group`, in the help.
-void group_options(CLI::App& app, const char* group) {
-    for (CLI::Option* option : app.get_options())
-        if (option->get_group() == "Options" && option != app.get_help_ptr()) option->group(group);
-}
-
 std::vector<std::string> isa_names() {
     std::vector<std::string> names{name(Isa::best)};
     for (const Isa isa : available_isas()) names.emplace_back(name(isa));
     return names;
-}
-
-Value<std::vector<std::string>> parse_layers(const std::string& word) {
-    const std::vector<std::string> known = names_of(aovs());
-    std::vector<std::string> layers;
-    for (const std::string& layer : CLI::detail::split(word, ',')) {
-        const auto one = one_of(layer, known);
-        if (!one) return tl::unexpected(one.error());
-        if (std::find(layers.begin(), layers.end(), *one) == layers.end()) layers.push_back(*one);
-    }
-    return layers;
 }
 
 /// The first word that no option took, as a sentence; empty if there is none.
@@ -105,9 +57,7 @@ void add_mesh_options(CLI::App& app, ReshapeOptions& reshape) {
 }  // namespace
 
 void add_choice(CLI::App& app, const char* option, std::vector<std::string> names, std::function<void(size_t)> store, const std::string& doc) {
-    const auto parse = [names](const std::string& word) { return one_of(word, names); };
-    const auto take = [names, store](const std::string& name) { store(size_t(std::find(names.begin(), names.end(), name) - names.begin())); };
-    add(app, option, "NAME", parse, take, fmt::format("{}: {}", doc, fmt::join(names, ", ")));
+    add(app, option, "NAME", [names](const std::string& word) { return one_of(word, names); }, store, fmt::format("{}: {}", doc, fmt::join(names, ", ")));
 }
 
 void add_scene_options(CLI::App& app, Request& request) {
@@ -163,8 +113,12 @@ void add_render_options(CLI::App& app, Request& request) {
     add_integer(app, "--light-samples", render.light_samples, 1, 1 << 16, "shadow rays to each light with an extent, and to the sky (default 1)");
     add_integer(app, "--seed", render.seed, 0, INT64_MAX, "of the samples (default 0)");
     add_integer(app, "--max-depth", render.max_depth, 0, 1000, "recursion limit (default: as the scene says, else 8)");
-    add(app, "--aov", "A,B", parse_layers, [&render](const std::vector<std::string>& layers) { render.aovs = layers; },
-        fmt::format("output layers: {}", fmt::join(names_of(aovs()), ", ")));
+    const std::vector<std::string> layers = names_of(aovs());
+    const auto take_layers = [&render, layers](const std::vector<size_t>& chosen) {
+        render.aovs.clear();
+        for (const size_t i : chosen) render.aovs.push_back(layers[i]);
+    };
+    add(app, "--aov", "A,B", [layers](const std::string& word) { return list_of(word, layers); }, take_layers, fmt::format("output layers: {}", fmt::join(layers, ", ")));
     add_integer(app, "--tile", render.tile, 1, 4096, "edge of a tile in pixels (default 16); the picture does not depend on it");
     group_options(app, "The picture");
 }

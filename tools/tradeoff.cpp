@@ -2,6 +2,7 @@
 #include "core/image.h"
 #include "tools/compare/program.h"
 #include "tools/interrupt.h"
+#include "tools/option_words.h"
 #include "tools/output.h"
 #include "tools/tradeoff/analytic.h"
 #include "tools/tradeoff/document.h"
@@ -27,15 +28,6 @@ struct TradeoffWords {
     bool json = false;
 };
 
-void add_limit(CLI::App& app, const char* option, const char* kind, std::optional<double>& target, const char* doc) {
-    const auto take = [option, &target](const std::string& word) {
-        const auto value = parse_number(word, 0);
-        if (!value) throw CLI::ValidationError(option, value.error());
-        target = *value;
-    };
-    app.add_option_function<std::string>(option, take, doc)->type_name(kind);
-}
-
 void add_question_words(CLI::App& app, TradeoffWords& words) {
     app.add_option("--vary", words.vary, "an option of `render`, or a placeholder of --external, and its values; may be given again")->type_name("NAME=V1,V2,...")->expected(1)->take_all();
     app.add_option("--mode", words.mode, "full: every combination; one: each axis alone; halton:N: N points spread over the axes (default full)")->type_name("MODE");
@@ -44,11 +36,10 @@ void add_question_words(CLI::App& app, TradeoffWords& words) {
         ->type_name("WHAT");
     app.add_option("--reference-with", words.reference_with, "an option of the own reference; may be given again")->type_name("NAME=VALUE")->expected(1)->take_all();
     app.add_option("--metric", words.questions.metric, "the error of the front: rmse, rel_mse, max_abs, flip or over4 (default rmse)")->type_name("NAME");
-    add_limit(app, "--error", "E", words.questions.error, "recommends the fastest with no more error (default: the default setting's)");
-    add_limit(app, "--budget", "SECONDS", words.questions.time, "recommends the most accurate within so much CPU time (default: the default setting's)");
+    add_number(app, "--error", "E", 0, [&words](double value) { words.questions.error = value; }, "recommends the fastest with no more error (default: the default setting's)");
+    add_number(app, "--budget", "SECONDS", 0, [&words](double value) { words.questions.time = value; }, "recommends the most accurate within so much CPU time (default: the default setting's)");
     app.add_option("--require", words.require, "a setting must meet it, such as 'rmse<0.01 @ rays<2e6'; may be given again")->type_name("RULE")->expected(1)->take_all();
-    for (CLI::Option* option : app.get_options())
-        if (option->get_group() == "Options" && option != app.get_help_ptr()) option->group("What is compared");
+    group_options(app, "What is compared");
 }
 
 void add_measuring_words(CLI::App& app, TradeoffWords& words) {

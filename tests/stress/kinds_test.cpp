@@ -1,8 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 /// Generated scenes are what their kind says, the same for the same seed, and accelerators agree on them.
+#include "stress/instances.h"
 #include "stress/run.h"
 
 #include <gtest/gtest.h>
+
+#include <algorithm>
+#include <tuple>
 
 namespace alidade::test {
 namespace {
@@ -44,6 +48,31 @@ TEST_P(StressKinds, AreMetAlikeByAll) {
         for (const StressRayFigures& rays : peer.rays) EXPECT_EQ(rays.unlike, 0u) << peer.name << ' ' << rays.rays;
     }
     for (const StressChecked& checked : figures.checked) EXPECT_GE(checked.count, 16u) << checked.rays;
+}
+
+/// All crossings of a ray, which no kind of ray is asked for when times are taken.
+TEST_P(StressKinds, AreCrossedAlikeByAll) {
+    const StressScene scene = kind().make(2000, 1);
+    const std::vector<StressRay> rays = camera_rays(scene, 6);
+    const auto crossings = [&](const AcceleratorEntry& entry) {
+        std::vector<std::unique_ptr<Accelerator>> meshes;
+        std::vector<const Accelerator*> below;
+        for (const StressMesh& mesh : scene.meshes) meshes.push_back(entry.over_triangles(mesh.view(), {})), below.push_back(meshes.back().get());
+        const auto top = scene.places.empty() ? nullptr : entry.over_set(std::make_shared<StressInstances>(std::move(below), scene.places), {});
+        std::vector<std::vector<std::tuple<double, uint32_t, uint32_t>>> all;
+        for (const StressRay& ray : rays) {
+            std::vector<Hit> hits;
+            WorkCounters work;
+            (top ? *top : *meshes.front()).all_hits(ray.ray(), hits, work);
+            auto& found = all.emplace_back();
+            for (const Hit& hit : hits) found.emplace_back(hit.t, hit.instance, hit.primitive);
+            std::sort(found.begin(), found.end());
+        }
+        return all;
+    };
+    const auto wanted = crossings(accelerators().front());
+    EXPECT_TRUE(std::any_of(wanted.begin(), wanted.end(), [](const auto& hits) { return hits.size() > 1; })) << kind().name;
+    for (const AcceleratorEntry& entry : accelerators().subspan(1)) EXPECT_EQ(crossings(entry), wanted) << entry.name << ", " << kind().name;
 }
 
 INSTANTIATE_TEST_SUITE_P(Table, StressKinds, testing::Range(size_t(0), stress_kinds().size()),

@@ -106,6 +106,19 @@ TEST(StressRun, NamesTheFirstRayOfWhoIsWrong) {
     }
 }
 
+TEST(StressRun, CountsAWrongRayOnceWhoeverFindsIt) {
+    const StressScene scene = find_stress_kind("scan")->make(500, 1);
+    const std::vector<RaySet> rays = stress_rays(scene, camera_rays(scene, 12), 1);
+    const std::vector<AcceleratorEntry> entries{kLossy, *find_accelerator("bvh"), *find_accelerator("grid")};
+    const auto peers = make_peers(entries, std::array{Precision::float_});
+    const StressFigures figures = run_stress(scene, rays, peers, quick());
+    ASSERT_FALSE(figures.disagreements.empty());
+    const StressDisagreement& wrong = figures.disagreements.front();
+    EXPECT_EQ(wrong.peer, "lossy");
+    EXPECT_GT(wrong.wrong, 3u);
+    EXPECT_EQ(wrong.wrong, std::max(peer_of(figures, "bvh").rays[0].unlike, peer_of(figures, "lossy").rays[0].unlike)) << "whichever of them was the reference";
+}
+
 /// Rounds t, as a tracer in float does, and loses hits behind a plane if it is asked to.
 class Coarse : public StressPeer {
   public:

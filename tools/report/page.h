@@ -2,7 +2,9 @@
 /// One HTML file that shows data by a script of its own: opened from disk, without a network.
 #pragma once
 
+#include <cstddef>
 #include <nlohmann/json.hpp>
+#include <span>
 #include <string>
 #include <string_view>
 
@@ -10,6 +12,9 @@ namespace alidade {
 
 /// The pages' files, as the build put them into the program (embed.cmake).
 extern const std::string_view kReportHtml, kReportCss, kReportJs, kReportElements;
+
+/// Bytes as a page holds them.
+std::string base64(std::span<const std::byte> bytes);
 
 /// report.html with everything in it: `data` as the script's `data`; elements.js stands before `script`, and `blocks` behind it. Texts of the data reach the page
 /// as text alone; a content policy forbids every request.

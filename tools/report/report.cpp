@@ -15,9 +15,6 @@
 #include <tuple>
 
 namespace alidade {
-namespace {
-
-using Json = nlohmann::ordered_json;
 
 std::string base64(std::span<const std::byte> bytes) {
     static constexpr char digits[] = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
@@ -30,6 +27,10 @@ std::string base64(std::span<const std::byte> bytes) {
     }
     return text;
 }
+
+namespace {
+
+using Json = nlohmann::ordered_json;
 
 /// Values 0 .. 1 as a picture whose file holds them, rounded to 1/255: the encoder's sRGB curve is taken off before.
 Picture stored_as(int width, int height, std::vector<std::string> names, const std::function<double(size_t)>& value) {

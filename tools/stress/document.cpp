@@ -7,9 +7,6 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
-#include <cmath>
-#include <fstream>
-
 namespace alidade {
 
 namespace {
@@ -17,13 +14,6 @@ namespace {
 template <class T> Json maybe(const std::optional<T>& value) { return value ? Json(*value) : Json(); }
 
 Json three(const Vec3& v) { return {v.x, v.y, v.z}; }
-
-std::string processor() {
-    std::ifstream file("/proc/cpuinfo");
-    for (std::string line; std::getline(file, line);)
-        if (line.rfind("model name", 0) == 0 && line.find(':') + 2 < line.size()) return line.substr(line.find(':') + 2);
-    return "";
-}
 
 Json machine() {
     Json isas = Json::array();
@@ -57,11 +47,10 @@ Json hit_json(const StressHit& hit, Question question) {
 }
 
 /// JSON has no infinities: null.
-Json number(double value) { return std::isfinite(value) ? Json(value) : Json(); }
 
 Json to_json(const StressDisagreement& d) {
     return {{"accelerator", d.peer}, {"precision", d.precision}, {"rays", d.rays}, {"ray", d.ray}, {"wrong", d.wrong}, {"origin", three(d.asked.origin)}, {"direction", three(d.asked.dir)},
-            {"tmin", number(d.asked.tmin)}, {"tmax", number(d.asked.tmax)}, {"got", hit_json(d.got, d.question)}, {"right", hit_json(d.wanted, d.question)}, {"sentence", d.sentence()}};
+            {"tmin", number_or_null(d.asked.tmin)}, {"tmax", number_or_null(d.asked.tmax)}, {"got", hit_json(d.got, d.question)}, {"right", hit_json(d.wanted, d.question)}, {"sentence", d.sentence()}};
 }
 
 Json to_json(const StressSize& size) {
@@ -83,14 +72,6 @@ Json to_json(const StressSeries& series) {
     return out;
 }
 
-/// As RFC 4180 quotes it.
-std::string cell(const std::string& text) {
-    if (text.find_first_of(",\"\n\r") == text.npos) return text;
-    std::string out = "\"";
-    for (const char c : text) out += c == '"' ? std::string("\"\"") : std::string(1, c);
-    return out + "\"";
-}
-
 template <class T> std::string cell(const std::optional<T>& value) { return value ? fmt::format("{}", *value) : ""; }
 
 constexpr const char* kCsvHead =
@@ -103,12 +84,12 @@ std::string csv_line(const std::vector<std::string>& cells) { return fmt::format
 /// What has no figures: all columns but the last are empty.
 std::string csv_left_out(std::vector<std::string> cells, const std::string& why) {
     cells.resize(kCsvColumns - 1);
-    cells.push_back(cell(why));
+    cells.push_back(csv_cell(why));
     return csv_line(cells);
 }
 
 std::vector<std::string> csv_rays(std::vector<std::string> cells, const StressRayFigures& r) {
-    for (std::string& each : std::vector<std::string>{cell(r.rays), r.question == Question::any ? "any" : "closest", fmt::format("{}", r.count), fmt::format("{}", r.hits), fmt::format("{}", r.rounds),
+    for (std::string& each : std::vector<std::string>{csv_cell(r.rays), r.question == Question::any ? "any" : "closest", fmt::format("{}", r.count), fmt::format("{}", r.hits), fmt::format("{}", r.rounds),
              fmt::format("{}", double(r.count) / r.seconds.median), fmt::format("{}", r.seconds.low), fmt::format("{}", r.seconds.high), cell(r.boxes), cell(r.triangles), cell(r.decided),
              fmt::format("{:016x}", r.hash), fmt::format("{}", r.unlike)})
         cells.push_back(std::move(each));
@@ -116,7 +97,7 @@ std::vector<std::string> csv_rays(std::vector<std::string> cells, const StressRa
 }
 
 std::string csv_peer(std::vector<std::string> cells, const StressPeerFigures& p) {
-    cells.insert(cells.end(), {cell(p.name), p.precision});
+    cells.insert(cells.end(), {csv_cell(p.name), p.precision});
     if (!p.left_out.empty()) return csv_left_out(cells, p.left_out);
     const StressStructure& s = p.structure;
     cells.insert(cells.end(), {fmt::format("{}", p.build_seconds.median), fmt::format("{}", s.bytes), cell(p.peak_bytes), cell(s.nodes), cell(s.depth), cell(s.sah_cost)});
@@ -124,7 +105,7 @@ std::string csv_peer(std::vector<std::string> cells, const StressPeerFigures& p)
     for (const StressRayFigures& rays : p.rays) {
         auto head = cells;
         if (rays.left_out.empty()) out += csv_line(csv_rays(cells, rays));
-        else head.push_back(cell(rays.rays)), out += csv_left_out(head, rays.left_out);
+        else head.push_back(csv_cell(rays.rays)), out += csv_left_out(head, rays.left_out);
     }
     return out;
 }
@@ -135,7 +116,7 @@ Json stress_document(const StressRequest& request, const StressResults& results,
     Words line = {"alidade", "stress"};
     line.insert(line.end(), request.words.begin(), request.words.end());
     Json out = {{"schema", kStressSchema}, {"alidade", ALIDADE_VERSION}, {"command", shell_line(line)}, {"machine", machine()}, {"exit_code", exit_code}, {"interrupted", results.interrupted},
-                {"rounds", request.rounds}, {"side", request.side}, {"seconds_budget", maybe(request.seconds)}, {"bytes_budget", number(results.bytes)}, {"scenes", Json::array()},
+                {"rounds", request.rounds}, {"side", request.side}, {"seconds_budget", maybe(request.seconds)}, {"bytes_budget", number_or_null(results.bytes)}, {"scenes", Json::array()},
                 {"messages", to_json(results.said)}};
     for (const StressSeries& series : results.series) out["scenes"].push_back(to_json(series));
     return out;
@@ -145,7 +126,7 @@ std::string stress_csv(const StressResults& results) {
     std::string out = kCsvHead;
     for (const StressSeries& series : results.series) {
         for (const StressSize& size : series.sizes) {
-            std::vector<std::string> cells{cell(series.source.name), fmt::format("{}", series.source.seed), fmt::format("{}", size.asked)};
+            std::vector<std::string> cells{csv_cell(series.source.name), fmt::format("{}", series.source.seed), fmt::format("{}", size.asked)};
             if (!size.left_out.empty()) {
                 out += csv_left_out(cells, size.left_out);
                 continue;

@@ -26,6 +26,7 @@ class Gatherer {
 
     StressScene finish() {
         if (flat_) said_.note({}, fmt::format("{} meshes are left out: their transforms have no inverse", flat_));
+        if (nowhere_) said_.note({}, fmt::format("{} lights are left out: they shine from nowhere", nowhere_));
         if (other_) said_.note({}, fmt::format("{} closed forms are left out: only triangles are measured", other_), "`alidade convert SCENE out.glb` makes meshes of them");
         if (out_.lamps.empty() && !out_.places.empty()) add_default_lamp();
         if (out_.places.size() == 1 && out_.places[0].to_world.is_identity()) out_.places.clear();
@@ -60,7 +61,9 @@ class Gatherer {
 
     void add_lamp(const Light& light, const Transform& to_world) {
         const bool far = std::holds_alternative<DirectionalLight>(light.kind);
-        out_.lamps.push_back({far ? -normalized(to_world.vector(Vec3(0, 0, -1))) : to_world.point(Vec3(0)), far});
+        const Vec3 place = far ? -normalized(to_world.vector(Vec3(0, 0, -1))) : to_world.point(Vec3(0));
+        if (is_finite(place)) out_.lamps.push_back({place, far});
+        else ++nowhere_;
     }
 
     /// As a scene without lights is rendered.
@@ -77,7 +80,7 @@ class Gatherer {
     std::optional<Camera> camera_;
     std::vector<Bounds> boxes_;       // of the meshes
     Bounds bounds_;
-    size_t other_ = 0, flat_ = 0;
+    size_t other_ = 0, flat_ = 0, nowhere_ = 0;
 };
 
 std::vector<StressRay> rays_of(const Camera& camera, size_t side) {

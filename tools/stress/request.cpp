@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tools/stress/request.h"
 
+#include "tools/option_words.h"
 #include "tools/output.h"
 
 #include <CLI/CLI.hpp>
@@ -15,22 +16,6 @@ namespace alidade {
 namespace {
 
 constexpr size_t kGrowthLow = 1000, kGrowthHigh = 10000000;
-
-std::vector<std::string> kind_names() {
-    std::vector<std::string> names;
-    for (const StressKind& kind : stress_kinds()) names.emplace_back(kind.name);
-    return names;
-}
-
-/// What stands between colons; the empty word between none is one, too.
-std::vector<std::string> parts_of(const std::string& word) {
-    std::vector<std::string> parts(1);
-    for (const char c : word) {
-        if (c == ':') parts.emplace_back();
-        else parts.back() += c;
-    }
-    return parts;
-}
 
 Value<size_t> parse_count(const std::string& word) {
     const auto number = parse_number(word, -kInf);
@@ -58,39 +43,17 @@ Value<double> parse_bytes(const std::string& word) {
     return *number * (unit == kUnits.npos ? 1 : std::pow(1000.0, double(unit + 1)));
 }
 
-template <class Parse, class Store> void add(CLI::App& app, const char* option, const char* kind, Parse parse, Store store, const std::string& doc) {
-    const auto take = [option, parse, store](const std::string& word) {
-        const auto value = parse(word);
-        if (!value) throw CLI::ValidationError(option, value.error());
-        store(*value);
-    };
-    app.add_option_function<std::string>(option, take, doc)->type_name(kind);
-}
-
-/// Names with commas between them, each one of `known`: their numbers, each once.
-Value<std::vector<size_t>> parse_list(const std::string& word, const std::vector<std::string>& known) {
-    std::vector<size_t> chosen;
-    for (const std::string& name : CLI::detail::split(word, ',')) {
-        const auto at = std::find(known.begin(), known.end(), name);
-        const std::string near = nearest(name, known);
-        if (at == known.end()) return tl::unexpected(fmt::format("'{}' is not one of {}{}", name, fmt::join(known, ", "), near.empty() ? "" : fmt::format("; did you mean '{}'?", near)));
-        if (const auto i = size_t(at - known.begin()); std::find(chosen.begin(), chosen.end(), i) == chosen.end()) chosen.push_back(i);
-    }
-    return chosen;
-}
-
 void add_what(CLI::App& app, StressRequest& request, std::vector<std::string>& generate) {
     app.add_option("--generate", generate,
-                   fmt::format("a scene that is made: KIND is one of {}; N triangles (default: as the kind has it), or a range such as 1e3..1e6; may be given more than once", fmt::join(kind_names(), ", ")))
+                   fmt::format("a scene that is made: KIND is one of {}; N triangles (default: as the kind has it), or a range such as 1e3..1e6; may be given more than once", fmt::join(names_of(stress_kinds()), ", ")))
         ->type_name("KIND[:N][:SEED]")->allow_extra_args(false);
     app.add_flag("--growth", request.growth, fmt::format("--generate without N takes {:g}..{:g}: how costs grow", double(kGrowthLow), double(kGrowthHigh)));
-    std::vector<std::string> structures;
-    for (const AcceleratorEntry& entry : accelerators()) structures.emplace_back(entry.name);
-    add(app, "--accel", "A,B", [structures](const std::string& word) { return parse_list(word, structures); }, [&request](const std::vector<size_t>& chosen) {
+    const std::vector<std::string> structures = names_of(accelerators());
+    add(app, "--accel", "A,B", [structures](const std::string& word) { return list_of(word, structures); }, [&request](const std::vector<size_t>& chosen) {
         request.accelerators.clear();
         for (const size_t i : chosen) request.accelerators.push_back(&accelerators()[i]);
     }, fmt::format("accelerators, of {} (default: all but brute, which is asked about some rays in any case)", fmt::join(structures, ", ")));
-    add(app, "--precision", "A,B", [](const std::string& word) { return parse_list(word, {"float", "double"}); }, [&request](const std::vector<size_t>& chosen) {
+    add(app, "--precision", "A,B", [](const std::string& word) { return list_of(word, {"float", "double"}); }, [&request](const std::vector<size_t>& chosen) {
         request.precisions.clear();
         for (const size_t i : chosen) request.precisions.push_back(Precision(i));
     }, "of mesh vertices and nodes: float, double (default: both)");
@@ -98,9 +61,9 @@ void add_what(CLI::App& app, StressRequest& request, std::vector<std::string>& g
 }
 
 void add_how(CLI::App& app, StressRequest& request) {
-    add(app, "--side", "N", [](const std::string& word) { return parse_integer(word, 1, 8192); }, [&request](int64_t n) { request.side = size_t(n); }, "primary rays are N x N (default 128)");
-    add(app, "--rounds", "N", [](const std::string& word) { return parse_integer(word, 1, 1000); }, [&request](int64_t n) { request.rounds = int(n); }, "of rays, in turns; builds get half as many (default 5)");
-    add(app, "--time", "SECONDS", [](const std::string& word) { return parse_number(word, 0); }, [&request](double s) { request.seconds = s; },
+    add_integer(app, "--side", request.side, 1, 8192, "primary rays are N x N (default 128)");
+    add_integer(app, "--rounds", request.rounds, 1, 1000, "of rays, in turns; builds get half as many (default 5)");
+    add_number(app, "--time", "SECONDS", 0, [&request](double s) { request.seconds = s; },
         "a budget: what is predicted not to fit is left out, and that is said (default: none)");
     add(app, "--memory", "BYTES", parse_bytes, [&request](double bytes) { request.bytes = bytes; },
         "the same for the scene and the structures over it, such as 2e9 or 500M (default: 8/10 of what is available)");
@@ -158,13 +121,11 @@ std::vector<size_t> sizes_between(size_t low, size_t high) {
 }
 
 Value<StressSource> parse_source(const std::string& word, bool growth) {
-    const std::vector<std::string> parts = parts_of(word);
+    const std::vector<std::string> parts = split(word, ':');
     StressSource source;
-    source.name = parts.front(), source.kind = find_stress_kind(source.name);
-    if (!source.kind) {
-        const std::string near = nearest(source.name, kind_names());
-        return tl::unexpected(fmt::format("'{}' is not one of {}{}", source.name, fmt::join(kind_names(), ", "), near.empty() ? "" : fmt::format("; did you mean '{}'?", near)));
-    }
+    const auto kind = one_of(parts.front(), names_of(stress_kinds()));
+    if (!kind) return tl::unexpected(kind.error());
+    source.name = parts.front(), source.kind = &stress_kinds()[*kind];
     if (parts.size() > 3) return tl::unexpected(fmt::format("'{}' is not KIND:N:SEED", word));
     source.sizes = growth ? sizes_between(kGrowthLow, kGrowthHigh) : std::vector<size_t>{source.kind->triangles};
     if (parts.size() > 1) {

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tools/tradeoff/axes.h"
 
+#include "tools/option_words.h"
+
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
@@ -8,15 +10,6 @@
 
 namespace alidade::tradeoff {
 namespace {
-
-std::vector<std::string> split(const std::string& text, char separator) {
-    std::vector<std::string> parts{""};
-    for (const char c : text) {
-        if (c == separator) parts.emplace_back();
-        else parts.back() += c;
-    }
-    return parts;
-}
 
 void add_options(CLI::App& app, Request& request) {
     app.set_help_flag();
@@ -30,7 +23,7 @@ std::string plain_name(const CLI::Option& option) {
     return option.get_snames().empty() ? "" : option.get_snames()[0];
 }
 
-std::set<std::string> names_of(void (*add)(CLI::App&, Request&)) {
+std::set<std::string> option_names(void (*add)(CLI::App&, Request&)) {
     CLI::App app;
     Request request;
     add(app, request);
@@ -172,12 +165,12 @@ Setting given_options(const CLI::App& app) {
 }
 
 const std::set<std::string>& render_options() {
-    static const std::set<std::string> names = names_of(add_options);
+    static const std::set<std::string> names = option_names(add_options);
     return names;
 }
 
 const std::set<std::string>& reading_options() {
-    static const std::set<std::string> names = names_of(add_scene_options);
+    static const std::set<std::string> names = option_names(add_scene_options);
     return names;
 }
 

@@ -5,21 +5,8 @@
 
 #include <fmt/format.h>
 
-#include <cmath>
-#include <fstream>
-
 namespace alidade::tradeoff {
 namespace {
-
-/// JSON has no infinities.
-Json number(double value) { return std::isfinite(value) ? Json(value) : Json(); }
-
-std::string processor() {
-    std::ifstream lines("/proc/cpuinfo");
-    for (std::string line; std::getline(lines, line);)
-        if (line.starts_with("model name")) return line.substr(std::min(line.find(": ") + 2, line.size()));
-    return "unknown";
-}
 
 Json setting_of(const Row& row) {
     Json out = Json::object();
@@ -27,7 +14,7 @@ Json setting_of(const Row& row) {
     return out;
 }
 
-Json ratio(double value, double usual) { return usual > 0 ? number(value / usual) : Json(); }
+Json ratio(double value, double usual) { return usual > 0 ? number_or_null(value / usual) : Json(); }
 
 Json row_of(const Experiment& e, const Verdicts& v, size_t i) {
     const Row& row = e.rows[i];
@@ -35,11 +22,11 @@ Json row_of(const Experiment& e, const Verdicts& v, size_t i) {
     const Interval interval = median_interval(row.seconds);
     Json out = {{"name", row.name(e.job)}, {"program", row.external < 0 ? "alidade" : e.job.externals[size_t(row.external)].words[0]}, {"setting", setting_of(row)},
                 {"command", row.command}, {"default", row.is_default}, {"front", bool(v.front[i])}, {"within_reference_error", bool(v.uncertain[i])},
-                {"cpu_seconds", number(time.median)}, {"cpu_seconds_mad", number(time.deviation)}, {"cpu_seconds_95", {interval.low, interval.high}}, {"build_seconds", number(median(row.build_seconds))},
-                {"rounds", row.seconds}, {"counts", row.counts}, {"instructions", row.instructions ? number(*row.instructions) : Json()}};
+                {"cpu_seconds", number_or_null(time.median)}, {"cpu_seconds_mad", number_or_null(time.deviation)}, {"cpu_seconds_95", {interval.low, interval.high}}, {"build_seconds", number_or_null(median(row.build_seconds))},
+                {"rounds", row.seconds}, {"counts", row.counts}, {"instructions", row.instructions ? number_or_null(*row.instructions) : Json()}};
     Json& errors = out["errors"] = Json::object();
     for (const ErrorColumn& column : error_columns())
-        errors[column.name] = row.errors.contains(column.name) ? number(row.error(column.name)) : Json();
+        errors[column.name] = row.errors.contains(column.name) ? number_or_null(row.error(column.name)) : Json();
     out["noise"] = row.noise ? Json{{"bias2", row.noise->bias2}, {"variance", row.noise->variance}} : Json();
     out["non_finite"] = row.non_finite;
     const Row& usual = e.default_row();
@@ -57,16 +44,8 @@ Json axes_of(const Job& job) {
 
 Json index(const std::optional<size_t>& row) { return row ? Json(*row) : Json(); }
 
-/// The text of a cell of a CSV file.
-std::string quoted(const std::string& text) {
-    if (text.find_first_of(",\"\n") == text.npos) return text;
-    std::string out = "\"";
-    for (const char c : text) out += c == '"' ? std::string("\"\"") : std::string(1, c);
-    return out + "\"";
-}
-
 std::string csv_value(const Json& value) {
-    if (value.is_string()) return quoted(value.get<std::string>());
+    if (value.is_string()) return csv_cell(value.get<std::string>());
     return value.is_null() ? "" : value.dump();
 }
 
@@ -87,7 +66,7 @@ Json as_document(const Experiment& e, const Verdicts& v) {
             {"axes", axes_of(e.job)}, {"repeat", e.job.repeat}, {"seeds", e.job.seeds}, {"metric", v.metric},
             {"reference", {{"what", e.reference.what}, {"own_error", e.reference.own}, {"cut_off", e.clip}}},
             {"machine", {{"processor", processor()}, {"threads", hardware_threads()}}}, {"rows", rows},
-            {"recommended", {{"error", number(v.most_error)}, {"fastest_within_error", index(v.fastest)}, {"cpu_seconds", number(v.most_time)},
+            {"recommended", {{"error", number_or_null(v.most_error)}, {"fastest_within_error", index(v.fastest)}, {"cpu_seconds", number_or_null(v.most_time)},
                              {"best_within_time", index(v.best)}, {"knee", index(v.knee)}}},
             {"free_axes", v.free_axes}, {"unchecked_axes", v.unchecked_axes}, {"not_free", not_free}, {"required", required}, {"warnings", e.warnings}};
 }

@@ -3,14 +3,14 @@
 #pragma once
 
 #include "core/random.h"
+#include "stress/measure.h"
 
 #include <cstddef>
 #include <vector>
 
 namespace alidade::tradeoff {
 
-/// The middle value, or the mean of both; NaN of none.
-double median(std::vector<double> values);
+using alidade::median;
 /// The median distance from the median: how far repeated measurements lie apart, whatever one of them does.
 double median_deviation(const std::vector<double>& values);
 

@@ -2,6 +2,7 @@
 #include "tools/tradeoff/thumbnails.h"
 
 #include "tools/diff/document.h"
+#include "tools/report/page.h"
 
 #include <algorithm>
 
@@ -41,17 +42,6 @@ std::string error_thumbnail(int width, int height, const std::vector<float>& fli
     comparison.loaded->pair.reference = Picture(small.width, small.height, {"R", "G", "B"});
     comparison.measured["flip"].map = small.values;
     return png(heat_map(comparison));
-}
-
-std::string base64(std::span<const std::byte> bytes) {
-    static constexpr char kDigits[] = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-    std::string text;
-    for (size_t i = 0; i < bytes.size(); i += 3) {
-        uint32_t group = 0;
-        for (size_t j = 0; j < 3; ++j) group = group << 8 | (i + j < bytes.size() ? std::to_integer<uint32_t>(bytes[i + j]) : 0U);
-        for (size_t j = 0; j < 4; ++j) text += i + j <= bytes.size() ? kDigits[group >> (18 - 6 * j) & 63] : '=';
-    }
-    return text;
 }
 
 }  // namespace alidade::tradeoff

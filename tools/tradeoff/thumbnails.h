@@ -4,7 +4,8 @@
 
 #include "core/image.h"
 
-#include <span>
+#include <string>
+#include <vector>
 
 namespace alidade::tradeoff {
 
@@ -14,7 +15,5 @@ inline constexpr int kThumbnailWidth = 160;
 std::string thumbnail(const Picture& picture);
 /// The same of FLIP's error in each pixel, in the colours of `diff`'s heat map.
 std::string error_thumbnail(int width, int height, const std::vector<float>& flip);
-
-std::string base64(std::span<const std::byte> bytes);
 
 }  // namespace alidade::tradeoff
