@@ -143,7 +143,8 @@ TEST(StressRun, BelievesBruteForceAndNotWhoIsInexact) {
 TEST(StressRun, CountsAWrongRayOnceWhoeverFindsIt) {
     const StressScene scene = find_stress_kind("scan")->make(500, 1);
     const std::vector<RaySet> rays = stress_rays(scene, camera_rays(scene, 6), 1);
-    auto peers = make_peers(std::array{*find_accelerator("bvh"), *find_accelerator("grid")}, std::array{Precision::float_});
+    const std::array entries{*find_accelerator("bvh"), *find_accelerator("grid")};
+    auto peers = make_peers(entries, std::array{Precision::float_});
     peers.insert(peers.begin(), std::make_unique<Coarse>(true, true));
     peers.front()->exact = true;
     const StressFigures figures = run_stress(scene, rays, peers, quick());
