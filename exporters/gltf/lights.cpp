@@ -47,7 +47,6 @@ LightWriter::LightWriter(const Scene& scene, Document& document, Losses& losses)
 std::optional<Json> LightWriter::write(LightId id) {
     const auto merged = merged_.find(id);
     if (merged != merged_.end() && !merged->second) return std::nullopt;
-    if (merged != merged_.end()) losses_.add("spot lights of which others take light away", 1, "one like their sum");
     const Light& light = merged != merged_.end() ? *merged->second : scene_.lights[id.index];
     const bool dark = std::min({light.intensity.x, light.intensity.y, light.intensity.z}) < 0;
     if (std::holds_alternative<AreaLight>(light.kind)) return losses_.add("area lights"), std::nullopt;

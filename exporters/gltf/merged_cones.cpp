@@ -1,78 +1,124 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "exporters/gltf/merged_cones.h"
 
-#include "exporters/shown_nodes.h"
-
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <tuple>
 
 namespace alidade::gltf_export {
 
 namespace {
 
-struct Group {
-    Vec3 position, axis;
-    std::vector<LightId> lights;
-};
+/// Of radians. Angles are written as degrees.
+constexpr double kSameAngle = 1e-9;
+/// Of the greatest light of a sum: POV-Ray's colours are floats, and that is less than what the shortest ramp of such a sum leaves of it.
+constexpr double kSameLight = 1e-6;
 
-bool takes_light(const Light& light) { return std::min({light.intensity.x, light.intensity.y, light.intensity.z}) < 0; }
+/// A node's parent (kNoId: none), whether it is shown, where it stands and looks there.
+using Place = std::tuple<uint32_t, bool, std::array<double, 6>>;
 
-std::vector<Group> cones_by_place(const Scene& scene) {
-    std::vector<Group> groups;
-    visit_shown_nodes(scene, [&](NodeId node, const Transform& to_world) {
-        const auto* id = std::get_if<LightId>(&scene.nodes[node.index].what);
-        if (!id || !std::holds_alternative<ConeLight>(scene.lights[id->index].kind)) return true;
-        const Vec3 position = to_world.translation, axis = normalized(to_world.linear[2]);
-        const auto same = std::find_if(groups.begin(), groups.end(), [&](const Group& g) { return g.position == position && g.axis == axis; });
-        (same != groups.end() ? *same : groups.emplace_back(Group{position, axis, {}})).lights.push_back(*id);
-        return true;
-    });
-    return groups;
+/// A cone that ends hard, of a power of the cosine that is a coefficient of a square.
+bool may_be_part(const Light& light) {
+    const auto* cone = std::get_if<ConeLight>(&light.kind);
+    return cone && std::abs(cone->radius - cone->falloff) < kSameAngle && (cone->tightness == 0 || cone->tightness == 1 || cone->tightness == 2) && !light.parallel && !light.shadow_grid && !light.projected_through;
 }
 
-/// At the cosine `c` of the angle from the axis; Light::kind, ConeLight.
-double brightness(const ConeLight& cone, double c) {
-    const double outer = std::cos(cone.falloff), inner = std::cos(cone.radius);
-    if (c < inner && !(c > outer)) return 0;
-    return std::pow(c, cone.tightness) * (c < inner ? smooth_step((c - outer) / (inner - outer)) : 1);
+/// All but the cone, the intensity, and what the first part alone has.
+bool alike(const Light& a, const Light& b) {
+    const bool same_fade = a.fade.has_value() == b.fade.has_value() && (!a.fade || (a.fade->distance == b.fade->distance && a.fade->power == b.fade->power));
+    return same_fade && a.range == b.range && a.inverse_square == b.inverse_square && a.shadowless == b.shadowless && a.media_interaction == b.media_interaction && a.clearance == b.clearance;
 }
 
-/// glTF's rim has a quarter of the light halfway between its cosines: that is found in the sum.
-Light nearest_spot(const Scene& scene, const std::vector<LightId>& lights) {
-    Light spot = scene.lights[lights.front().index];
-    spot.intensity = Color(0);
-    double falloff = 0;
-    const auto sum = [&](double c) {
-        double all = 0;
-        for (const LightId id : lights) all += luminance(scene.lights[id.index].intensity) * brightness(std::get<ConeLight>(scene.lights[id.index].kind), c);
-        return all;
+/// The lights that may be parts, together where they stand in the same places, all of them.
+std::map<std::vector<Place>, std::vector<LightId>> parts_by_places(const Scene& scene) {
+    std::map<LightId, std::vector<Place>> places;
+    const auto stand = [&](NodeId id, uint32_t parent) {
+        const Node& node = scene.nodes[id.index];
+        const auto* light = std::get_if<LightId>(&node.what);
+        if (!light || !may_be_part(scene.lights[light->index]) || !node.to_parent.is_finite()) return;
+        const Vec3 at = node.to_parent.translation, axis = normalized(node.to_parent.linear[2]);
+        places[*light].emplace_back(parent, node.flags.visible, std::array<double, 6>{at.x, at.y, at.z, axis.x, axis.y, axis.z});
     };
-    for (const LightId id : lights) {
-        const Light& light = scene.lights[id.index];
-        const ConeLight& cone = std::get<ConeLight>(light.kind);
-        spot.intensity += light.intensity * brightness(cone, 1), falloff = std::max({falloff, cone.falloff, cone.radius});
+    for (const NodeId root : scene.roots) stand(root, kNoId);
+    for (uint32_t i = 0; i < scene.nodes.size(); ++i)
+        for (const NodeId child : scene.nodes[i].children) stand(child, i);
+    std::map<std::vector<Place>, std::vector<LightId>> out;
+    for (auto& [light, where] : places) {
+        std::sort(where.begin(), where.end());
+        out[where].push_back(light);
     }
-    const double outer = std::cos(std::min(falloff, kPi / 2)), quarter = sum(1) / 4;
-    double dark = outer, bright = 1;
-    for (int i = 0; i < 60; ++i) {
-        const double middle = (dark + bright) / 2;
-        (sum(middle) < quarter ? dark : bright) = middle;
-    }
-    spot.kind = SpotLight{std::acos(std::min(outer + 2 * (bright - outer), 1.0)), std::acos(outer)};
-    return spot;
+    return out;
 }
+
+/// The lights of one place that are no part of a sum yet.
+class Parts {
+  public:
+    Parts(const Scene& scene, std::vector<LightId> lights) : scene_(scene), left_(std::move(lights)) {}
+
+    /// A spot, and the parts whose sum it is, the first of tightness 2.
+    struct Sum {
+        Light spot;
+        std::vector<LightId> parts;
+    };
+    std::optional<Sum> take() {
+        for (const LightId first : left_)
+            if (auto sum = sum_from(first)) {
+                std::erase_if(left_, [&](LightId id) { return std::find(sum->parts.begin(), sum->parts.end(), id) != sum->parts.end(); });
+                return sum;
+            }
+        return std::nullopt;
+    }
+
+  private:
+    const Light& light(LightId id) const { return scene_.lights[id.index]; }
+    const ConeLight& cone(LightId id) const { return std::get<ConeLight>(light(id).kind); }
+
+    /// A light like `first`, but of this tightness, angle and intensity.
+    std::optional<LightId> find(LightId first, double tightness, double angle, const Color& intensity) const {
+        const double tolerance = kSameLight * max_component(light(first).intensity);
+        const auto fits = [&](LightId id) {
+            return cone(id).tightness == tightness && std::abs(cone(id).falloff - angle) < kSameAngle && alike(light(first), light(id)) && max_abs(light(id).intensity - intensity) <= tolerance;
+        };
+        const auto found = std::find_if(left_.begin(), left_.end(), fits);
+        return found != left_.end() ? std::optional(*found) : std::nullopt;
+    }
+
+    /// With the light a = I / ramp^2: a (c - outer)^2 from the outer angle on, and I - a (c - outer)^2 from the inner one, where there is any.
+    std::optional<Sum> sum_from(LightId first) const {
+        const Color a = light(first).intensity;
+        if (cone(first).tightness != 2 || !is_finite(a) || std::min({a.x, a.y, a.z}) < 0 || is_black(a)) return std::nullopt;
+        const double angle = cone(first).falloff, outer = std::cos(angle);
+        const auto b = find(first, 1, angle, a * (-2 * outer)), c = find(first, 0, angle, a * (outer * outer));
+        if (!b || !c) return std::nullopt;
+        const auto sum_of = [&](double inner, std::vector<LightId> parts) {
+            Sum sum{light(first), std::move(parts)};
+            sum.spot.kind = SpotLight{inner, angle}, sum.spot.intensity = a * (std::cos(inner) - outer) * (std::cos(inner) - outer);
+            return sum;
+        };
+        for (const LightId less : left_) {
+            const double inner = cone(less).falloff, ramp = std::cos(inner) - outer;
+            if (!(inner < angle) || find(first, 2, inner, -a) != less) continue;
+            const auto less_b = find(first, 1, inner, a * (2 * outer)), rest = find(first, 0, inner, a * (ramp * ramp - outer * outer));
+            if (less_b && rest) return sum_of(inner, {first, *b, *c, less, *less_b, *rest});
+        }
+        return sum_of(0, {first, *b, *c});
+    }
+
+    const Scene& scene_;
+    std::vector<LightId> left_;
+};
 
 }  // namespace
 
 std::map<LightId, std::optional<Light>> merged_cones(const Scene& scene) {
     std::map<LightId, std::optional<Light>> merged;
-    if (std::none_of(scene.lights.begin(), scene.lights.end(), [](const Light& l) { return std::holds_alternative<ConeLight>(l.kind) && takes_light(l); })) return merged;
-    for (const Group& group : cones_by_place(scene)) {
-        if (std::none_of(group.lights.begin(), group.lights.end(), [&](LightId id) { return takes_light(scene.lights[id.index]); })) continue;
-        const Light spot = nearest_spot(scene, group.lights);
-        if (takes_light(spot)) continue;
-        for (const LightId id : group.lights) merged[id] = std::nullopt;
-        merged[group.lights.front()] = spot;
+    for (const auto& [places, lights] : parts_by_places(scene)) {
+        Parts parts(scene, lights);
+        while (const auto sum = parts.take()) {
+            for (const LightId id : sum->parts) merged[id] = std::nullopt;
+            merged[sum->parts.front()] = sum->spot;
+        }
     }
     return merged;
 }

@@ -4,11 +4,12 @@
 #include "scene/scene.h"
 
 #include <map>
+#include <optional>
 
 namespace alidade::gltf_export {
 
-/// POV-Ray's spotlights may take light away, glTF's may not. Where some do, all of one place and direction are summed: the first stands for them, as the spot nearest to
-/// the sum, and the others are nothing. What is left of negative light is not in the map.
+/// A spot of glTF's is in POV-Ray's files a sum of hard cones, some of which take light away (exporters/pov/spot_rim.h); glTF's may not. Of each such sum the first light
+/// becomes the spot again, and the others nothing. Only what is such a sum to rounding is in the map: cones like each other, in the same places, of the sum's coefficients.
 std::map<LightId, std::optional<Light>> merged_cones(const Scene& scene);
 
 }  // namespace alidade::gltf_export

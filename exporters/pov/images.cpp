@@ -6,6 +6,10 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cstdint>
+#include <optional>
+
 namespace alidade::pov_export {
 
 namespace {
@@ -44,15 +48,45 @@ bool pov_misreads(const std::string& png) {
     return (type == grey && png[kPngBits] <= 8) || ((type == grey || type == rgb) && names_transparent_colours(png));
 }
 
+/// Of a PNG file by its head alone.
+std::optional<std::pair<int, int>> png_size(const std::string& bytes) {
+    constexpr size_t kWidth = 16, kHeight = 20;
+    if (!is_png(bytes) || bytes.size() <= kPngColourType) return std::nullopt;
+    const auto number = [&](size_t at) {
+        uint32_t value = 0;
+        for (size_t i = at; i < at + 4; ++i) value = value << 8 | static_cast<unsigned char>(bytes[i]);
+        return value;
+    };
+    const uint32_t width = number(kWidth), height = number(kHeight);
+    if (width > INT32_MAX || height > INT32_MAX) return std::nullopt;
+    return std::pair{int(width), int(height)};
+}
+
+/// Of a channel.
+bool has_more_than_8_bits(const std::string& bytes) {
+    if (is_jpeg(bytes)) return false;
+    if (is_png(bytes)) return bytes.size() > kPngBits && bytes[kPngBits] > 8;
+    const auto stored = decode_stored_picture(as_bytes(bytes));
+    return stored && (stored->levels == 0 || stored->levels > 255);
+}
+
 tl::expected<Picture, std::string> decoded(const std::string& bytes, Encoding encoding) {
     return decode_picture(as_bytes(bytes), encoding).and_then(colors_alone);
 }
 
-/// The picture times `tint` with its edges, as a PNG file; of 16 bits, linear, if it is tinted: 8 are too few for what becomes dark and is lit brightly. What is above 1 is cut off.
-tl::expected<std::string, std::string> remade(const std::string& bytes, const Vec4& tint, PictureAlpha alpha, bool srgb, const PictureEdges& edges) {
-    const auto picture = decoded(bytes, srgb ? Encoding::automatic : Encoding::linear);
+/// What is made of a picture.
+struct Remake {
+    Vec4 tint;
+    PictureAlpha alpha;
+    bool srgb;     ///< as the picture's signal has it
+    bool linear;   ///< 16 bits a channel that hold linear values; else 8, sRGB-encoded
+};
+
+/// The picture times the tint with its edges, as a PNG file. What is above 1 is cut off.
+tl::expected<std::string, std::string> remade(const std::string& bytes, const Remake& how, const PictureEdges& edges) {
+    const auto picture = decoded(bytes, how.srgb ? Encoding::automatic : Encoding::linear);
     if (!picture) return tl::unexpected(picture.error());
-    const bool keeps = alpha == PictureAlpha::kept;
+    const bool keeps = how.alpha == PictureAlpha::kept;
     Picture out(picture->width, picture->height, keeps ? std::vector<std::string>{"R", "G", "B", "A"} : std::vector<std::string>{"R", "G", "B"});
     const bool grey = picture->channels < 3;
     for (int y = 0; y < picture->height; ++y)
@@ -60,12 +94,12 @@ tl::expected<std::string, std::string> remade(const std::string& bytes, const Ve
             const float* from = picture->at(x, y);
             float* to = out.at(x, y);
             const bool has = picture->channels == 2 || picture->channels >= 4;
-            const double a = (has ? double(from[grey ? 1 : 3]) : 1) * tint.w;
-            for (int c = 0; c < 3; ++c) to[c] = float(double(from[grey ? 0 : c]) * tint[c] * (keeps && a > 0 ? a : 1));   // encode_picture wants it premultiplied
+            const double a = (has ? double(from[grey ? 1 : 3]) : 1) * how.tint.w;
+            for (int c = 0; c < 3; ++c) to[c] = float(double(from[grey ? 0 : c]) * how.tint[c] * (keeps && a > 0 ? a : 1));   // encode_picture wants it premultiplied
             if (keeps) to[3] = float(a);
         }
     if (!edges.none()) out = with_edges(out, edges);
-    const auto encoded = tint == Vec4(1) ? encode_picture(out, ".png") : encode_linear_png(out);
+    const auto encoded = how.linear ? encode_linear_png(out) : encode_picture(out, ".png");
     if (!encoded) return tl::unexpected(encoded.error());
     return std::string(reinterpret_cast<const char*>(encoded->data()), encoded->size());
 }
@@ -109,12 +143,14 @@ ImageWriter::File ImageWriter::make_file(const ImageSignal& image, const Vec4& t
     if (tint == Vec4(1) && alpha_fits && readable && frame.none())
         return {fmt::format("{} {}", is_png(*bytes) ? "png" : "jpeg", quoted(files_.add_picture(source, *bytes)))};
     const bool opaque = alpha == PictureAlpha::kept && tint.w == 1 && !has_alpha(image);
-    auto made = remade(*bytes, tint, opaque ? PictureAlpha::removed : alpha, image.srgb, frame);
+    // 8 bits are too few for what becomes dark and is lit brightly.
+    const bool linear = tint != Vec4(1) || !image.srgb || has_more_than_8_bits(*bytes);
+    auto made = remade(*bytes, {tint, opaque ? PictureAlpha::removed : alpha, image.srgb, linear}, frame);
     if (!made) {
         losses_.add(fmt::format("picture '{}', which cannot be decoded", source.name), 1, "its factor alone");
         return {};
     }
-    return {fmt::format("png {}", quoted(files_.add_picture(source, std::move(*made)))), tint != Vec4(1)};
+    return {fmt::format("png {}", quoted(files_.add_picture(source, std::move(*made)))), linear};
 }
 
 const ImageWriter::File& ImageWriter::file(const ImageSignal& image, const Vec4& tint, PictureAlpha alpha) {
@@ -123,13 +159,24 @@ const ImageWriter::File& ImageWriter::file(const ImageSignal& image, const Vec4&
     return known != made_.end() ? known->second : made_.emplace(key, make_file(image, tint, alpha)).first->second;
 }
 
+/// Nothing of a picture that cannot be read.
+ImageWriter::Size ImageWriter::size(ImageId id) {
+    const auto [at, added] = sizes_.try_emplace(id.index);
+    const std::string* bytes = added ? encoded(id) : nullptr;
+    if (!bytes) return at->second;
+    if (const auto head = png_size(*bytes)) return at->second = {head->first, head->second};
+    if (const auto picture = decoded(*bytes, Encoding::linear)) at->second = {picture->width, picture->height};
+    return at->second;
+}
+
 const ImageWriter::Framed& ImageWriter::edges(const ImageSignal& image) {
-    const Mat3& m = image.uv_transform;
-    const auto [at, added] = edges_.try_emplace({image.image.index, image.uv_set, image.wrap_u, image.wrap_v, {m[0].x, m[0].y, m[0].z, m[1].x, m[1].y, m[1].z, m[2].x, m[2].y, m[2].z}});
-    const auto plain = [](Wrap w) { return w != Wrap::clamp && w != Wrap::mirror; };
-    const std::string* bytes = added && !(plain(image.wrap_u) && plain(image.wrap_v)) ? encoded(image.image) : nullptr;
-    if (const auto picture = bytes ? decoded(*bytes, Encoding::linear) : tl::unexpected(std::string()); picture && !picture->values.empty())
-        at->second = {edges_of(scene_, image, picture->width, picture->height), picture->width, picture->height};
+    const Lookup lookup(image);
+    const auto [at, added] = edges_.try_emplace(lookup);
+    if (!added || !(lookup.clamps() || lookup.mirrors())) return at->second;
+    if (!ranges_) ranges_ = ranges_of_clamped(scene_);
+    const auto range = ranges_->find(lookup);
+    const Size within = size(image.image);
+    if (within.width > 0 && within.height > 0) at->second = {edges_of(lookup, range != ranges_->end() ? range->second : LookupRange(), within.width, within.height), within};
     return at->second;
 }
 
@@ -146,7 +193,7 @@ void ImageWriter::picture(const char* word, const File& file, const ImageSignal&
 /// From the unit square to where the texture coordinates look it up.
 Transform ImageWriter::placement(const ImageSignal& image) {
     const Framed& framed = edges(image);
-    const Transform frame = framed.edges.none() ? Transform() : place_of(framed.edges, framed.width, framed.height);
+    const Transform frame = framed.edges.none() ? Transform() : place_of(framed.edges, framed.within.width, framed.within.height);
     const Mat3 m = flipped_v() * image.uv_transform * flipped_v();
     if (m == Mat3(1.0)) return frame;
     const auto back = inverse(Transform{Mat3(m[0].x, m[0].y, 0, m[1].x, m[1].y, 0, 0, 0, 1), Vec3(m[2].x, m[2].y, 0)});

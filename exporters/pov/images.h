@@ -10,6 +10,7 @@
 
 #include <functional>
 #include <map>
+#include <optional>
 #include <tuple>
 
 namespace alidade::pov_export {
@@ -61,9 +62,13 @@ class ImageWriter {
     void picture(const char* word, const File& file, const ImageSignal& image, const char* more, double transmit);
     bool tells_nothing(ImageId id);
     void picture_code(const std::string& word, const PatternPicture& p);
+    struct Size {
+        int width = 0, height = 0;
+    };
+    Size size(ImageId id);
     struct Framed {
         PictureEdges edges;
-        int width = 1, height = 1;   ///< of the picture within
+        Size within{1, 1};
     };
     const Framed& edges(const ImageSignal& image);
     Transform placement(const ImageSignal& image);
@@ -76,7 +81,9 @@ class ImageWriter {
     std::map<uint32_t, tl::expected<std::string, std::string>> bytes_;
     std::map<Key, File> made_;
     std::map<std::tuple<uint32_t, int, Encoding>, double> means_;
-    std::map<std::tuple<uint32_t, uint32_t, Wrap, Wrap, std::array<double, 9>>, Framed> edges_;
+    std::map<uint32_t, Size> sizes_;
+    std::optional<std::map<Lookup, LookupRange>> ranges_;
+    std::map<Lookup, Framed> edges_;
 };
 
 }  // namespace alidade::pov_export

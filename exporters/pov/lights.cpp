@@ -56,7 +56,7 @@ void LightWriter::tell_losses(const Light& light) {
     losses_.add("ranges of lights", std::isfinite(light.range), "light that goes on");
     if (const auto* spot = std::get_if<SpotLight>(&light.kind)) {
         const SpotRim rim = spot_rim(*spot);
-        losses_.add("rims of spot lights", rim.off >= kTold, fmt::format("a sum of POV-Ray's, off by up to {:.1f} % of the light", 100 * rim.off));
+        losses_.add("rims of spot lights", rim.off >= kTold, fmt::format("{} of POV-Ray's, off by up to {:.1f} % of the light", rim.parts.size(), 100 * rim.off));
     }
     losses_.add("lights with an extent", std::holds_alternative<AreaLight>(light.kind), fmt::format("{0} x {0} points", kSide));
 }

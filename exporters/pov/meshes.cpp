@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "eval/flat_triangle.h"
+#include "exporters/pov/picture_edges.h"
 #include "exporters/pov/shapes.h"
 #include "exporters/pov/vertex_colors.h"
 #include "exporters/vertices.h"
-#include "scene/queries.h"
 
 #include <algorithm>
 #include <array>
@@ -42,9 +42,8 @@ class MeshText {
 
     /// The texture coordinates that the first picture of a material asks for.
     size_t uv_set(const std::optional<MaterialId>& material) const {
-        std::vector<SignalId> signals;
-        if (material) for_each_signal_of(*material, signals);
-        for (const SignalId id : signals)
+        if (!material) return 0;
+        for (const SignalId id : shown_signals(c_.scene, *material))
             if (const auto* image = std::get_if<ImageSignal>(&c_.scene.signals[id.index].what)) return image->uv_set;
         return 0;
     }
@@ -68,18 +67,11 @@ class MeshText {
         if (first.empty()) return;
         for (uint32_t t = 0; t < mesh_.triangles.size(); ++t)
             for (int corner = 0; corner < 3; ++corner) {
-                const size_t set = sets[mesh_.slots[t]];
+                const size_t set = sets[slot_of(mesh_, sets.size(), t)];
                 several_.corners.push_back(first[set] + mesh_.uvs[set].index(t, corner, mesh_.triangles[t]));
             }
         uvs_ = &several_;
         sets_written_ = size_t(std::count_if(first.begin(), first.end(), [](uint32_t at) { return at != kNoId; }));
-    }
-    void for_each_signal_of(MaterialId id, std::vector<SignalId>& out) const {
-        for (const auto& layer : c_.scene.materials[id.index].layers)
-            if (const auto* pbr = std::get_if<GltfPbr>(&layer)) {
-                collect_signals(c_.scene, pbr->base_color, out);
-                if (pbr->emissive) collect_signals(c_.scene, *pbr->emissive, out);
-            }
     }
 
     Vec3 position(size_t i) const { return mesh_.exact_positions.empty() ? Vec3(mesh_.positions[i]) : mesh_.exact_positions[i]; }
@@ -174,7 +166,7 @@ class MeshText {
             if (colors_.present()) c_.sdl.item(colors_.at(n).x), c_.sdl.item(colors_.at(n).y), c_.sdl.item(colors_.at(n).z);
             else if (mixed() && mixes(t))
                 for (int corner = 0; corner < 3; ++corner) c_.sdl.item(mesh_.corner_slots[3 * size_t(t) + size_t(corner)] - 1);
-            else if (slots_.size() > 1 && !mesh_.slots.empty() && mesh_.slots[t] > 0) c_.sdl.item(mesh_.slots[t] - 1);
+            else if (const uint32_t slot = slot_of(mesh_, slots_.size(), t); slot > 0) c_.sdl.item(slot - 1);
         }
         end();
     }

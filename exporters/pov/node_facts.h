@@ -10,6 +10,9 @@ namespace alidade::pov_export {
 
 using SlotMaterials = std::vector<std::optional<MaterialId>>;   ///< by material slot
 
+/// Which of a node's `slots` slots a mesh's triangle is in.
+inline uint32_t slot_of(const Mesh& mesh, size_t slots, size_t triangle) { return slots < 2 || mesh.slots.empty() ? 0 : mesh.slots[triangle]; }
+
 class NodeFacts {
   public:
     /// A shape in its materials: declared once if several nodes show it.

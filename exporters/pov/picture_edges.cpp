@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "exporters/pov/picture_edges.h"
 
+#include "exporters/pov/node_facts.h"
 #include "scene/queries.h"
 
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <span>
 
 namespace alidade::pov_export {
 
@@ -14,49 +16,30 @@ namespace {
 /// Pictures do not grow beyond that, and not by edges that are longer than some times their size.
 constexpr double kMostPixels = double(1 << 26), kLongestEdge = 8;
 
-/// Where it is looked up: bounds of u and v.
-struct Range {
-    Vec2 min{INFINITY}, max{-INFINITY};
-    bool known = true;
+/// A clamped picture of a material, and where it is looked up.
+struct Shown {
+    const ImageSignal* image;
+    LookupRange* range;
 };
 
-bool is_shown_so(const Scene& scene, MaterialId id, const ImageSignal& image) {
-    std::vector<SignalId> signals;
-    for (const auto& layer : scene.materials[id.index].layers)
-        if (const auto* pbr = std::get_if<GltfPbr>(&layer)) {
-            collect_signals(scene, pbr->base_color, signals);
-            if (pbr->emissive) collect_signals(scene, *pbr->emissive, signals);
+/// By material.
+std::vector<std::vector<Shown>> clamped_pictures(const Scene& scene, std::map<Lookup, LookupRange>& ranges) {
+    std::vector<std::vector<Shown>> out(scene.materials.size());
+    for (uint32_t i = 0; i < out.size(); ++i)
+        for (const SignalId id : shown_signals(scene, {i})) {
+            const auto* image = std::get_if<ImageSignal>(&scene.signals[id.index].what);
+            if (image && Lookup(*image).clamps()) out[i].push_back({image, &ranges[Lookup(*image)]});
         }
-    return std::any_of(signals.begin(), signals.end(), [&](SignalId signal) {
-        const auto* other = std::get_if<ImageSignal>(&scene.signals[signal.index].what);
-        return other && other->image == image.image && other->uv_set == image.uv_set && other->uv_transform == image.uv_transform;
-    });
-}
-
-void add_coordinates(const Mesh& mesh, const std::vector<bool>& slots, const ImageSignal& image, Range& range) {
-    if (image.uv_set >= mesh.uvs.size()) return;
-    const Attribute<Vec2f>& uvs = mesh.uvs[image.uv_set];
-    for (size_t t = 0; t < mesh.triangles.size(); ++t) {
-        if (!slots[slots.size() < 2 || mesh.slots.empty() ? 0 : mesh.slots[t]]) continue;
-        for (int corner = 0; corner < 3; ++corner) {
-            const Vec2 at = Vec2(image.uv_transform * Vec3(Vec2(uvs.values[uvs.index(t, corner, mesh.triangles[t])]), 1));
-            if (std::isfinite(at.x) && std::isfinite(at.y)) range.min = glm::min(range.min, at), range.max = glm::max(range.max, at);
-        }
-    }
-}
-
-Range range_of(const Scene& scene, const ImageSignal& image) {
-    Range out;
-    for (const Node& node : scene.nodes) {
-        std::vector<bool> slots;
-        for (const auto& material : node.materials) slots.push_back(material && is_shown_so(scene, *material, image));
-        if (std::find(slots.begin(), slots.end(), true) == slots.end()) continue;
-        const auto* shape = std::get_if<ShapeId>(&node.what);
-        const auto* mesh = shape ? std::get_if<Mesh>(&scene.shapes[shape->index].geometry) : nullptr;
-        if (mesh && (slots.size() < 2 || mesh->corner_slots.empty())) add_coordinates(*mesh, slots, image, out);
-        else out.known = false;   // nodes below may inherit the material
-    }
     return out;
+}
+
+void add_triangle(const Mesh& mesh, size_t t, const Shown& shown) {
+    if (shown.image->uv_set >= mesh.uvs.size()) return;
+    const Attribute<Vec2f>& uvs = mesh.uvs[shown.image->uv_set];
+    for (int corner = 0; corner < 3; ++corner) {
+        const Vec2 at = Vec2(shown.image->uv_transform * Vec3(Vec2(uvs.values[uvs.index(t, corner, mesh.triangles[t])]), 1));
+        if (std::isfinite(at.x) && std::isfinite(at.y)) shown.range->min = glm::min(shown.range->min, at), shown.range->max = glm::max(shown.range->max, at);
+    }
 }
 
 /// How far a picture must reach beyond its edges, in its own sizes.
@@ -71,12 +54,46 @@ int copied(int at, int before, int size, bool mirror) {
 
 }  // namespace
 
-PictureEdges edges_of(const Scene& scene, const ImageSignal& image, int width, int height) {
-    PictureEdges out{.mirror_u = image.wrap_u == Wrap::mirror, .mirror_v = image.wrap_v == Wrap::mirror};
-    const bool clamp_u = image.wrap_u == Wrap::clamp, clamp_v = image.wrap_v == Wrap::clamp;
-    if (!out.mirror_u && !out.mirror_v && !clamp_u && !clamp_v) return out;
-    if (clamp_u || clamp_v) {
-        const Range range = range_of(scene, image);
+std::vector<SignalId> shown_signals(const Scene& scene, MaterialId id) {
+    std::vector<SignalId> out;
+    for (const auto& layer : scene.materials[id.index].layers)
+        if (const auto* pbr = std::get_if<GltfPbr>(&layer)) {
+            collect_signals(scene, pbr->base_color, out);
+            if (pbr->emissive) collect_signals(scene, *pbr->emissive, out);
+        }
+    return out;
+}
+
+Lookup::Lookup(const ImageSignal& from) : image(from.image.index), uv_set(from.uv_set), wrap_u(from.wrap_u), wrap_v(from.wrap_v) {
+    const Mat3& m = from.uv_transform;
+    uv_transform = {m[0].x, m[0].y, m[0].z, m[1].x, m[1].y, m[1].z, m[2].x, m[2].y, m[2].z};
+}
+
+std::map<Lookup, LookupRange> ranges_of_clamped(const Scene& scene) {
+    std::map<Lookup, LookupRange> ranges;
+    const std::vector<std::vector<Shown>> pictures = clamped_pictures(scene, ranges);
+    const auto of = [&](const std::optional<MaterialId>& material) { return material ? std::span(pictures[material->index]) : std::span<const Shown>(); };
+    for (const Node& node : scene.nodes) {
+        const auto& slots = node.materials;
+        if (std::all_of(slots.begin(), slots.end(), [&](const auto& material) { return of(material).empty(); })) continue;
+        const auto* shape = std::get_if<ShapeId>(&node.what);
+        const auto* mesh = shape ? std::get_if<Mesh>(&scene.shapes[shape->index].geometry) : nullptr;
+        if (mesh && (slots.size() < 2 || mesh->corner_slots.empty())) {
+            for (size_t t = 0; t < mesh->triangles.size(); ++t)
+                for (const Shown& shown : of(slots[slot_of(*mesh, slots.size(), t)])) add_triangle(*mesh, t, shown);
+        } else {   // nodes below may inherit the material
+            for (const auto& material : slots)
+                for (const Shown& shown : of(material)) shown.range->known = false;
+        }
+    }
+    return ranges;
+}
+
+PictureEdges edges_of(const Lookup& lookup, const LookupRange& range, int width, int height) {
+    PictureEdges out{.mirror_u = lookup.wrap_u == Wrap::mirror, .mirror_v = lookup.wrap_v == Wrap::mirror};
+    const bool clamp_u = lookup.wrap_u == Wrap::clamp, clamp_v = lookup.wrap_v == Wrap::clamp;
+    if (!lookup.mirrors() && !lookup.clamps()) return out;
+    if (lookup.clamps()) {
         const Vec2 across = overhang(range.min.x, range.max.x), down = overhang(range.min.y, range.max.y);
         const double longest = std::max(clamp_u ? std::max(across.x, across.y) : 0, clamp_v ? std::max(down.x, down.y) : 0);
         out.exact = range.known && longest <= kLongestEdge;

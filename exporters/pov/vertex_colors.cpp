@@ -48,7 +48,7 @@ VertexColors::VertexColors(const Mesh& mesh, const SlotMaterials& slots, std::sp
         return at->second;
     };
     for (const uint32_t t : which) {
-        const auto material = slots[slots.size() < 2 || mesh.slots.empty() ? 0 : mesh.slots[t]];
+        const auto material = slots[slot_of(mesh, slots.size(), t)];
         if (!can_be_tinted(scene, material, one_colour) || known.size() > kMostTextures) {
             textures_.clear();
             if (material) losses.add_of_material(ref_of(scene, *material), "the vertex colours");

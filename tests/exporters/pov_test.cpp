@@ -1,51 +1,19 @@
 // SPDX-License-Identifier: Apache-2.0
 /// What the POV-Ray exporter writes of each kind of shape, of nodes, and of what is broken; read again by the importer.
-#include "exporters/exporter.h"
-#include "exporters/pov/spot_rim.h"
-#include "importers/importer.h"
-#include "scene/queries.h"
-#include "tests/core/folder_test.h"
+#include "tests/exporters/pov_file.h"
 #include "tests/exporters/samples.h"
 #include "tests/scene/sample_scene.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <filesystem>
 #include <fmt/format.h>
-#include <fstream>
 #include <gmock/gmock.h>
-#include <sstream>
 
 namespace alidade::test {
 namespace {
 
-namespace fs = std::filesystem;
 using testing::HasSubstr;
 using testing::Not;
-
-class PovFile : public FolderTest {
-  protected:
-    std::string exported(const Scene& scene) {
-        const std::string path = (folder_ / "scene.pov").string();
-        const auto done = export_scene(scene, path);
-        EXPECT_TRUE(done) << (done ? "" : done.error());
-        lost_.clear(), told_.clear();
-        if (done)
-            for (const Loss& loss : done->losses) lost_ += loss.what + "\n", told_ += loss.instead + "\n";
-        return text("scene.pov");
-    }
-
-    Scene again() {
-        auto read = import_scene((folder_ / "scene.pov").string());
-        EXPECT_TRUE(read) << (read ? "" : read.error().text());
-        if (!read) return {};
-        EXPECT_FALSE(validate(read->scene).has_errors());
-        return std::move(read->scene);
-    }
-
-    std::string lost_, told_;
-};
 
 Scene scene_of(ShapeGeometry geometry) {
     Scene s;
@@ -242,81 +210,22 @@ TEST_F(PovFile, DiffuseLightOfWhatIsPartlyMetalIsWhatIsNotReflected) {
     }
 }
 
-/// Of a spot's light, what KHR_lights_punctual has at an angle from the axis.
-double gltf_cone(double inner, double outer, double angle) {
-    const double x = std::clamp((std::cos(angle) - std::cos(outer)) / std::max(0.001, std::cos(inner) - std::cos(outer)), 0.0, 1.0);
-    return x * x;
-}
-
-/// What POV-Ray's lights have there: the sum of theirs, in floats as its colours are.
-float written_cones(const Scene& scene, double intensity, double angle) {
-    float sum = 0;
-    const double c = std::cos(angle);
-    for (const Light& light : scene.lights) {
-        const ConeLight& cone = std::get<ConeLight>(light.kind);
-        const double begin = std::cos(cone.falloff), end = std::cos(cone.radius), near = light.fade.value().distance;
-        const double u = begin < end ? std::clamp((c - begin) / (end - begin), 0.0, 1.0) : c >= end;
-        sum += float(light.intensity.x * 2 * kPi * near * near / intensity) * float(std::pow(c, cone.tightness) * u * u * (3 - 2 * u));
-    }
-    return sum;
-}
-
-/// The most by which what is written differs from a spot of these angles.
-double most_off(const Scene& read, const SpotLight& spot, double intensity) {
-    double most = 0;
-    for (int i = 0; i <= 2000; ++i) {
-        const double angle = std::min(1.1 * spot.outer_angle, kPi / 2) * i / 2000;
-        most = std::max(most, std::abs(double(written_cones(read, intensity, angle)) - gltf_cone(spot.inner_angle, spot.outer_angle, angle)));
-    }
-    return most;
-}
-
-/// Whether the ramp ends before the axis, at it (glTF's default), or, in spots of less than 2.6 degrees, not at all: what is said to be lost is what is.
-TEST_F(PovFile, SpotsHaveGltfsConeAndTellByHowMuchTheyDoNot) {
-    constexpr double kIntensity = 7;
-    const std::array<SpotLight, 13> cones{{{0, 1.5}, {0, kPi / 2}, {0, kPi / 4}, {0, 0.3}, {0, 0.1}, {0, 0.045}, {0, 0.03}, {0.01, 0.03}, {0.015, 0.02}, {0, 0.01}, {0.1, 0.6}, {0.3, 0.6}, {0.5, 1.2}}};
-    for (const SpotLight& cone : cones) {
-        Scene scene = triangle_scene();
-        Light light;
-        light.kind = cone, light.intensity = Color(kIntensity);
-        Node node;
-        node.what = LightId{0};
-        scene.roots.push_back({uint32_t(scene.nodes.size())});
-        scene.lights = {light}, scene.nodes.push_back(node);
-        exported(scene);
-        const Scene read = again();
-        const double said = pov_export::spot_rim(cone).off, most = most_off(read, cone, kIntensity);
-        EXPECT_LT(said, 0.0311) << cone.inner_angle << " " << cone.outer_angle;
-        EXPECT_LE(most, 1.01 * said + 1e-6) << cone.inner_angle << " " << cone.outer_angle;
-        const double ramp = std::cos(cone.inner_angle) - std::cos(cone.outer_angle);
-        EXPECT_TRUE(ramp < 0.03 || said < 5e-4) << cone.inner_angle << " " << cone.outer_angle;
-        EXPECT_EQ(told_.find("of the light") == std::string::npos, said < 5e-4) << told_;
-    }
-}
-
-/// A spot that became a sum of lights in POV-Ray's file is one again in glTF's.
-TEST_F(PovFile, SpotsComeBackFromTheirSums) {
-    for (const SpotLight& cone : {SpotLight{0.3, 0.6}, SpotLight{0, kPi / 4}}) {
-        Scene scene = triangle_scene();
-        Light light;
-        light.kind = cone, light.intensity = Color(7, 3, 1);
-        Node node;
-        node.what = LightId{0};
-        scene.roots.push_back({uint32_t(scene.nodes.size())});
-        scene.lights = {light}, scene.nodes.push_back(node);
-        exported(scene);
-        const std::string path = (folder_ / "again.glb").string();
-        ASSERT_TRUE(export_scene(again(), path));
-        const auto imported = import_scene(path);
-        ASSERT_TRUE(imported);
-        const Scene& read = imported->scene;
-        ASSERT_EQ(read.lights.size(), 1u);
-        const SpotLight& spot = std::get<SpotLight>(read.lights[0].kind);
-        EXPECT_NEAR(spot.inner_angle, cone.inner_angle, 1e-4);
-        EXPECT_NEAR(spot.outer_angle, cone.outer_angle, 1e-6);
-        EXPECT_NEAR(read.lights[0].intensity.x / read.lights[0].intensity.y, 7.0 / 3, 1e-5);
-        EXPECT_NEAR(read.lights[0].intensity.x, 7, 0.07);
-    }
+/// Opaque things are told from 0.02 on, what lets light through from 0.1 on; a POV-Ray texture lets through what all its layers do.
+TEST_F(PovFile, SmallScenesAreToldByWhatIsInThem) {
+    const auto told = [&](const std::string& texture) {
+        const auto read = import_scene(put("small.pov", "camera { location <0, 0, -1> } light_source { <1, 1, -1> 1 } sphere { 0, 0.03 " + texture + " }"));
+        EXPECT_TRUE(read) << (read ? "" : read.error().text());
+        exported(read->scene);
+        return lost_.find("misses in so small a scene") != std::string::npos;
+    };
+    const std::string clear = "texture { pigment { rgbt <1, 0, 0, 0.5> } }", opaque = "texture { pigment { rgb 1 } }";
+    EXPECT_FALSE(told(opaque));
+    EXPECT_FALSE(told(opaque + clear));
+    EXPECT_FALSE(told("texture { gradient x texture_map { [0 pigment { rgb 1 }] [1 pigment { rgb 0 }] } }"));
+    EXPECT_TRUE(told(clear));
+    EXPECT_TRUE(told(clear + clear));
+    EXPECT_TRUE(told("texture { pigment { gradient x color_map { [0 rgb 1] [1 rgbf 1] } } }"));
+    EXPECT_TRUE(told("texture { gradient x texture_map { [0 pigment { rgb 1 }] [1 pigment { rgbt 1 }] } }"));
 }
 
 }  // namespace

@@ -135,13 +135,18 @@ class Diff(InFolder):
 
     def test_far_shifts_are_found_or_not_told(self):
         a = scene(256, 192)
-        for far, told in ((12, True), (27, True), (90, False)):
-            shift = self.document(self.picture("a.png", a), self.picture("b.png", [row[far:] + [row[-1]] * far for row in a]), "--align")["shift"]
-            if told:
-                self.assertAlmostEqual(shift["x"], -far, 1)
-                self.assertAlmostEqual(shift["y"], 0, 1)
-            else:
-                self.assertLess(max(abs(shift["x"]), abs(shift["y"])), 33)
+        reference = self.picture("a.png", a)
+        for far in (12, 27, *range(34, 91, 4), 60):
+            words = reference, self.picture("b.png", [row[far:] + [row[-1]] * far for row in a]), "--align"
+            with self.subTest(far):
+                shift = self.document(*words)["shift"]
+                if far < 33:
+                    self.assertAlmostEqual(shift["x"], -far, 1)
+                    self.assertAlmostEqual(shift["y"], 0, 1)
+                    self.assertGreaterEqual(shift["explained"], 0.75)
+                else:
+                    self.assertIsNone(shift)
+        self.assertIn("shift: none that explains 75 %", self.diff(*words).stdout)
 
     def test_the_heat_map_shows_nan_and_alpha(self):
         a = [[(0.5, 0.5, 0.5) for x in range(32)] for _ in range(24)]

@@ -14,6 +14,7 @@
 #include <ImfStandardAttributes.h>
 #include <fmt/format.h>
 
+#include <cmath>
 #include <filesystem>
 #include <gmock/gmock.h>
 
@@ -77,6 +78,22 @@ TEST_F(LoadPair, ALayerOfTwoNumbersIsCompared) {
     const Comparison found = compare(a, b, "uv");
     EXPECT_EQ(found.judgement.verdict, Verdict::fail);
     EXPECT_EQ(*found.measured.at("max_abs").find("value"), 0.25);
+}
+
+/// Of the two channels, not of a third that nobody has; nor of one that is 0 in the other file.
+TEST_F(LoadPair, MeansOfTwoNumbersAreOfTwo) {
+    const auto a = file("a.exr", picture({"n.U", "n.V"}, {0.25F, 0.5F})), b = file("b.exr", picture({"n.U", "n.V"}, {0.5F, 0.5F}));
+    const Comparison found = compare(a, b, "n");
+    EXPECT_FLOAT_EQ(float(*found.measured.at("mae").find("value")), 0.125F);
+    EXPECT_FLOAT_EQ(float(*found.measured.at("rmse").find("value")), 0.25F / std::sqrt(2.0F));
+    EXPECT_EQ(found.loaded->pair.reference.channels, 2);
+    const auto three = file("c.exr", picture({"n.X", "n.Y", "n.Z"}, {0.25F, 0.5F, 0})), one = file("d.exr", picture({"n.Y"}, {0.25F})), gray = file("e.exr", picture({"n.X", "n.Y", "n.Z"}, {0.25F}));
+    for (const auto& [reference, test] : {std::pair(a, three), std::pair(three, a), std::pair(a, one), std::pair(one, a), std::pair(a, gray)}) {
+        const Comparison refused = compare(reference, test, "n");
+        EXPECT_EQ(refused.judgement.verdict, Verdict::incomparable) << reference << " " << test;
+        EXPECT_EQ(refused.cause.name, "channels");
+    }
+    EXPECT_EQ(compare(one, gray, "n").judgement.verdict, Verdict::pass);
 }
 
 /// The report and the heat map show what is no number, and what differs in alpha alone.

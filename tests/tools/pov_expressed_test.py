@@ -119,7 +119,8 @@ class PovExpressed(InFolder):
         files = {"grey with tRNS": with_chunk(greys, b"tRNS", struct.pack(">H", 80)),
                  "RGB with tRNS": with_chunk(png_bytes(changed(COLOURS, lambda x, y, p: (1, 1, 0) if x > 20 else p)), b"tRNS", struct.pack(">3H", 255, 255, 0)),
                  "grey": greys, "grey and alpha": png_bytes([[(x / 31, y / 31) for x in range(32)] for y in range(32)]),
-                 "RGBA": png_bytes(ALPHA_PICTURE), "RGB of 16 bits": png_bytes(COLOURS, 16)}
+                 "RGBA": png_bytes(ALPHA_PICTURE), "RGB of 16 bits": png_bytes(COLOURS, 16), "RGBA of 16 bits": png_bytes(ALPHA_PICTURE, 16),
+                 "grey with tRNS of 16 bits": with_chunk(png_bytes([[((x * 8) / 255,) for x in range(32)] for _ in range(32)], 16), b"tRNS", struct.pack(">H", 80 * 257))}
         for case, file in files.items():
             for mode in ("OPAQUE", "MASK", "BLEND"):
                 with self.subTest(case=f"{case} {mode}"):
@@ -136,11 +137,11 @@ class PovExpressed(InFolder):
         clamp, mirror, repeat = 33071, 33648, 10497
         turned = {"index": 0, "extensions": {"KHR_texture_transform": {"offset": [0.3, -0.2], "rotation": 0.4, "scale": [1.2, 0.8]}}}
         for wrap in ((clamp, clamp), (clamp, repeat), (repeat, mirror), (mirror, clamp), (mirror, mirror)):
-            for picture, alpha, nearest in ((COLOURS, {}, False), (COLOURS, {}, True), (ALPHA_PICTURE, {"alphaMode": "MASK"}, False)):
+            for picture, alpha, nearest, bits in ((COLOURS, {}, False, 8), (COLOURS, {}, True, 16), (ALPHA_PICTURE, {"alphaMode": "MASK"}, False, 8)):
                 for texture in ({"index": 0}, turned):
-                    with self.subTest(case=f"{wrap} {alpha} {len(texture)} {nearest}"):
+                    with self.subTest(case=f"{wrap} {alpha} {len(texture)} {nearest} {bits}"):
                         sampler = {"wrapS": wrap[0], "wrapT": wrap[1], "magFilter": 9728 if nearest else 9729}
-                        self.assert_same(wall_scene([textured(base={"baseColorTexture": texture}, **alpha)], png_bytes(picture), sampler, TEXCOORD_0=uvs))
+                        self.assert_same(wall_scene([textured(base={"baseColorTexture": texture}, **alpha)], png_bytes(picture, bits), sampler, TEXCOORD_0=uvs))
 
     def test_a_clamped_picture_that_is_looked_up_far_away_is_told(self):
         uvs = [(0, 100), (100, 100), (100, 0), (0, 0)]

@@ -38,7 +38,7 @@ using Found = std::optional<Cause>;
 /// Colours as they were before they were multiplied by alpha are equal, alpha is not.
 Found alpha(const Difference& all) {
     const PicturePair& pair = all.pair;
-    if (pair.reference.channels == pair.colors()) return std::nullopt;
+    if (!pair.has_alpha()) return std::nullopt;
     const size_t channels = size_t(pair.reference.channels);
     double most = 0, color = 0;
     for (size_t p = 0; p < pair.pixels(); ++p) {
@@ -96,9 +96,9 @@ Found mirrored(const Difference& all) {
 }
 
 Found shift(const Difference& all) {
-    const Shift found = find_shift(all.pair);
-    if (found.explained < 0.75 || std::hypot(found.x, found.y) < 0.05) return std::nullopt;
-    return Cause{"shift", fmt::format("the test is shifted by {:.2f}, {:.2f} pixels (right, down)", found.x, found.y)};
+    const std::optional<Shift> found = find_shift(all.pair);
+    if (!found || std::hypot(found->x, found->y) < 0.05) return std::nullopt;
+    return Cause{"shift", fmt::format("the test is shifted by {:.2f}, {:.2f} pixels (right, down)", found->x, found->y)};
 }
 
 Found pixels(const Difference& all) {

@@ -19,9 +19,11 @@ struct Shift {
     double x = 0, y = 0;      ///< test(x + shift) = reference(x), in pixels
     double explained = 0;     ///< the share of the squared error that is gone after it, away from the border
 };
-/// To a quarter of a pixel and better, within 8 pixels: the integer shift with the least squared error, then least squares on the gradients
-/// (Lucas and Kanade, "An iterative image registration technique", IJCAI 1981).
-Shift find_shift(const PicturePair& pair);
+/// A shift explains at least this share of the squared error: of pictures that no shift brings together, some shift is the nearest.
+constexpr double kShiftExplains = 0.75;
+/// To a quarter of a pixel and better, within 32 pixels: the integer shift with the least squared error, then least squares on the gradients
+/// (Lucas and Kanade, "An iterative image registration technique", IJCAI 1981). Nothing where no shift explains the difference, or where there is none.
+std::optional<Shift> find_shift(const PicturePair& pair);
 
 /// The first that explains the difference, of: alpha, channels (swapped), mirrored, encoding (sRGB taken off or put on), gamma, exposure, offset, shift,
 /// pixels (up to 4), seam (a line), noise, region, edges; else content.

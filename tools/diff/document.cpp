@@ -42,7 +42,7 @@ void add_pair(const Comparison& c, Json& out) {
     for (const Metric& metric : metrics())
         if (const auto found = c.measured.find(metric.name); found != c.measured.end()) all[metric.name] = numbers_of(found->second);
     out["tiles"] = to_json(c.tiles);
-    if (c.shift) out["shift"] = {{"x", c.shift->x}, {"y", c.shift->y}, {"explained", c.shift->explained}};
+    if (c.aligned) out["shift"] = c.shift ? Json{{"x", c.shift->x}, {"y", c.shift->y}, {"explained", c.shift->explained}} : Json();
 }
 
 /// XML has no other bytes than UTF-8's: those of a file's name that are none become the replacement character.
@@ -98,6 +98,7 @@ std::string as_lines(const Comparison& c) {
         out += worst_tiles(c.tiles);
     }
     if (c.shift) out += fmt::format("shift: {:.3f}, {:.3f} pixels (right, down), which explains {:.1f} % of the squared error\n", c.shift->x, c.shift->y, 100 * c.shift->explained);
+    else if (c.aligned) out += fmt::format("shift: none that explains {:.0f} % of the squared error\n", 100 * kShiftExplains);
     for (const Check& check : c.judgement.checks) out += fmt::format("{} {}: {:.6g}\n", check.kept ? "kept  " : "BROKEN", check.rule, check.value);
     if (!c.cause.name.empty()) out += fmt::format("cause: {}: {}\n", c.cause.name, c.cause.sentence);
     return out + fmt::format("{}: {}\n", name_of(c.judgement.verdict), c.judgement.reason);
@@ -119,10 +120,9 @@ std::vector<float> error_map(const Comparison& c) {
     std::vector<float> errors = (hdr == c.measured.end() ? c.measured.at("flip") : hdr->second).map;
     const PicturePair& pair = c.loaded->pair;
     const size_t channels = size_t(pair.reference.channels);
-    const bool has_alpha = pair.reference.names.back() == "A";
     for (size_t p = 0; p < errors.size(); ++p) {
         const size_t last = (p + 1) * channels - 1;
-        if (has_alpha) errors[p] = std::max(errors[p], std::abs(pair.test.values[last] - pair.reference.values[last]));
+        if (pair.has_alpha()) errors[p] = std::max(errors[p], std::abs(pair.test.values[last] - pair.reference.values[last]));
         if (!c.loaded->odd.empty() && c.loaded->odd[p]) errors[p] = 1;
     }
     return errors;

@@ -15,7 +15,8 @@ struct Comparison {
     std::optional<LoadedPair> loaded;  ///< absent if there is nothing to measure
     Measurements measured;
     TileTable tiles;
-    std::optional<Shift> shift;        ///< if it was asked for
+    bool aligned = false;              ///< a shift was looked for
+    std::optional<Shift> shift;        ///< and found
     Judgement judgement;
     Cause cause;
     std::vector<uint8_t> marked;       ///< pixels that heat_map() marks, one a pixel; empty for none

@@ -18,7 +18,7 @@ Refused incomparable(const char* cause, std::string sentence) { return Refused({
 
 /// A file's channels that are compared, and what their numbers mean.
 struct Side {
-    Picture picture;       ///< R, G, B or Y, then A
+    Picture picture;       ///< Y, or R, G, B, or R, G for two numbers; then A
     uint32_t levels = 0;
     double gamma = 0;
     bool premultiplied = false;
@@ -44,18 +44,14 @@ std::vector<int> layer_channels(const Picture& picture, const std::string& layer
     return all;
 }
 
-/// Two that are not a gray with its alpha, as texture coordinates: a third that is 0 makes them comparable.
-bool is_two_numbers(const Picture& picture, const std::vector<int>& channels) { return channels.size() == 2 && !picture.names[size_t(channels[1])].ends_with(".A"); }
-
-Picture with_third(const Picture& two) {
-    Picture out(two.width, two.height, {"R", "G", "B"});
-    for (size_t p = 0; 2 * p < two.values.size(); ++p) std::copy_n(&two.values[2 * p], 2, &out.values[3 * p]);
-    return out;
+/// Others of two channels are two numbers, as texture coordinates.
+bool is_gray_with_alpha(const Picture& picture, const std::vector<int>& channels) {
+    return channels.size() == 2 && (picture.names[size_t(channels[1])] == "A" || picture.names[size_t(channels[1])].ends_with(".A"));
 }
 
-/// One number or three can be compared as colours are, and three with alpha.
+/// One to three numbers can be compared as colours are, and one or three with alpha.
 bool is_comparable(const Picture& picture, const std::vector<int>& channels) {
-    return channels.size() == 1 || is_two_numbers(picture, channels) || channels.size() == 3 || (channels.size() == 4 && picture.names[size_t(channels[3])].ends_with(".A"));
+    return channels.size() <= 3 || (channels.size() == 4 && picture.names[size_t(channels[3])].ends_with(".A"));
 }
 
 tl::expected<Side, NoPair> read_side(const std::string& path, const std::string& layer) {
@@ -70,16 +66,12 @@ tl::expected<Side, NoPair> read_side(const std::string& path, const std::string&
     if (!layer.empty() && !is_comparable(stored->picture, from))
         return bad_file(fmt::format("{}: the layer '{}' has {} channels, which are no colours: --layer {} compares one of them", path, layer, from.size(),
                                     stored->picture.names[size_t(from[0])]));
-    std::vector<std::string> names;
-    if (from.size() <= 2) names = {"Y", "A"};
-    else names = {"R", "G", "B", "A"};
+    std::vector<std::string> names{"R", "G", "B", "A"};
+    if (from.size() == 1 || is_gray_with_alpha(stored->picture, from)) names = {"Y", "A"};
     names.resize(from.size());
     Picture picture = select_channels(stored->picture, from, names);
-    if (!layer.empty() && is_two_numbers(stored->picture, from)) picture = with_third(picture);
     return Side{std::move(picture), stored->levels, stored->gamma, stored->levels == 0, stored->picture.names.size() - from.size(), std::move(stored->left_out)};
 }
-
-bool has_alpha(const Picture& picture) { return picture.names.back() == "A"; }
 
 void drop_last_channel(Picture& picture) {
     std::vector<int> from;
@@ -137,8 +129,11 @@ tl::expected<void, NoPair> match_alpha(Side& reference, Side& test, const Counts
 }
 
 tl::expected<void, NoPair> match_colors(Side& reference, Side& test, const Counts& counts, const std::string (&paths)[2], std::vector<std::string>& notes) {
-    const bool gray[2] = {reference.picture.names[0] == "Y", test.picture.names[0] == "Y"};
-    if (gray[0] == gray[1]) return {};
+    const auto colors = [](const Side& side) { return side.picture.channels - has_alpha(side.picture); };
+    const int count[2] = {colors(reference), colors(test)};
+    if (count[0] == count[1]) return {};
+    if (count[0] == 2 || count[1] == 2) return incomparable("channels", fmt::format("{} has {} channels, {} has {}", paths[0], count[0], paths[1], count[1]));
+    const bool gray[2] = {count[0] == 1, count[1] == 1};
     Picture& colored = gray[0] ? test.picture : reference.picture;
     if (!is_gray(colored, counts)) return incomparable("channels", fmt::format("{} is gray, {} has colours", paths[gray[0] ? 0 : 1], paths[gray[0] ? 1 : 0]));
     notes.push_back(fmt::format("{} is gray in each pixel: one channel is compared", paths[gray[0] ? 1 : 0]));

@@ -125,14 +125,14 @@ std::optional<Whole> whole_shift(const Gray& reference, const Gray& test) {
 
 }  // namespace
 
-Shift find_shift(const PicturePair& pair) {
+std::optional<Shift> find_shift(const PicturePair& pair) {
     const Gray reference = gray_of(pair.reference, pair.colors()), test = gray_of(pair.test, pair.colors());
     const std::optional<Whole> found = whole_shift(reference, test);
-    if (!found) return {};
+    if (!found) return std::nullopt;
     const Whole whole = *found;
     const Interior inside = interior(reference, std::max({std::abs(whole.x), std::abs(whole.y), most_of(reference)}) + 3);
     const double before = squared_error(reference, test, inside, {});
-    if (before == 0) return {};
+    if (before == 0) return std::nullopt;
     Shift best{double(whole.x), double(whole.y), 0};
     double least = squared_error(reference, test, inside, best);
     for (Shift at = best; const int i [[maybe_unused]] : {0, 1, 2, 3, 4, 5}) {
@@ -141,7 +141,7 @@ Shift find_shift(const PicturePair& pair) {
         if (const double error = squared_error(reference, test, inside, at); error < least) least = error, best = at;
     }
     best.explained = 1 - least / before;
-    return best;
+    return best.explained >= kShiftExplains ? std::optional(best) : std::nullopt;
 }
 
 }  // namespace alidade

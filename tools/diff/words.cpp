@@ -116,7 +116,8 @@ std::string why_overwritten(const DiffRequest& request, std::vector<std::string>
 }
 
 Comparison compare_files(const std::string& reference, const std::string& test, const DiffRequest& asked) {
-    Comparison out{reference, test, {}, {}, {}, {}, {}, {}, {}};
+    Comparison out;
+    out.reference = reference, out.test = test;
     auto loaded = load_pair(reference, test, asked.pair);
     if (!loaded) {
         out.judgement = {loaded.error().incomparable ? Verdict::incomparable : Verdict::error, loaded.error().sentence, {}};
@@ -127,7 +128,7 @@ Comparison compare_files(const std::string& reference, const std::string& test, 
     const PicturePair& pair = out.loaded->pair;
     out.measured = measure_all(pair), out.tiles = tile_table(pair);
     out.judgement = judge(*out.loaded, out.measured, asked.rules);
-    if (asked.align) out.shift = find_shift(pair);
+    if (asked.align) out.aligned = true, out.shift = find_shift(pair);
     const NonFinite& odd = out.loaded->non_finite;
     if (odd.in_one + odd.nan_in_both > 0) out.cause = {odd.nan ? "nan" : "inf", out.judgement.reason};
     else out.cause = find_cause(pair);

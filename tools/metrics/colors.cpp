@@ -32,20 +32,18 @@ float encode(float linear) {
     return linear <= 0.0031308f ? linear * 12.92f : 1.055f * std::pow(linear, 1 / 2.4f) - 0.055f;
 }
 
-/// Every pixel's colour through `curve`, three values a pixel.
+/// Every pixel's colour through `curve`, three values a pixel: of two numbers the third is 0.
 template <class Curve>
 std::vector<float> colors(const PicturePair& pair, const Picture& picture, Curve curve) {
     constexpr size_t block = 1 << 14;
-    const size_t count = pair.pixels(), channels = size_t(picture.channels), step = pair.colors() == 3 ? 1 : 0;
+    const size_t count = pair.pixels(), channels = size_t(picture.channels), own = size_t(pair.colors());
     std::vector<float> found(3 * count);
     parallel_for((count + block - 1) / block, pair.threads, [&](size_t b) {
         for (size_t i = b * block, end = std::min(count, i + block); i < end; ++i) {
             const float* in = &picture.values[i * channels];
-            if (step) {
-                for (size_t c = 0; c < 3; ++c) found[3 * i + c] = curve(in[c]);
-            } else {
-                std::fill_n(&found[3 * i], 3, curve(in[0]));
-            }
+            if (own == 1) std::fill_n(&found[3 * i], 3, curve(in[0]));
+            else
+                for (size_t c = 0; c < own; ++c) found[3 * i + c] = curve(in[c]);
         }
     });
     return found;

@@ -11,7 +11,10 @@
 
 namespace alidade {
 
-/// Two pictures of one size with the same channels (Y or R, G, B, then A if either has one), ready to be measured. There is at least one pixel
+/// The last channel of a picture that is compared, if it has one.
+inline bool has_alpha(const Picture& picture) { return picture.names.back() == "A"; }
+
+/// Two pictures of one size with the same channels (Y, or R, G, B, or R, G of layers of two numbers, then A if either has one), ready to be measured. There is at least one pixel
 /// that counts. Where both hold floats, colours are linear and have no bounds (`hdr`); else both are display values, that is sRGB-encoded, 0 .. 1.
 /// Colour is premultiplied by alpha (over black): what lies under an alpha of 0 is not seen and not compared.
 struct PicturePair {
@@ -23,7 +26,8 @@ struct PicturePair {
     int width() const { return reference.width; }
     int height() const { return reference.height; }
     size_t pixels() const { return size_t(width()) * size_t(height()); }
-    int colors() const { return reference.names[0] == "Y" ? 1 : 3; }   ///< channels that are not alpha
+    bool has_alpha() const { return alidade::has_alpha(reference); }
+    int colors() const { return reference.channels - has_alpha(); }   ///< channels that are not alpha
 };
 
 /// What a metric says: named numbers, the one that stands for it first ("value", "mean"); a share is a fraction, 0 .. 1.
@@ -49,7 +53,7 @@ struct Metric {
 
 std::span<const Metric> metrics();
 
-/// Red, green and blue of each pixel as display values 0 .. 1, interleaved: gray three times, alpha left out, linear values clipped and sRGB-encoded.
+/// Red, green and blue of each pixel as display values 0 .. 1, interleaved: gray three times, two numbers and 0, alpha left out, linear values clipped and sRGB-encoded.
 std::vector<float> display_colors(const PicturePair& pair, const Picture& picture);
 /// The same linear and as they are.
 std::vector<float> linear_colors(const PicturePair& pair, const Picture& picture);

@@ -50,7 +50,7 @@ struct Pool {
     }
 };
 
-/// Both pictures' display values, three (or for gray the first of three) channels interleaved.
+/// Both pictures' display values, three channels interleaved, of which the pair's own count.
 struct Values {
     const PicturePair& pair;
     std::vector<float> a, b;
