@@ -2,14 +2,17 @@
 /// All accelerators answer as brute force does, bit for bit; and on a lattice, where the answer is known without any.
 #include "core/draws.h"
 #include "numerics/rows.h"
+#include "numerics/toy_scenes.h"
 #include "numerics/triangles/rays.h"
 #include "numerics/triangles/subjects.h"
+#include "tracer/compiled_scene.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <tuple>
 
 namespace alidade::numerics {
 
@@ -32,17 +35,51 @@ Compared compared(uint64_t block) {
         return list;
     }();
     Draws draws(RandomKey(15, 1, block));
-    const Mesh& mesh = meshes[block % meshes.size()];
+    const Mesh& mesh = meshes[draws.below(meshes.size())];
     const double scale = draws.below(4) == 0 ? 1 : std::pow(10, draws.uniform(-6, 6));   // a wrong epsilon shows only away from 1
-    return {block / meshes.size() % 2 ? Precision::double_ : Precision::float_, scaled(mesh, scale)};
+    return {draws.coin() ? Precision::double_ : Precision::float_, scaled(mesh, scale)};
 }
 
 /// Is the first hit the nearest of all, and of those the one with the lowest id? Said without the order that all structures share.
 bool is_first(const Answers& a) {
     if (a.all.empty()) return !a.first.valid() && !a.occluded;
-    const auto before = [](const Hit& x, const Hit& y) { return std::pair(x.t, x.primitive) < std::pair(y.t, y.primitive); };
-    const Hit& least = *std::min_element(a.all.begin(), a.all.end(), before);
-    return a.occluded && least.t == a.first.t && least.primitive == a.first.primitive && std::isfinite(a.first.t);
+    const auto order = [](const Hit& hit) { return std::tuple(hit.t, hit.instance, hit.primitive); };
+    const Hit& least = *std::min_element(a.all.begin(), a.all.end(), [&](const Hit& x, const Hit& y) { return order(x) < order(y); });
+    return a.occluded && order(least) == order(a.first) && std::isfinite(a.first.t);
+}
+
+/// Instances of boxes, spheres and meshes on a lattice, faces and whole shapes at one place: most hits are ties. Compiled with each accelerator, with brute force last.
+struct Instances {
+    Mesh around = cube(2);   ///< what rays are made for
+    std::vector<std::shared_ptr<const CompiledScene>> scenes;
+
+    std::string text(size_t i, const Ray& ray) const { return fmt::format("instances, {}, {}", i + 1 < scenes.size() ? accelerators()[i + 1].name : accelerators()[0].name, describe(ray)); }
+};
+
+Instances instances(uint64_t block) {
+    Draws draws(RandomKey(15, 2, block));
+    alidade::Mesh mesh;
+    const Mesh unit = cube(1);
+    mesh.positions = unit.positions, mesh.triangles = unit.triangles;
+    const double scale = draws.coin() ? 1 : std::pow(10, draws.uniform(-6, 6));
+    std::vector<PlacedToy> shapes;
+    for (int i = 0; i < 60; ++i) {
+        const double x = draws.below(4), y = draws.below(4), z = draws.below(4);
+        const ShapeGeometry kinds[] = {Box{}, Sphere{}, mesh};
+        shapes.push_back({kinds[draws.below(3)], Transform::scale(Vec3(scale)) * Transform::translate(0.5 * Vec3(x, y, z) - Vec3(0.75)) * Transform::scale(Vec3(0.25))});
+    }
+    Instances made;
+    made.around = scaled(made.around, scale);
+    const auto add = [&](const AcceleratorEntry& entry) {
+        CompileOptions options;
+        options.accel = entry.name, options.threads = 1;
+        options.precision = block % 2 ? Precision::double_ : Precision::float_;
+        Diagnostics said;
+        made.scenes.push_back(compile(toy_shapes(shapes), options, said));
+    };
+    for (const AcceleratorEntry* entry : accelerators_under_test()) add(*entry);
+    add(accelerators().front());
+    return made;
 }
 
 /// A mesh all of whose hits along an axis lie in known planes.
@@ -142,16 +179,26 @@ void check_planes(const Answers& got, const std::vector<double>& want, double or
 }  // namespace
 
 Check accel_equal() {
-    return [kept = std::make_shared<Shared<Compared>>()](uint64_t number, NumericsTally& tally) {
-        constexpr uint64_t kBlock = 2048;   // rays at the same mesh
-        const Compared& c = kept->at(number / kBlock, compared);
+    constexpr uint64_t kBlock = 2048;   // rays at the same mesh; each eighth block has instances
+    return [meshes = std::make_shared<Shared<Compared>>(), placed = std::make_shared<Shared<Instances>>()](uint64_t number, NumericsTally& tally) {
         const RayClass& rays = ray_classes()[number % ray_classes().size()];
-        const Ray ray = rays.make(c.mesh, RandomKey(15, 0, number));
-        const Answers want = answers(*c.structures.back().accelerator, ray);
-        tally.decide(is_first(want), [&] { return fmt::format("{}: the first hit is not the first of all", c.structures.back().text(ray)); });
-        for (size_t i = 0; i + 1 < c.structures.size(); ++i) {
-            const std::string what = difference(answers(*c.structures[i].accelerator, ray), want);
-            tally.decide(what.empty(), [&] { return fmt::format("{}, {}\n{}", rays.name, c.structures[i].text(ray), what); });
+        const RandomKey key(15, 0, number);
+        const auto compare = [&](size_t count, const Ray& ray, const auto& accelerator, const auto& text) {
+            const Answers want = answers(accelerator(count - 1), ray);
+            tally.decide(is_first(want), [&] { return text(count - 1) + ": the first hit is not the first of all"; });
+            for (size_t i = 0; i + 1 < count; ++i) {
+                const std::string what = difference(answers(accelerator(i), ray), want);
+                tally.decide(what.empty(), [&] { return fmt::format("{}, {}\n{}", rays.name, text(i), what); });
+            }
+        };
+        if (number / kBlock % 8 == 7) {
+            const Instances& c = placed->at(number / kBlock, instances);
+            const Ray ray = rays.make(c.around, key);
+            compare(c.scenes.size(), ray, [&](size_t i) -> const Accelerator& { return *c.scenes[i]->top; }, [&](size_t i) { return c.text(i, ray); });
+        } else {
+            const Compared& c = meshes->at(number / kBlock, compared);
+            const Ray ray = rays.make(c.mesh, key);
+            compare(c.structures.size(), ray, [&](size_t i) -> const Accelerator& { return *c.structures[i].accelerator; }, [&](size_t i) { return c.structures[i].text(ray); });
         }
     };
 }

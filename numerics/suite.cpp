@@ -32,7 +32,7 @@ constexpr NumericsRow kSuite[] = {
      "POV-Ray's glass is wrong outside of 1e-1 to 1e4", 200, 10000, scale_image},
     {"T13", "offset-image", "the same, moved by 1e2 to 1e9: pixels of 1200 that are off by more than 2/255", "none to 1e7, 0.1 % beyond",
      "POV-Ray's mesh2 is wrong in 21 % at 1e5, black at 1e8", 200, 10000, offset_image},
-    {"T15", "accel-equal", "all accelerators and brute force on 16 meshes of sizes 1e-6 to 1e6, 18 classes of rays: the first hit, any hit, all hits", "the same bits, the lowest id where hits are at one place",
+    {"T15", "accel-equal", "all accelerators and brute force on 16 meshes of sizes 1e-6 to 1e6 and on instances at one place, 18 classes of rays: the first hit, any hit, all hits", "the same bits, the lowest id where hits are at one place",
      "", 100000, 100000000, accel_equal},
     {"T16", "axis-parallel", "rays along axes through lattice planes, edges and corners, and from them, the direction's other components 0, -0 or denormal; where planes stand is known; units of roundoff of t", "each plane met, t within 3 of origin and t, nothing else",
      "tinybvh in double misses 67 %", 30000, 10000000, axis_parallel},
