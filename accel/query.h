@@ -5,7 +5,9 @@
 #include "accel/leaf.h"
 
 #include <algorithm>
+#include <cmath>
 #include <tuple>
+#include <utility>
 
 namespace alidade {
 
@@ -66,11 +68,11 @@ template <class Leaf> class AnyQuery {
     bool found_ = false;
 };
 
-/// Sorts the hits from `first` on, and takes out those that are there twice.
+/// Sorts the hits from `first` on, and takes out those that are there twice. A flat box is entered at -0 and left at 0: without the sign, chance says which of the two stays.
 inline void put_in_order(std::vector<Hit>& hits, size_t first) {
     const auto key = [](const Hit& h) { return std::tuple(h.t, h.instance, h.primitive, h.part); };
     const auto begin = hits.begin() + std::ptrdiff_t(first);
-    std::sort(begin, hits.end(), [&](const Hit& a, const Hit& b) { return key(a) < key(b); });
+    std::sort(begin, hits.end(), [&](const Hit& a, const Hit& b) { return std::pair(key(a), !std::signbit(a.t)) < std::pair(key(b), !std::signbit(b.t)); });
     hits.erase(std::unique(begin, hits.end(), [&](const Hit& a, const Hit& b) { return key(a) == key(b); }), hits.end());
 }
 

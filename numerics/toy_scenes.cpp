@@ -158,6 +158,25 @@ Scene toy_scene(size_t number, double scale, const Vec3& offset) {
     return toy.take();
 }
 
+ShapeGeometry toy_shape(size_t row) { return default_shape(shapes()[row].kind); }
+
+Scene toy_shapes(std::vector<PlacedToy> shapes) {
+    Scene scene;
+    scene.signals.push_back({ConstantSignal{Vec4(0.5)}, {}});
+    GltfPbr matte;
+    matte.base_color = SignalId{0};
+    scene.materials.push_back({{}, {matte}, {}});
+    for (PlacedToy& shape : shapes) {
+        scene.shapes.push_back({"", std::move(shape.geometry), {}});
+        Node node;
+        node.to_parent = shape.to_world;
+        node.what = ShapeId{uint32_t(scene.shapes.size() - 1)};
+        node.materials = {MaterialId{0}};
+        scene.nodes.push_back(std::move(node)), scene.roots.push_back({uint32_t(scene.nodes.size() - 1)});
+    }
+    return scene;
+}
+
 Picture toy_picture(const Scene& scene, const CompileOptions& compile_options, RenderOptions options) {
     Diagnostics said;
     const auto compiled = compile(scene, compile_options, said);

@@ -1,61 +1,17 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Every accelerator gives the answers of brute force, bit for bit: t, ids, u, v and error bound of the first hit, any hit, all hits.
-#include "tests/accel/compare.h"
-#include "tests/accel/rays.h"
-#include "tests/accel/run_size.h"
+/// What accelerators promise besides the answers of brute force (numerics T15): closed intervals, prior hits, batches, meshes without doubles.
+#include "numerics/triangles/compare.h"
+#include "numerics/triangles/rays.h"
 
-#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 namespace alidade::test {
+
+using namespace numerics;
+
 namespace {
 
-constexpr double kScales[] = {1e-6, 1e-3, 1, 1e3, 1e6};  // a wrong epsilon shows only away from 1
 constexpr uint64_t kSeed = 20250101;
-
-struct Tally {
-    size_t rays = 0, hits = 0, failures = 0;
-};
-
-/// Compares every accelerator with brute force on `count` rays of a class; reports the first few differences.
-void compare(const Mesh& mesh, Precision precision, const RayClass& rays, size_t count, Tally& tally) {
-    const auto brute = brute_force(mesh, precision);
-    const auto entries = accelerators_under_test();
-    std::vector<std::unique_ptr<Accelerator>> structures;
-    for (const AcceleratorEntry* entry : entries) structures.push_back(build(*entry, mesh, {precision}));
-    for (size_t i = 0; i < count && tally.failures < 3; ++i) {
-        const Ray ray = rays.make(mesh, RandomKey(kSeed, 0, i, 0));
-        const Answers want = answers(*brute, ray);
-        ++tally.rays, tally.hits += want.first.valid();
-        for (size_t k = 0; k < structures.size(); ++k) {
-            const std::string what = difference(answers(*structures[k], ray), want);
-            if (what.empty()) continue;
-            ++tally.failures;
-            ADD_FAILURE() << entries[k]->name << ", " << mesh.name << ", " << name(precision) << ", " << rays.name << ", seed " << kSeed << ", ray "
-                          << i << ": " << describe(ray) << "\n"
-                          << what;
-        }
-    }
-}
-
-class EveryAccelerator : public testing::TestWithParam<std::tuple<Precision, double>> {};
-
-/// 5e5 rays for each precision over all scales; 1e7 in a full run.
-TEST_P(EveryAccelerator, AgreesWithBruteForce) {
-    const auto [precision, scale] = GetParam();
-    std::vector<Mesh> meshes;
-    for (const Mesh& mesh : small_meshes()) meshes.push_back(scaled(mesh, scale).read_at(precision));
-    const size_t count = run_size(500000, 10000000) / (std::size(kScales) * meshes.size() * ray_classes().size()) + 1;
-    size_t total = 0;
-    for (const RayClass& rays : ray_classes()) {
-        Tally tally;
-        for (const Mesh& mesh : meshes) compare(mesh, precision, rays, count, tally);
-        EXPECT_GE(double(tally.hits), rays.least_hits * double(tally.rays)) << rays.name << ": the test must exercise hits";
-        total += tally.rays;
-    }
-    RecordProperty("rays", std::to_string(total));
-    fmt::print("{} rays, {} accelerators\n", total, accelerators_under_test().size());
-}
 
 /// Found by a full run: rays just inside the bounds of a mesh whose sides differ by 2^100, where the planes of a grid are coarser than the distance.
 TEST(Replay, RaysThatRunJustInsideTheBounds) {
@@ -72,11 +28,6 @@ TEST(Replay, RaysThatRunJustInsideTheBounds) {
             EXPECT_EQ(difference(answers(*build(*entry, mesh, {Precision::float_}), ray), answers(*brute, ray)), "") << entry->name;
     }
 }
-
-INSTANTIATE_TEST_SUITE_P(Registry, EveryAccelerator,
-                         testing::Combine(testing::Values(Precision::float_, Precision::double_), testing::ValuesIn(kScales)), [](const auto& info) {
-                             return test_name(fmt::format("{}_{:.0e}", name(std::get<0>(info.param)), std::get<1>(info.param)));
-                         });
 
 /// A hit at exactly tmin or tmax belongs to the ray, and one ulp further it does not.
 TEST(Interval, IsClosedToTheLastBit) {

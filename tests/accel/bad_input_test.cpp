@@ -1,13 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
 /// Bad triangles are removed and reported, awkward ones are kept, and neither changes a bit of a hit on the good part. Bad rays hit nothing.
-#include "tests/accel/compare.h"
 #include "core/draws.h"
-#include "tests/accel/rays.h"
+#include "numerics/triangles/compare.h"
+#include "numerics/triangles/rays.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 namespace alidade::test {
+
+using namespace numerics;
+
 namespace {
 
 constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();

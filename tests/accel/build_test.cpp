@@ -1,13 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
 /// The registry, and what a finished structure says of itself.
-#include "tests/accel/compare.h"
-#include "tests/accel/rays.h"
+#include "numerics/triangles/compare.h"
+#include "numerics/triangles/rays.h"
 
 #include <gtest/gtest.h>
 
 #include <set>
 
 namespace alidade::test {
+
+using namespace numerics;
+
 namespace {
 
 TEST(Registry, BeginsWithBruteForceAndFindsByName) {

@@ -3,13 +3,16 @@
 #include "accel/triangles/exact_sign.h"
 
 #include "core/draws.h"
-#include "tests/accel/exact_oracle.h"
+#include "numerics/triangles/rational.h"
 #include "tests/accel/run_size.h"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
 namespace alidade::test {
+
+using namespace numerics;
+
 namespace {
 
 struct EdgeCase {

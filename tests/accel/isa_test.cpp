@@ -1,13 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
 /// Instruction sets change the speed, never a bit of a hit.
-#include "tests/accel/compare.h"
-#include "tests/accel/rays.h"
+#include "numerics/triangles/compare.h"
+#include "numerics/triangles/rays.h"
 #include "tests/accel/run_size.h"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
 namespace alidade::test {
+
+using namespace numerics;
+
 namespace {
 
 TEST(Isa, ScalarIsFirstAndAlwaysThere) {

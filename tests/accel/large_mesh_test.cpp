@@ -1,13 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
 /// Where brute force cannot follow, the structures check each other: they share the triangle test, but no line of build or traversal.
-#include "tests/accel/compare.h"
-#include "tests/accel/rays.h"
+#include "numerics/triangles/compare.h"
+#include "numerics/triangles/rays.h"
 #include "tests/accel/run_size.h"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
 namespace alidade::test {
+
+using namespace numerics;
+
 namespace {
 
 constexpr uint64_t kSeed = 20250202;

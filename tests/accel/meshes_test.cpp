@@ -1,10 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
-/// The meshes are what they claim: a leak test on an open mesh would say nothing.
-#include "tests/accel/meshes.h"
+/// The meshes and rays are what they claim: a leak test on an open mesh would say nothing, nor one with rays that miss.
+#include "numerics/triangles/compare.h"
+#include "numerics/triangles/rays.h"
 
 #include <gtest/gtest.h>
 
 namespace alidade::test {
+
+using namespace numerics;
+
 namespace {
 
 TEST(Meshes, HaveTheTrianglesTheyPromise) {
@@ -54,6 +58,18 @@ TEST(Meshes, InteriorBoxIsInside) {
         }
         const Vec3 outside = mesh.bounds().max + mesh.bounds().extent();
         EXPECT_NEAR(winding_number(rounded, outside), 0, 1e-6) << mesh.name;
+    }
+}
+
+TEST(RayClasses, HitAsOftenAsTheyPromise) {
+    for (const RayClass& rays : ray_classes()) {
+        size_t hits = 0, count = 0;
+        for (const Mesh& source : small_meshes()) {
+            const Mesh mesh = source.read_at(Precision::float_);
+            const auto brute = brute_force(mesh, Precision::float_);
+            for (size_t i = 0; i < 300; ++i, ++count) hits += is_occluded(*brute, rays.make(mesh, RandomKey(7, 0, i)));
+        }
+        EXPECT_GE(double(hits), rays.least_hits * double(count)) << rays.name;
     }
 }
 

@@ -1,13 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
 /// Every structure shares one triangle kernel; this test shares nothing with it. Moeller-Trumbore in long double, as a textbook has it, is right
 /// where a ray stays clear of edges and does not graze: there the hits must be the same.
-#include "tests/accel/compare.h"
-#include "tests/accel/rays.h"
+#include "numerics/triangles/compare.h"
+#include "numerics/triangles/rays.h"
 #include "tests/accel/run_size.h"
 
 #include <gtest/gtest.h>
 
 namespace alidade::test {
+
+using namespace numerics;
+
 namespace {
 
 using Real = long double;

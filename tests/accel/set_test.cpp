@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 /// Accelerators over primitives that are no triangles: the same answers as brute force over the same set.
-#include "tests/accel/compare.h"
 #include "core/draws.h"
-#include "tests/accel/rays.h"
+#include "numerics/triangles/compare.h"
+#include "numerics/triangles/rays.h"
 #include "tests/accel/run_size.h"
 #include "tests/accel/toy_set.h"
 
@@ -11,6 +11,9 @@
 #include <gtest/gtest.h>
 
 namespace alidade::test {
+
+using namespace numerics;
+
 namespace {
 
 constexpr uint64_t kSeed = 91;

@@ -8,6 +8,7 @@
 #include <gtest/gtest.h>
 
 namespace alidade::test {
+
 namespace {
 
 constexpr uint64_t kSeed = 1991;

@@ -2,10 +2,11 @@
 /// Spatial splits: the parts of a triangle hold all of it, exactly; the tree finds every point of every triangle; and no hit differs by a bit.
 #include "accel/bvh/bvh.h"
 #include "core/draws.h"
-#include "tests/accel/compare.h"
-#include "tests/accel/exact_oracle.h"
-#include "tests/accel/rays.h"
+#include "numerics/triangles/compare.h"
+#include "numerics/triangles/rational.h"
+#include "numerics/triangles/rays.h"
 #include "tests/accel/run_size.h"
+#include "tests/accel/test_name.h"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -15,6 +16,9 @@
 #include <set>
 
 namespace alidade::test {
+
+using namespace numerics;
+
 namespace {
 
 template <class R> class Spatial : public testing::Test {};

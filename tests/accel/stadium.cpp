@@ -6,6 +6,9 @@
 #include <fmt/format.h>
 
 namespace alidade::test {
+
+using namespace numerics;
+
 namespace {
 
 constexpr double kLength = 200, kWidth = 150;

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "core/random.h"
-#include "tests/accel/meshes.h"
+#include "numerics/triangles/meshes.h"
 
 #include <span>
 
@@ -15,7 +15,7 @@ struct TeapotPlace {
 };
 
 struct StadiumScene {
-    Mesh mesh;
+    numerics::Mesh mesh;
     std::vector<Bounds> teapots;
 };
 

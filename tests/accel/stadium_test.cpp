@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 /// A teapot in a stadium: a hundred thousand triangles in a thousandth, or a millionth, of the length of the scene. No structure may die of it.
-#include "tests/accel/compare.h"
-#include "tests/accel/rays.h"
+#include "numerics/triangles/compare.h"
+#include "numerics/triangles/rays.h"
 #include "tests/accel/run_size.h"
 #include "tests/accel/stadium.h"
 
@@ -9,6 +9,9 @@
 #include <gtest/gtest.h>
 
 namespace alidade::test {
+
+using namespace numerics;
+
 namespace {
 
 constexpr uint64_t kSeed = 20250404;

@@ -5,6 +5,7 @@
 #include "core/draws.h"
 
 namespace alidade::test {
+
 namespace {
 
 using Crossings = std::optional<std::array<double, 2>>;

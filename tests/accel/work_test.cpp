@@ -1,13 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
 /// Work is part of the contract: a structure that skips nothing gives the right hits at the price of brute force, and no comparison of hits shows it.
-#include "tests/accel/compare.h"
-#include "tests/accel/rays.h"
+#include "numerics/triangles/compare.h"
+#include "numerics/triangles/rays.h"
 #include "tests/accel/run_size.h"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
 namespace alidade::test {
+
+using namespace numerics;
+
 namespace {
 
 /// Counters of `count` rays aimed at random points of the mesh.

@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "tests/accel/compare.h"
+#include "numerics/triangles/compare.h"
 
 #include <fmt/format.h>
 
 #include <bit>
-#include <cctype>
 
-namespace alidade::test {
+namespace alidade::numerics {
 namespace {
 
 bool same_bits(const Hit& a, const Hit& b) {
@@ -86,13 +85,4 @@ std::unique_ptr<Accelerator> build(const AcceleratorEntry& entry, const Mesh& me
     return entry.over_triangles(mesh.view(), options);
 }
 
-std::string test_name(const std::string& text) {
-    std::string out = text;
-    for (char& c : out) {
-        if (c == '-' || c == '+') c = c == '-' ? 'm' : 'p';
-        if (!std::isalnum(static_cast<unsigned char>(c))) c = '_';
-    }
-    return out;
-}
-
-}  // namespace alidade::test
+}  // namespace alidade::numerics

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-namespace alidade::test {
+namespace alidade::numerics {
 
 /// Triangles over shared vertices, kept twice: `vertices` in double and `positions`, the same rounded to float.
 struct Mesh {
@@ -61,4 +61,4 @@ const std::vector<Mesh>& closed_meshes();
 /// Is every directed edge matched by exactly one opposite one?
 bool is_closed(const Mesh& mesh);
 
-}  // namespace alidade::test
+}  // namespace alidade::numerics

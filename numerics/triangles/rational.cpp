@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "tests/accel/exact_oracle.h"
+#include "numerics/triangles/rational.h"
 
-namespace alidade::test {
+namespace alidade::numerics {
 
 RationalVec rational(const Vec3& v) { return {Rational(v.x), Rational(v.y), Rational(v.z)}; }
 
@@ -40,4 +40,4 @@ double relative_error(double computed, const Rational& exact) {
     return (exact == 0 ? error : Rational(error / abs(exact))).get_d();
 }
 
-}  // namespace alidade::test
+}  // namespace alidade::numerics

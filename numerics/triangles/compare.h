@@ -3,11 +3,11 @@
 #pragma once
 
 #include "accel/accelerator.h"
-#include "tests/accel/meshes.h"
+#include "numerics/triangles/meshes.h"
 
 #include <string>
 
-namespace alidade::test {
+namespace alidade::numerics {
 
 /// What differs, in hex floats; empty if every bit of the hits is the same.
 std::string difference(const Hit& got, const Hit& want);
@@ -33,7 +33,4 @@ std::vector<const AcceleratorEntry*> accelerators_under_test();
 std::unique_ptr<Accelerator> brute_force(const Mesh& mesh, Precision precision);
 std::unique_ptr<Accelerator> build(const AcceleratorEntry& entry, const Mesh& mesh, const AccelOptions& options);
 
-/// `text` as the name of a test: - and + become m and p, all else but letters and digits '_'.
-std::string test_name(const std::string& text);
-
-}  // namespace alidade::test
+}  // namespace alidade::numerics

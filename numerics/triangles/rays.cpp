@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "tests/accel/rays.h"
+#include "numerics/triangles/rays.h"
 
 #include "core/draws.h"
 
 #include <fmt/format.h>
 
-namespace alidade::test {
+namespace alidade::numerics {
 namespace {
 
 Ray ray_to(const Vec3& origin, const Vec3& target) {
@@ -229,4 +229,4 @@ std::string describe(const Ray& ray) {
                        ray.dir.y, ray.dir.z, ray.tmin, ray.tmax);
 }
 
-}  // namespace alidade::test
+}  // namespace alidade::numerics

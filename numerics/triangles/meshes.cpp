@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "tests/accel/meshes.h"
+#include "numerics/triangles/meshes.h"
 
 #include "core/draws.h"
 
@@ -9,7 +9,7 @@
 #include <map>
 #include <unordered_map>
 
-namespace alidade::test {
+namespace alidade::numerics {
 
 Mesh::Mesh(std::string mesh_name, std::vector<Vec3> mesh_vertices, std::vector<Index3> mesh_triangles, const Bounds& enclosed)
     : name(std::move(mesh_name)), vertices(std::move(mesh_vertices)), triangles(std::move(mesh_triangles)), inside(enclosed) {
@@ -273,4 +273,4 @@ bool is_closed(const Mesh& mesh) {
     });
 }
 
-}  // namespace alidade::test
+}  // namespace alidade::numerics

@@ -3,11 +3,11 @@
 #pragma once
 
 #include "core/random.h"
-#include "tests/accel/meshes.h"
+#include "numerics/triangles/meshes.h"
 
 #include <span>
 
-namespace alidade::test {
+namespace alidade::numerics {
 
 struct RayClass {
     const char* name;
@@ -25,4 +25,4 @@ Ray vertex_aimed_from_inside(const Mesh& mesh, const RandomKey& key);
 /// "origin (hex, hex, hex) dir (...) tmin .. tmax ..": can be pasted into a test as it stands.
 std::string describe(const Ray& ray);
 
-}  // namespace alidade::test
+}  // namespace alidade::numerics

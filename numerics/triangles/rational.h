@@ -8,7 +8,7 @@
 
 #include <array>
 
-namespace alidade::test {
+namespace alidade::numerics {
 
 using Rational = mpq_class;
 using RationalVec = std::array<Rational, 3>;
@@ -31,4 +31,4 @@ bool within(const Vec3& p, double bound, const std::array<Vec3, 3>& triangle);
 /// |computed - exact| / |exact|; |computed| where exact is 0.
 double relative_error(double computed, const Rational& exact);
 
-}  // namespace alidade::test
+}  // namespace alidade::numerics

@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: Apache-2.0
+/// The accelerators that rows of the suite ask, and the meshes that they are asked about.
+#pragma once
+
+#include "numerics/triangles/compare.h"
+
+#include <memory>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace alidade::numerics {
+
+/// A row of the registry in a precision.
+struct Subject {
+    const AcceleratorEntry* entry;
+    Precision precision;
+    bool usual;   ///< what renders take when nobody asks for another
+
+    std::string text() const;
+};
+/// All but brute force, in float and in double.
+std::span<const Subject> subjects();
+
+/// A structure over a mesh as it sees it.
+struct Built {
+    Subject subject;
+    Mesh mesh;
+    std::unique_ptr<Accelerator> accelerator;
+
+    Built(const Subject& of, const Mesh& source);
+    /// For failures: who, over what, asked what.
+    std::string text(const Ray& ray) const;
+};
+/// All subjects of that precision.
+std::vector<Built> built(Precision precision, const Mesh& source);
+
+/// What neighbouring cases share: made when the first of them asks for it, from its number alone, and kept until another is asked for.
+template <class T> class Shared {
+  public:
+    template <class Make> T& at(uint64_t number, Make&& make) {
+        if (!value_ || number != number_) value_ = std::make_unique<T>(make(number)), number_ = number;
+        return *value_;
+    }
+
+  private:
+    uint64_t number_ = 0;
+    std::unique_ptr<T> value_;
+};
+
+}  // namespace alidade::numerics
