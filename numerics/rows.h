@@ -14,6 +14,9 @@ Check quadric_cancel();
 Check quartic_far();
 Check scale_image();
 Check offset_image();
+Check bad_input();
+Check csg_coincident();
+Check white_furnace();
 Check determinism();
 
 }  // namespace alidade::numerics

@@ -22,6 +22,12 @@ constexpr NumericsRow kSuite[] = {
      "POV-Ray's glass is wrong outside of 1e-1 to 1e4", 200, 10000, scale_image},
     {"T13", "offset-image", "the same, moved by 1e2 to 1e9: pixels of 1200 that are off by more than 2/255", "none to 1e7, 0.1 % beyond",
      "POV-Ray's mesh2 is wrong in 21 % at 1e5, black at 1e8", 200, 10000, offset_image},
+    {"T19", "bad-input", "NaN, infinity, 3e38, denormals, no area, duplicates and nothing, as triangles, closed forms and rays, in each accelerator and precision; the bits of what is good", "the good part unchanged, no more work, what is removed is told",
+     "tinybvh hits wrongly or ends the program, Embree aborts", 600, 60000, bad_input},
+    {"T21", "csg-coincident", "solids less, with and beside themselves, cut by planes, by transforms and inverses, boxes side by side, in each accelerator; the algebra of sets", "no ray sees a difference",
+     "POV-Ray's A - A keeps 99.8 % of its pixels", 5000, 1000000, csg_coincident},
+    {"T24", "white-furnace", "metal-rough surfaces and POV-Ray's finishes under a hemisphere, or a cap, of light, and under a sky; the lobes' integrals; standard errors of the mean", "within 3.5, never more than arrives",
+     "POV-Ray's diffuse surfaces are exact", 60, 3000, white_furnace},
     {"T25", "determinism", "the same on 1 to 8 threads, with tiles of 1 to 64, each accelerator and instruction set: bits of pictures", "the same bits", "", 200, 10000, determinism},
 };
 
