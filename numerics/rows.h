@@ -14,9 +14,14 @@ Check quadric_cancel();
 Check quartic_far();
 Check scale_image();
 Check offset_image();
+Check axes_permute();
 Check bad_input();
+Check transform_extreme();
 Check csg_coincident();
+Check refraction();
+Check fresnel_energy();
 Check white_furnace();
 Check determinism();
+Check mesh_files();
 
 }  // namespace alidade::numerics

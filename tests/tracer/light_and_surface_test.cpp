@@ -55,20 +55,6 @@ TEST(Fresnel, ClosedForms) {
     EXPECT_NEAR(fresnel_dielectric(std::cos(brewster), 1.5), s * s / 2, 1e-15) << "at Brewster's angle only s-polarised light is reflected";
 }
 
-TEST(Refract, ObeysSnellAndReverses) {
-    const Vec3 n(0, 1, 0);
-    for (double angle = 0.05; angle < 1.5; angle += 0.1) {
-        const Vec3 in(std::sin(angle), -std::cos(angle), 0);
-        Vec3 out, back;
-        ASSERT_TRUE(refract(in, n, 1.5, out));
-        EXPECT_NEAR(out.x, std::sin(angle) / 1.5, 1e-15);
-        ASSERT_TRUE(refract(-out, -n, 1 / 1.5, back));
-        EXPECT_LT(length(back + in), 1e-14) << "light takes the same way back";
-    }
-    Vec3 out;
-    EXPECT_FALSE(refract(normalized(Vec3(1, -0.5, 0)), n, 1 / 1.5, out)) << "total internal reflection";
-}
-
 /// Radiance of a Lambert plane under a point light: albedo / pi * I cos / d^2.
 TEST(Surface, PointLitLambertPlane) {
     SceneBuilder b;
