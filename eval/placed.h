@@ -4,6 +4,7 @@
 
 #include "core/transform.h"
 #include "eval/shapes/shape_ops.h"
+#include "eval/shapes/twice.h"
 
 namespace alidade {
 
@@ -21,8 +22,17 @@ inline Hit hit_of(const Crossing& crossing, uint32_t instance) {
 struct PlacedNorms {
     double to_world = 1, to_local = 1, local_shift = 0;
     PlacedNorms() = default;
+    /// Do roundings of local rays cost three digits or more? So where a shape is stretched, or stands a thousand times its size from the origin.
+    bool cost_digits() const { return to_world * to_local > 1e3 || local_shift > 1e3; }
     PlacedNorms(const Transform& world, const Transform& local) : to_world(world.norm()), to_local(local.norm()), local_shift(length(local.translation)) {}
 };
+
+/// `near`, the rounded image of `world` in local space, brought to the exact one: what is left of `world` once `near` is mapped back is known to twice the digits. `shift`: that of to_world, or 0 for directions.
+inline Vec3 corrected(const Mat3& to_world, const Mat3& to_local, const Vec3& shift, const Vec3& world, const Vec3& near) {
+    TwiceVec rest = TwiceVec::difference(world, shift);
+    for (int column = 0; column < 3; ++column) rest = rest.moved(Twice(-near[column]), TwiceVec(to_world[column]));
+    return near + to_local * Vec3(rest.v[0].value(), rest.v[1].value(), rest.v[2].value());
+}
 
 /// How far the true surface may be from `position`, a hit that was found with a transformed ray, in the space of the ray; `own` is the bound of the shape's
 /// own space.

@@ -20,10 +20,18 @@ Check quadric_cancel();
 Check quartic_far();
 Check scale_image();
 Check offset_image();
+Check axes_permute();
 Check accel_equal();
 Check axis_parallel();
 Check self_hit();
 Check contacts();
+Check bad_input();
+Check transform_extreme();
+Check csg_coincident();
+Check refraction();
+Check fresnel_energy();
+Check white_furnace();
 Check determinism();
+Check mesh_files();
 
 }  // namespace alidade::numerics

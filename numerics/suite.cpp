@@ -32,6 +32,8 @@ constexpr NumericsRow kSuite[] = {
      "POV-Ray's glass is wrong outside of 1e-1 to 1e4", 200, 10000, scale_image},
     {"T13", "offset-image", "the same, moved by 1e2 to 1e9: pixels of 1200 that are off by more than 2/255", "none to 1e7, 0.1 % beyond",
      "POV-Ray's mesh2 is wrong in 21 % at 1e5, black at 1e8", 200, 10000, offset_image},
+    {"T14", "axes-permute", "closed forms and triangles with their axes exchanged and mirrored, in each accelerator and precision; units in the last place of t, of closed forms across the surface", "the same hits, within 1; where axes are only mirrored, the same bits", "", 40000, 4000000,
+     axes_permute, "one crossing of 1700 with a closed form whose axes are exchanged, and not only mirrored, is up to 10 units off: sums of three products round by their order"},
     {"T15", "accel-equal", "all accelerators and brute force on 16 meshes of sizes 1e-6 to 1e6 and on instances at one place, 18 classes of rays: the first hit, any hit, all hits", "the same bits, the lowest id where hits are at one place",
      "", 100000, 100000000, accel_equal},
     {"T16", "axis-parallel", "rays along axes through lattice planes, edges and corners, and from them, the direction's other components 0, -0 or denormal; where planes stand is known; units of roundoff of t", "each plane met, t within 3 of origin and t, nothing else",
@@ -39,7 +41,19 @@ constexpr NumericsRow kSuite[] = {
     {"T17", "self-hit", "rays that leave every kind of shape, two meshes among them, of size 1e-12 to 1e12, up to 1e7 sizes away, half of them grazing to 1e-8; all accelerators, float and double", "no convex one is met again, no other nearby; the bound of the error is below 1e-6 of the size",
      "t > 1e-4: 480 in a million at size 1, 501,000 at 1e6; bounds of the error without a place in double: up to 7,770", 400000, 1000000000, self_hit},
     {"T18", "contact", "two surfaces 1e-7 to 1e-2 of their size apart, closed forms from 1e-9 on, meshes at least 4 units in the last place of their coordinates; rays leave each for the other", "the other is met", "t > 1e-4 loses all at a size of 1e-3", 150000, 100000000, contacts},
+    {"T19", "bad-input", "NaN, infinity, 3e38, denormals, no area, duplicates and nothing, as triangles, closed forms and rays, in each accelerator and precision; the bits of what is good", "the good part unchanged, no more work, what is removed is told",
+     "tinybvh hits wrongly or ends the program, Embree aborts", 600, 60000, bad_input},
+    {"T20", "transform-extreme", "a sphere stretched by 1e-12 to 1e12 an axis, sheared by 1e6, mirrored, turned, under 30 transforms, or flat; 512-bit arithmetic; radians between normals", "normals within 1e-6, points within the error they tell, what is flat is told",
+     "POV-Ray is wrong in 21 % of its pixels from 1e-8 on", 6000, 600000, transform_extreme},
+    {"T21", "csg-coincident", "solids less, with and beside themselves, cut by planes, by transforms and inverses, boxes side by side, in each accelerator; the algebra of sets", "no ray sees a difference",
+     "POV-Ray's A - A keeps 99.8 % of its pixels", 5000, 1000000, csg_coincident},
+    {"T22", "refraction", "one face, at angles from 0 to 90 degrees and at the critical one, indices from 1 to 1e6; up to 64 boxes in boxes; 512-bit arithmetic; units in the last place",
+     "directions within 2, the way back within 1e-12 where no angle grazes", "", 20000, 4000000, refraction},
+    {"T23", "fresnel-energy", "the same angles and indices; what is mirrored and, by 512-bit arithmetic, let through; units in the last place", "the sum is 1 within 2", "", 20000, 4000000, fresnel_energy},
+    {"T24", "white-furnace", "metal-rough surfaces and POV-Ray's finishes under a hemisphere, or a cap, of light, and under a sky; the lobes' integrals; standard errors of the mean", "within 3.5, never more than arrives",
+     "POV-Ray's diffuse surfaces are exact", 60, 3000, white_furnace},
     {"T25", "determinism", "the same on 1 to 8 threads, with tiles of 1 to 64, each accelerator and instruction set: bits of pictures", "the same bits", "", 200, 10000, determinism},
+    {"T26", "mesh-files", "fans with coordinates from denormal to 3.4e38, surveyed, with more than 65536 vertices, through each format that is written; bits of vertices", "all the same, or told", "", 500, 100000, mesh_files},
 };
 
 }  // namespace

@@ -48,6 +48,7 @@ struct NumericsRow {
     uint64_t ci, full;   ///< cases of an ordinary and of a whole run
     /// What checks a case. A case is a function of its number alone: a failure is made again by its number.
     std::function<void(uint64_t number, NumericsTally&)> (*begin)();
+    const char* falls_short = "";   ///< how far the goal is known to be missed, and why: by no more than one answer of 1000
 };
 
 /// In the order of their ids.

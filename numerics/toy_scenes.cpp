@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "numerics/toy_scenes.h"
 
-#include "eval/shapes/shape_ops.h"
+#include "numerics/shape_samples.h"
 
 #include <fmt/format.h>
 
@@ -13,13 +13,6 @@ namespace {
 
 constexpr size_t kSurfaces = 4;
 constexpr std::array<const char*, kSurfaces> kSurfaceNames{"diffuse and highlight", "mirror", "coloured glass", "POV-Ray's patterns"};
-
-template <size_t I = 0> ShapeGeometry default_shape(size_t kind) {
-    if constexpr (I + 1 < std::variant_size_v<ShapeGeometry>) {
-        if (kind != I) return default_shape<I + 1>(kind);
-    }
-    return std::variant_alternative_t<I, ShapeGeometry>();
-}
 
 Mesh tetrahedron() {
     Mesh m;

@@ -11,7 +11,7 @@ MAY = {
     "stress": "core accel",
     "topology": "core scene",
     "eval": "core scene accel",
-    "numerics": "core scene accel eval tracer",
+    "numerics": "core scene accel eval importers exporters tracer",
     "importers": "core scene eval",
     "exporters": "core scene eval",
     "tracer": "core scene accel eval",

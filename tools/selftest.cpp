@@ -47,19 +47,22 @@ std::string hint_for(const std::string& word) {
     return near.empty() ? "it has " + fmt::format("{}", fmt::join(names, ", ")) : fmt::format("did you mean '{}'?", near);
 }
 
-/// Runs the rows one after the other; true if all meet their goals.
+/// Runs the rows one after the other; true if all meet their goals, but for what they are known to miss.
 bool run_rows(const SelftestWords& words, const std::vector<const NumericsRow*>& rows) {
     Json table = Json::array(), failures = Json::array();
+    bool as_known = true;
     for (const NumericsRow* row : rows) {
         const double start = seconds_now();
         const uint64_t all = words.full ? row->full : row->ci, count = std::max<uint64_t>(1, uint64_t(double(all) * words.share));
         const NumericsTally tally = words.only ? run_numerics(*row, *words.only, 1) : run_numerics(*row, 0, count);
         table.push_back(row_json(*row, tally, seconds_now() - start));
-        if (tally.wrong()) failures.push_back({{"row", row->id}, {"case", tally.first_wrong()}, {"what", tally.why()}, {"again", fmt::format("alidade selftest --numerics {} --case {}", row->id, tally.first_wrong())}});
+        const bool known = *row->falls_short && tally.wrong() * 1000 <= tally.asked();
+        as_known = as_known && (known || tally.wrong() == 0);
+        if (tally.wrong()) failures.push_back({{"row", row->id}, {"case", tally.first_wrong()}, {"what", tally.why()}, {"known", known ? row->falls_short : ""}, {"again", fmt::format("alidade selftest --numerics {} --case {}", row->id, tally.first_wrong())}});
     }
     const Json document = {{"rows", table}, {"failures", failures}};
     fmt::print("{}", words.json ? as_json_text(document) : as_text(document));
-    return failures.empty();
+    return as_known;
 }
 
 }  // namespace

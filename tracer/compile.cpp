@@ -126,6 +126,7 @@ class Placer : private CsgParts {
         instance.to_local = *to_local;
         instance.in_place = to_world.is_identity();
         instance.norms = {to_world, *to_local};
+        instance.inexact = instance.norms.cost_digits();
         instance.geometry = geometry(shape);
         instance.first_slot = uint32_t(out_.slots.size());
         instance.mask = kMaskAll;

@@ -50,6 +50,7 @@ struct PatternSpace {
 struct Instance {
     Transform to_world, to_local;
     bool in_place = false;         ///< both are the identity
+    bool inexact = false;          ///< what they make of a ray is corrected: roundings would cost digits
     PlacedNorms norms;
     Bounds bounds;                 ///< in world space; empty for parts of a solid, which are not met by themselves
     uint32_t geometry = 0;
@@ -62,8 +63,13 @@ struct Instance {
     uint32_t light_set = 0;        ///< into CompiledScene::lit_by
 
     /// In the space of the geometry.
-    Ray local(const Ray& ray) const { return in_place ? ray : to_local.ray(ray); }
-    Vec3 local(const Vec3& point) const { return in_place ? point : to_local.point(point); }
+    Ray local(const Ray& ray) const { return in_place ? ray : inexact ? corrected(ray) : to_local.ray(ray); }
+    Vec3 local(const Vec3& point) const { return in_place ? point : inexact ? corrected(point) : to_local.point(point); }
+
+  private:
+    // Out of line: most instances pay for a comparison alone.
+    Ray corrected(const Ray& ray) const;
+    Vec3 corrected(const Vec3& point) const;
 };
 
 /// Solids made of instances by set operations.

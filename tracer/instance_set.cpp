@@ -7,6 +7,15 @@
 
 namespace alidade {
 
+Vec3 Instance::corrected(const Vec3& point) const { return alidade::corrected(to_world.linear, to_local.linear, to_world.translation, point, to_local.point(point)); }
+
+Ray Instance::corrected(const Ray& ray) const {
+    Ray local = to_local.ray(ray);
+    local.origin = corrected(ray.origin);
+    local.dir = alidade::corrected(to_world.linear, to_local.linear, Vec3(0), ray.dir, local.dir);
+    return local;
+}
+
 namespace {
 
 /// The first crossing of a closed form with the local ray, as a hit.

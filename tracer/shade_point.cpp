@@ -29,15 +29,16 @@ const Attribute<Vec4f>* tangents_of(const Geometry& geometry, uint32_t uv_set) {
     return uv_set < geometry.tangents.size() && geometry.tangents[uv_set].present() ? &geometry.tangents[uv_set] : nullptr;
 }
 
-void place_on_shape(const Geometry& geometry, const Instance& instance, const Hit& hit, ShadePoint& p) {
-    p.on_shape = {geometry.ops, geometry.source, instance.local(p.position), hit.part};
+void place_on_shape(const Geometry& geometry, const Instance& instance, const Ray& ray, const Hit& hit, ShadePoint& p) {
+    // A position in the world may be as coarse as the whole shape.
+    p.on_shape = {geometry.ops, geometry.source, instance.inexact ? instance.local(ray).at(hit.t) : instance.local(p.position), hit.part};
     p.geometric_normal = p.shading_normal = normalized(instance.to_local.transposed(geometry.ops->normal_at(*geometry.source, p.on_shape.point, hit.part)));
 }
 
-void place(const CompiledScene& scene, const Instance& instance, const Hit& hit, ShadePoint& p) {
+void place(const CompiledScene& scene, const Instance& instance, const Ray& ray, const Hit& hit, ShadePoint& p) {
     const Geometry& geometry = scene.geometries[instance.geometry];
     if (geometry.mesh) place_on_mesh(*geometry.mesh, instance, hit, p);
-    else place_on_shape(geometry, instance, hit, p);
+    else place_on_shape(geometry, instance, ray, hit, p);
     if (instance.inverted) p.geometric_normal = -p.geometric_normal, p.shading_normal = -p.shading_normal;
 }
 
@@ -54,7 +55,7 @@ Vec3 geometric_normal(const CompiledScene& scene, const Ray& ray, const Hit& hit
     const Instance& instance = scene.instances[hit.instance];
     ShadePoint p;
     p.position = ray.at(hit.t);
-    place(scene, instance, hit, p);
+    place(scene, instance, ray, hit, p);
     return p.geometric_normal;
 }
 
@@ -90,7 +91,7 @@ ShadePoint shade_point(const CompiledScene& scene, const Ray& ray, const Hit& hi
     p.instance = hit.instance;
     p.position = ray.at(hit.t);
     p.error = world_error(scene, ray, hit, p.position);
-    place(scene, instance, hit, p);
+    place(scene, instance, ray, hit, p);
     p.front = dot(ray.dir, p.geometric_normal) <= 0;
     p.space = pattern_space(scene, p);
     return p;

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "eval/shapes/twice.h"
 #include "tracer/normal_maps.h"
 #include "tracer/pov_surface.h"
 #include "tracer/segment.h"
@@ -68,18 +69,48 @@ Coat coat_over(const CompiledScene& scene, const GltfPbr& m, const ShadePoint& p
     return coat;
 }
 
-double fresnel_dielectric(double cos_i, double eta) {
-    const double sin2_t = (1 - cos_i * cos_i) / (eta * eta);
-    if (!(sin2_t < 1)) return 1;   // an index of 0 divides by 0: nothing gets through
-    const double cos_t = std::sqrt(1 - sin2_t);
-    const double parallel = (eta * cos_i - cos_t) / (eta * cos_i + cos_t), perpendicular = (cos_i - eta * cos_t) / (cos_i + eta * cos_t);
-    return (parallel * parallel + perpendicular * perpendicular) / 2;
+namespace {
+
+/// The square of eta times the cosine beyond, of vectors whose squared lengths have the product `lengths`. Near the critical angle it is a small difference, whose root a rounding would move by half
+/// of its digits.
+double beyond_squared(const Twice& cos_i, const Twice& lengths, double eta) { return ((Twice::product(eta, eta) - Twice(1)) * lengths + cos_i * cos_i).value(); }
+
+/// v / |v|, rounded once: by a step of Newton's from the rounded inverse root.
+Vec3 unit(const TwiceVec& v) {
+    const Twice square = dot(v, v);
+    const double root = 1 / std::sqrt(square.high), rest = 0.5 * (Twice(1) - square * Twice::product(root, root)).value();
+    Vec3 out(0);
+    for (int k = 0; k < 3; ++k) {
+        const Twice rough = v.v[k] * Twice(root);
+        out[k] = (rough + Twice(rough.high * rest)).value();
+    }
+    return out;
 }
 
+}  // namespace
+
+double fresnel_dielectric(double cos_i, double eta) {
+    if (eta == 1) return 0;
+    const double square = beyond_squared(cos_i, Twice(1), eta);
+    if (!(square > 0)) return 1;
+    const double beyond = std::sqrt(square), eta2_cos = eta * eta * cos_i;   // beyond: eta cos_t
+    const double parallel = (eta2_cos - beyond) / (eta2_cos + beyond), perpendicular = (cos_i - beyond) / (cos_i + beyond);
+    const double mirrored = (parallel * parallel + perpendicular * perpendicular) / 2;
+    if (mirrored <= 0.5) return mirrored;
+    // By what is let through, whose error is as small as it is.
+    return 1 - 2 * beyond * (cos_i / ((cos_i + beyond) * (cos_i + beyond)) + eta2_cos / ((eta2_cos + beyond) * (eta2_cos + beyond)));
+}
+
+/// Unit vectors are so to the last digit but one, and 1 - cos^2 takes that for an angle: so lengths are measured.
 bool refract(const Vec3& dir, const Vec3& n, double eta, Vec3& out) {
-    const double cos_i = -dot(dir, n), sin2_t = (1 - cos_i * cos_i) / (eta * eta);
-    if (!(sin2_t < 1)) return false;
-    out = normalized(dir / eta + n * (cos_i / eta - std::sqrt(1 - sin2_t)));
+    if (eta == 1) return out = dir, true;
+    const TwiceVec in(dir), normal(n);
+    const Twice cos_i = -dot(in, normal), normal_length = dot(normal, normal);
+    const double square = beyond_squared(cos_i, dot(in, in) * normal_length, eta);
+    if (!(square > 0)) return false;
+    const Twice along = (cos_i - Twice(std::sqrt(square))) * (Twice(2) - normal_length);   // 1 / x, close to 1
+    const TwiceVec bent = in.moved(along, normal);   // eta times as long as it should be: into air from what is dense, very short
+    out = unit(bent);
     return true;
 }
 
@@ -97,9 +128,17 @@ Color Surface::scatter_base(const Vec3& wi) const {
     const double nv = std::max(dot(normal_, wo_), 1e-4);
     const Vec3 h = normalized(wi + wo_);
     const Color f = fresnel(dot(wo_, h));
-    const Color diffuse = (Color(1) - f) * diffuse_ * (nl / kPi);
+    // The specification takes f alone from diffuse light: at grazing angles the lobe takes more, and both together would send back up to 1.7 times what arrives.
+    const Color diffuse = (Color(1) - glm::max(f, fresnel(nv))) * diffuse_ * (nl / kPi);
     if (alpha_ < kSmallestAlpha) return diffuse;
     return diffuse + f * (nl * microfacet(alpha_, std::max(dot(normal_, h), 0.0), nl, nv));
+}
+
+Color Surface::diffuse() const {
+    if (unlit_) return Color(0);
+    const double nv = std::clamp(dot(normal_, wo_), 0.0, 1.0);
+    const Color mirrored = is_black(transmission_) ? fresnel(nv) * mirror_ : Color(fresnel_dielectric(nv, point_->front ? ior_ : 1 / ior_));
+    return diffuse_ * (Color(1) - mirrored) * (1 - coat_.weight);
 }
 
 Color Surface::scatter(const Vec3& wi, bool highlights) const {

@@ -199,47 +199,10 @@ TEST(Csg, BoundsHoldAllSurfaces) {
     EXPECT_GT(hits, 1000);
 }
 
-/// Calls f(expression of one solid, leaves, ray) for all kinds of solids.
-template <class F> void for_solids(uint64_t seed, const F& f) {
-    test::Draw draw(seed);
-    for (const ShapeOps& ops : shapes())
-        for (int i = 0; i < 300; ++i) {
-            ShapeLeaves leaves;
-            const double scale = draw.decades(-4, 4);
-            const ShapeGeometry shape = test::placed(test::sample_shape(ops, i % 10, draw), scale, scale * draw.vector(draw.decades(-1, 3)));
-            if (!ops.solid(shape)) continue;
-            Ray ray = test::ray_from(draw.decades(0, 2), draw);
-            ray.origin *= scale;
-            if (ops.bounds(shape).finite()) ray.origin += ops.bounds(shape).center();
-            const CsgExpression e = leaves.add(shape);
-            f(e, leaves, whole_line(ray));
-        }
-}
-
 std::vector<double> distances(const std::vector<Hit>& hits) {
     std::vector<double> out;
     for (const Hit& hit : hits) out.push_back(hit.t);
     return out;
-}
-
-TEST(Csg, ASolidWithoutItselfIsNothing) {
-    for_solids(4, [](const CsgExpression& a, const ShapeLeaves& leaves, const Ray& ray) {
-        ASSERT_TRUE(surfaces(of(CsgOp::difference, {a, a}), leaves, ray).empty());
-        ASSERT_TRUE(surfaces(of(CsgOp::intersection, {inverse(a), a}), leaves, ray).empty());
-        ASSERT_TRUE(surfaces(of(CsgOp::merge, {inverse(a), a}), leaves, ray).empty()) << "everything has no surface";
-    });
-}
-
-TEST(Csg, ASolidWithItselfIsItself) {
-    for_solids(5, [](const CsgExpression& a, const ShapeLeaves& leaves, const Ray& ray) {
-        const std::vector<double> alone = distances(surfaces(a, leaves, ray));
-        for (const CsgOp op : {CsgOp::intersection, CsgOp::merge, CsgOp::clip}) {
-            std::vector<double> twice = distances(surfaces(of(op, {a, a}), leaves, ray));
-            // A line that only touches the surface is at one place twice, and on neither side inside: whether that is a surface is open.
-            if (alone.size() == 2 && alone[1] - alone[0] < 1e-7 * std::abs(alone[0]) && twice.empty()) continue;
-            ASSERT_EQ(twice, alone);
-        }
-    });
 }
 
 /// The same numbers by other ways: faces that coincide but for roundings.
