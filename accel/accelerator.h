@@ -44,7 +44,7 @@ class Accelerator {
 };
 
 /// Primitives of any kind, for accelerators over shapes and instances. Bounds may be unbounded (then the primitive is tested by every ray) or empty
-/// (then by none); NaN bounds are reported as removed.
+/// (then by none); NaN bounds are reported as removed. With AccelOptions::threads several threads ask for them at once.
 class PrimitiveSet {
   public:
     virtual ~PrimitiveSet() = default;
@@ -70,7 +70,7 @@ enum class Precision { float_, double_ };
 struct AccelOptions {
     Precision precision = Precision::float_;   ///< of mesh vertices, nodes and the edge filter; rays and hits are double always
     Isa isa = Isa::best;
-    int threads = 1;                           ///< of the build; the structure does not depend on it
+    int threads = 1;                           ///< of the build (0: as many as the machine has); the structure does not depend on it
 };
 
 struct AcceleratorEntry {

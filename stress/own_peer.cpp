@@ -10,7 +10,7 @@ namespace {
 class OwnPeer : public StressPeer {
   public:
     OwnPeer(const AcceleratorEntry& entry, const AccelOptions& options) : entry_(entry), options_(options) {
-        name = entry.name, precision = options.precision == Precision::float_ ? "float" : "double";
+        threads = options.threads, name = entry.name, precision = options.precision == Precision::float_ ? "float" : "double";
         exact = std::any_of(accelerators().begin(), accelerators().end(), [&](const AcceleratorEntry& known) { return known.over_triangles == entry.over_triangles; });
     }
 

@@ -224,9 +224,9 @@ void build_solids(CompiledScene& out, std::vector<CsgExpression> solids) {
         }
 }
 
-/// Meshes get their accelerators, in parallel; only those that an instance shows.
+/// Meshes get their accelerators, in parallel, large ones each on several threads; only those that an instance shows.
 void build_structures(CompiledScene& out, const AcceleratorEntry& accel, std::vector<CsgExpression> solids, const CompileOptions& options, Diagnostics& said) {
-    const AccelOptions build{options.precision, options.isa, 1};
+    const AccelOptions build{options.precision, options.isa, options.threads};
     parallel_for(out.geometries.size(), options.threads, [&](size_t i) {
         Geometry& g = out.geometries[i];
         if (!g.mesh) return;
@@ -321,7 +321,7 @@ void choose_kernel(CompiledScene& out, const AcceleratorEntry& accel, const Comp
     out.filters_light = (reasons.mask() & (kAlpha | kTransmission)) != 0;
     if (out.filters_light) {
         tell_opaque_from_clear(out);
-        out.filters = accel.over_set(std::make_shared<InstanceSet>(out, kMaskFilter), {options.precision, options.isa, 1});
+        out.filters = accel.over_set(std::make_shared<InstanceSet>(out, kMaskFilter), {options.precision, options.isa, options.threads});
     }
     if (options.full_kernel) reasons.need(kAllFeatures, "--full-kernel");
     out.features = reasons.mask();

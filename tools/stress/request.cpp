@@ -100,6 +100,8 @@ void add_what(CLI::App& app, StressRequest& request, std::vector<std::string>& g
 void add_how(CLI::App& app, StressRequest& request) {
     add(app, "--side", "N", [](const std::string& word) { return parse_integer(word, 1, 8192); }, [&request](int64_t n) { request.side = size_t(n); }, "primary rays are N x N (default 128)");
     add(app, "--rounds", "N", [](const std::string& word) { return parse_integer(word, 1, 1000); }, [&request](int64_t n) { request.rounds = int(n); }, "of rays, in turns; builds get half as many (default 5)");
+    add(app, "--threads", "N", [](const std::string& word) { return parse_integer(word, 0, 4096); }, [&request](int64_t n) { request.threads = int(n); },
+        "of our builds, which are timed on the clock then; 0: as many as the machine has (default 1: CPU time); no structure depends on it");
     add(app, "--time", "SECONDS", [](const std::string& word) { return parse_number(word, 0); }, [&request](double s) { request.seconds = s; },
         "a budget: what is predicted not to fit is left out, and that is said (default: none)");
     add(app, "--memory", "BYTES", parse_bytes, [&request](double bytes) { request.bytes = bytes; },
