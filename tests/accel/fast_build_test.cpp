@@ -10,7 +10,9 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <tuple>
 
 namespace alidade::test {
 namespace {
@@ -50,10 +52,10 @@ TYPED_TEST(FastBuild, TreesHoldEveryReferenceOnce) {
     for (const Spread& spread : kSpreads) {
         for (const uint32_t count : {1u, 8u, 9u, 16u, 17u, 200u, 5000u, 30000u}) {
             const auto references = references_of<R>(spread, count);
-            for (const auto& [block, most] : {std::pair{kLanes, kLanes}, std::pair{1u, 4u}}) {
+            for (const BvhLimits& limits : {BvhLimits{kLanes, kLanes}, BvhLimits{1, 4}}) {
                 std::vector<uint32_t> order{7};
                 BuildStats stats;
-                const auto nodes = build_bvh_fast<R>(references, {block, most}, order, stats);
+                const auto nodes = build_bvh_fast<R>(references, limits, order, stats);
                 std::vector<int> seen(count, 0);
                 size_t next = 1, leaves = 0;
                 const auto walk = [&](const auto& self, uint32_t index, uint32_t depth) -> void {
@@ -67,8 +69,8 @@ TYPED_TEST(FastBuild, TreesHoldEveryReferenceOnce) {
                         return;
                     }
                     ++leaves;
-                    ASSERT_EQ(node.first % block, 0u);
-                    ASSERT_LE(node.count, most);
+                    ASSERT_EQ(node.first % limits.block, 0u);
+                    ASSERT_LE(node.count, limits.max_leaf);
                     for (uint32_t i = node.first; i < node.first + node.count; ++i) {
                         ++seen.at(order.at(i));
                         ASSERT_TRUE(holds(node.box, references[order[i]].box()));
