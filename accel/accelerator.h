@@ -11,6 +11,7 @@
 
 #include <memory>
 #include <span>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -36,6 +37,7 @@ class Accelerator {
 
     virtual Bounds bounds() const = 0;   ///< of the bounded primitives
     virtual const BuildStats& stats() const = 0;
+    std::string why;   ///< where "auto" chose: what, and why
 
     /// hits[i] gets the first hit of rays[i].
     void intersect(std::span<const Ray> rays, std::span<Hit> hits, WorkCounters& work) const {
@@ -82,7 +84,7 @@ struct AcceleratorEntry {
 
 /// The table; the first row is brute force, the oracle.
 std::span<const AcceleratorEntry> accelerators();
-/// The row of that name ("auto" is the BVH's), or null.
+/// The row of that name, or null. "auto" is a row of its own that is not in the table: it chooses one (accel/automatic.h).
 const AcceleratorEntry* find_accelerator(std::string_view name);
 
 }  // namespace alidade

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "accel/accelerator.h"
+#include "accel/automatic.h"
 
 namespace alidade {
 
@@ -24,9 +24,10 @@ static constexpr AcceleratorEntry kTable[] = {
 std::span<const AcceleratorEntry> accelerators() { return kTable; }
 
 const AcceleratorEntry* find_accelerator(std::string_view name) {
-    const std::string_view wanted = name == "auto" ? "bvh" : name;
+    static constexpr AcceleratorEntry kAuto{"auto", "chooses one of them by what the triangles are, and says why", over_triangles_auto, over_set_auto};
+    if (name == kAuto.name) return &kAuto;
     for (const AcceleratorEntry& entry : kTable) {
-        if (wanted == entry.name) return &entry;
+        if (name == entry.name) return &entry;
     }
     return nullptr;
 }

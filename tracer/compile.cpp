@@ -383,6 +383,7 @@ CompiledSummary summary(const CompiledScene& scene) {
         s.triangles += g.mesh->triangles.size();
         s.structures.emplace_back(scene.scene.shapes[g.shape.index].name, g.triangles->stats());
         s.bytes += g.triangles->stats().bytes;
+        if (const std::string& why = g.triangles->why; s.accelerator.find(why) == why.npos) s.accelerator += (s.accelerator.empty() ? "" : "; ") + why;   // each once
     }
     for (const Instance& i : scene.instances)
         if (const Mesh* mesh = scene.geometries[i.geometry].mesh) s.instanced_triangles += mesh->triangles.size();

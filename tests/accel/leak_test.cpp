@@ -28,7 +28,7 @@ std::vector<Case> all_cases() {
 
 /// The BVH in float, the default of every render, gets the 1e7 rays in any run; the others a hundredth of that, and as many in a full run.
 size_t rays_per_mesh(const Case& c) {
-    const bool is_default = find_accelerator("auto") == c.entry && c.precision == Precision::float_;
+    const bool is_default = find_accelerator("bvh") == c.entry && c.precision == Precision::float_;
     return is_default ? run_size(1000000, 10000000) : run_size(10000, 1000000);
 }
 

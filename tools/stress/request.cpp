@@ -86,10 +86,11 @@ void add_what(CLI::App& app, StressRequest& request, std::vector<std::string>& g
     app.add_flag("--growth", request.growth, fmt::format("--generate without N takes {:g}..{:g}: how costs grow", double(kGrowthLow), double(kGrowthHigh)));
     std::vector<std::string> structures;
     for (const AcceleratorEntry& entry : accelerators()) structures.emplace_back(entry.name);
-    add(app, "--accel", "A,B", [structures](const std::string& word) { return parse_list(word, structures); }, [&request](const std::vector<size_t>& chosen) {
+    structures.emplace_back("auto");
+    add(app, "--accel", "A,B", [structures](const std::string& word) { return parse_list(word, structures); }, [&request, structures](const std::vector<size_t>& chosen) {
         request.accelerators.clear();
-        for (const size_t i : chosen) request.accelerators.push_back(&accelerators()[i]);
-    }, fmt::format("accelerators, of {} (default: all but brute, which is asked about some rays in any case)", fmt::join(structures, ", ")));
+        for (const size_t i : chosen) request.accelerators.push_back(find_accelerator(structures[i]));
+    }, fmt::format("accelerators, of {} (default: all but auto, and but brute, which is asked about some rays in any case)", fmt::join(structures, ", ")));
     add(app, "--precision", "A,B", [](const std::string& word) { return parse_list(word, {"float", "double"}); }, [&request](const std::vector<size_t>& chosen) {
         request.precisions.clear();
         for (const size_t i : chosen) request.precisions.push_back(Precision(i));
