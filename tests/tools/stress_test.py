@@ -139,7 +139,7 @@ class Files(Stress):
         self.stress("--generate", "soup:300", "--generate", "hair:1000", *QUICK, "--csv", "out.csv")
         with open(self.folder / "out.csv", newline="") as file:
             rows = list(csv.DictReader(file))
-        self.assertEqual(len(rows), 2 * 6 * 4)
+        self.assertEqual(len(rows), 2 * 8 * 4)
         text = DOCS.read_text()
         told = re.findall(r"`(\w+)`", text[text.index("## The table for programs"):text.index("## Rays in files")])
         self.assertEqual(list(rows[0]), told)
