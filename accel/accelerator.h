@@ -11,6 +11,7 @@
 
 #include <memory>
 #include <span>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -36,6 +37,7 @@ class Accelerator {
 
     virtual Bounds bounds() const = 0;   ///< of the bounded primitives
     virtual const BuildStats& stats() const = 0;
+    std::string why;   ///< where "auto" chose: what, and why
 
     /// hits[i] gets the first hit of rays[i].
     void intersect(std::span<const Ray> rays, std::span<Hit> hits, WorkCounters& work) const {
@@ -44,7 +46,7 @@ class Accelerator {
 };
 
 /// Primitives of any kind, for accelerators over shapes and instances. Bounds may be unbounded (then the primitive is tested by every ray) or empty
-/// (then by none); NaN bounds are reported as removed.
+/// (then by none); NaN bounds are reported as removed. With AccelOptions::threads several threads ask for them at once.
 class PrimitiveSet {
   public:
     virtual ~PrimitiveSet() = default;
@@ -70,7 +72,7 @@ enum class Precision { float_, double_ };
 struct AccelOptions {
     Precision precision = Precision::float_;   ///< of mesh vertices, nodes and the edge filter; rays and hits are double always
     Isa isa = Isa::best;
-    int threads = 1;                           ///< of the build; the structure does not depend on it
+    int threads = 1;                           ///< of the build (0: as many as the machine has); the structure does not depend on it
 };
 
 struct AcceleratorEntry {
@@ -82,7 +84,7 @@ struct AcceleratorEntry {
 
 /// The table; the first row is brute force, the oracle.
 std::span<const AcceleratorEntry> accelerators();
-/// The row of that name ("auto" is the BVH's), or null.
+/// The row of that name, or null. "auto" is a row of its own that is not in the table: it chooses one (accel/automatic.h).
 const AcceleratorEntry* find_accelerator(std::string_view name);
 
 }  // namespace alidade

@@ -27,6 +27,16 @@ concept PrimitiveSource = requires(const S& source, uint32_t id, const Bounds& b
     { source.clipped_bounds(id, box) } -> std::same_as<Bounds>;
 };
 
+/// The bounds of a primitive, which R holds exactly.
+template <class R, class Source> BoundsT<R> box_of(const Source& source, uint32_t id) {
+    if constexpr (requires { { source.box(id) } -> std::same_as<BoundsT<R>>; }) {
+        return source.box(id);
+    } else {
+        const Bounds box = source.bounds(id);
+        return {Vec3T<R>(box.min), Vec3T<R>(box.max)};
+    }
+}
+
 /// Primitives packed in the order that the structure wants; `first` and `count` below are places in that order. A Probe is what a leaf makes of a ray, once.
 ///
 /// - `Real`: the type of node coordinates. `kBlock`: references that one test handles at once; leaves cost by started blocks.

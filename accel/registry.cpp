@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "accel/accelerator.h"
+#include "accel/automatic.h"
 
 namespace alidade {
 
 template <class Leaf> class Brute;
 template <class Leaf> class Bvh;
+template <class Leaf> class FastBvh;
 template <class Leaf> class Grid;
 template <class Leaf> class Octree;
 
@@ -15,6 +16,7 @@ template <template <class> class Structure> std::unique_ptr<Accelerator> over_se
 static constexpr AcceleratorEntry kTable[] = {
     {"brute", "tests every primitive; the oracle", over_triangles<Brute>, over_set<Brute>},
     {"bvh", "tree of boxes, split by the surface area heuristic over bins; over triangles eight children a node, and cut by planes where that pays", over_triangles<Bvh>, over_set<Bvh>},
+    {"hlbvh", "a tree of boxes that is built about twice as fast: sorted along a Morton curve, the surface area heuristic only above; not cut by planes", over_triangles<FastBvh>, over_set<FastBvh>},
     {"grid", "grid of cells, walked one by one; crowded cells are grids of their own", over_triangles<Grid>, over_set<Grid>},
     {"octree", "cells halved along their long axes, deeper where more primitives are", over_triangles<Octree>, over_set<Octree>},
 };
@@ -22,9 +24,10 @@ static constexpr AcceleratorEntry kTable[] = {
 std::span<const AcceleratorEntry> accelerators() { return kTable; }
 
 const AcceleratorEntry* find_accelerator(std::string_view name) {
-    const std::string_view wanted = name == "auto" ? "bvh" : name;
+    static constexpr AcceleratorEntry kAuto{"auto", "chooses one of them by what the triangles are, and says why", over_triangles_auto, over_set_auto};
+    if (name == kAuto.name) return &kAuto;
     for (const AcceleratorEntry& entry : kTable) {
-        if (wanted == entry.name) return &entry;
+        if (name == entry.name) return &entry;
     }
     return nullptr;
 }

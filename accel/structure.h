@@ -7,6 +7,7 @@
 #include "accel/query.h"
 #include "accel/shaft.h"
 #include "accel/triangles/triangle_leaf.h"
+#include "core/parallel.h"
 
 #include <chrono>
 #include <optional>
@@ -18,7 +19,7 @@ template <template <class> class Structure, class Leaf> class StructureAccelerat
   public:
     StructureAccelerator(const typename Leaf::Source& source, const AccelOptions& options) {
         const auto start = std::chrono::steady_clock::now();
-        std::vector<uint32_t> order, ids = sort_out(source, order);
+        std::vector<uint32_t> order, ids = sort_out(source, options.threads, order);
         unbounded_ = uint32_t(order.size());
         stats_.primitives = ids.size() + order.size();
         BuildInput<typename Leaf::Source> input{source, std::move(ids), bounds_, order};
@@ -73,19 +74,42 @@ template <template <class> class Structure, class Leaf> class StructureAccelerat
         structure_->traverse(local, query, work);
     }
 
+    struct Sorted {
+        std::vector<uint32_t> bounded, unbounded, removed;
+        Bounds bounds;   ///< of the bounded ones
+    };
+
     /// Returns the bounded primitives; puts the unbounded ones into `order`, the hopeless ones into stats_.removed; empty ones are dropped.
-    std::vector<uint32_t> sort_out(const typename Leaf::Source& source, std::vector<uint32_t>& order) {
+    std::vector<uint32_t> sort_out(const typename Leaf::Source& source, int threads, std::vector<uint32_t>& order) {
+        std::vector<Sorted> ranges((source.size() + kRange - 1) / kRange);
+        for_ranges(source.size(), threads, [&](size_t first, size_t end) { ranges[first / kRange] = sorted(source, uint32_t(first), uint32_t(end)); });
         std::vector<uint32_t> ids;
         ids.reserve(source.size());
-        for (uint32_t id = 0; id < source.size(); ++id) {
+        for (const Sorted& range : ranges) {
+            ids.insert(ids.end(), range.bounded.begin(), range.bounded.end());
+            order.insert(order.end(), range.unbounded.begin(), range.unbounded.end());
+            stats_.removed.insert(stats_.removed.end(), range.removed.begin(), range.removed.end());
+            bounds_.extend(range.bounds);
+        }
+        return ids;
+    }
+
+    static Sorted sorted(const typename Leaf::Source& source, uint32_t first, uint32_t end) {
+        Sorted out;
+        BoundsT<typename Leaf::Real> bounds;
+        size_t bounded = 0;
+        out.bounded.resize(end - first);
+        for (uint32_t id = first; id < end; ++id) {
             switch (source.kind(id)) {
-                case PrimitiveKind::bounded: ids.push_back(id), bounds_.extend(source.bounds(id)); break;
-                case PrimitiveKind::unbounded: order.push_back(id); break;
-                case PrimitiveKind::removed: stats_.removed.push_back(id); break;
+                case PrimitiveKind::bounded: out.bounded[bounded++] = id, bounds.extend(box_of<typename Leaf::Real>(source, id)); break;
+                case PrimitiveKind::unbounded: out.unbounded.push_back(id); break;
+                case PrimitiveKind::removed: out.removed.push_back(id); break;
                 case PrimitiveKind::empty: break;
             }
         }
-        return ids;
+        out.bounded.resize(bounded);
+        out.bounds = {Vec3(bounds.min), Vec3(bounds.max)};
+        return out;
     }
 
     Bounds bounds_;

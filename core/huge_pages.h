@@ -3,6 +3,8 @@
 #pragma once
 
 #include <cstddef>
+#include <new>
+#include <utility>
 #include <vector>
 
 namespace alidade {
@@ -17,6 +19,9 @@ template <class T> struct HugePageAllocator {
     HugePageAllocator() = default;
     template <class U> HugePageAllocator(const HugePageAllocator<U>&) {}
     T* allocate(size_t count) { return static_cast<T*>(allocate_large(count * sizeof(T), alignof(T))); }
+    /// What has no default of its own stays as it is: large arrays are filled by whoever makes them, on all threads.
+    template <class U> void construct(U* place) { ::new (static_cast<void*>(place)) U; }
+    template <class U, class... Args> void construct(U* place, Args&&... args) { ::new (static_cast<void*>(place)) U(std::forward<Args>(args)...); }
     void deallocate(T* memory, size_t) noexcept { free_large(memory); }
     template <class U> bool operator==(const HugePageAllocator<U>&) const { return true; }
 };

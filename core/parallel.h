@@ -11,6 +11,14 @@ namespace alidade {
 /// thread the loop is a plain one, in order. An exception of `body` ends the loop and is thrown again here.
 void parallel_for(size_t count, int threads, const std::function<void(size_t)>& body);
 
+/// Items that one call of a for_ranges' body handles.
+inline constexpr size_t kRange = 8192;
+
+/// Calls body(first, end) for the ranges that count items fall into, in no promised order: range i begins at i * kRange.
+template <class Body> void for_ranges(size_t count, int threads, const Body& body) {
+    parallel_for((count + kRange - 1) / kRange, threads, [&](size_t i) { body(i * kRange, (i + 1) * kRange < count ? (i + 1) * kRange : count); });
+}
+
 /// What `threads` = 0 means on this machine.
 int hardware_threads();
 

@@ -10,8 +10,8 @@ namespace {
 class OwnPeer : public StressPeer {
   public:
     OwnPeer(const AcceleratorEntry& entry, const AccelOptions& options) : entry_(entry), options_(options) {
-        name = entry.name, precision = options.precision == Precision::float_ ? "float" : "double";
-        exact = std::any_of(accelerators().begin(), accelerators().end(), [&](const AcceleratorEntry& known) { return known.over_triangles == entry.over_triangles; });
+        threads = options.threads, name = entry.name, precision = options.precision == Precision::float_ ? "float" : "double";
+        exact = entry.over_triangles == find_accelerator("auto")->over_triangles || std::any_of(accelerators().begin(), accelerators().end(), [&](const AcceleratorEntry& known) { return known.over_triangles == entry.over_triangles; });
     }
 
     void build(const StressScene& scene) override {

@@ -46,6 +46,7 @@ class StressPeer {
 
     std::string name, precision = "float";
     bool exact = false;        ///< its hits are those of brute force in this precision, bit for bit; else ids are not looked at, and t to 1e-5 of it
+    int threads = 1;           ///< that build() uses (0: as many as the machine has); with one it is measured in CPU time, with more on the clock
     bool accountable = true;   ///< its wrong answers are disagreements; else they are only counted
 };
 

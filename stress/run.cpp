@@ -65,9 +65,7 @@ class StressRun {
         if (figures.left_out.empty()) {
             try {
                 const PeakMemory mark;
-                const double start = thread_seconds();
-                peers_[i]->build(scene_);
-                const double seconds = thread_seconds() - start;
+                const double seconds = seconds_to_build(*peers_[i]);
                 figures.builds = 1, figures.build_seconds = {seconds, seconds, seconds};
                 figures.peak_bytes = mark.bytes(), figures.structure = peers_[i]->structure();
                 standing_ += figures.structure.bytes;
@@ -81,6 +79,13 @@ class StressRun {
         out_.peers.push_back(std::move(figures));
     }
 
+    double seconds_to_build(StressPeer& peer) const {
+        const auto now = peer.threads == 1 ? thread_seconds : wall_seconds;
+        const double start = now();
+        peer.build(scene_);
+        return now() - start;
+    }
+
     /// All once more, if half of the time is left for the rays.
     void build_again() {
         double all = 0;
@@ -88,9 +93,7 @@ class StressRun {
         for (size_t i = 0; i < peers_.size(); ++i) {
             did(primitives());
             if (!built(i) || stopped() || 2 * options_.clock_factor * all > budget_.spare()) continue;
-            const double start = thread_seconds();
-            peers_[i]->build(scene_);
-            builds_[i].push_back(thread_seconds() - start);
+            builds_[i].push_back(seconds_to_build(*peers_[i]));
             out_.peers[i].builds = int(builds_[i].size()), out_.peers[i].build_seconds = spread_of(builds_[i]);
         }
     }
@@ -261,12 +264,12 @@ std::vector<RaySet> stress_rays(const StressScene& scene, std::vector<StressRay>
     return make_ray_sets(scene, *top, std::move(primary), seed);
 }
 
-std::vector<std::unique_ptr<StressPeer>> make_peers(std::span<const AcceleratorEntry> entries, std::span<const Precision> precisions) {
+std::vector<std::unique_ptr<StressPeer>> make_peers(std::span<const AcceleratorEntry> entries, std::span<const Precision> precisions, int threads) {
     std::vector<std::unique_ptr<StressPeer>> peers;
     for (const AcceleratorEntry& entry : entries) {
         for (const Precision precision : precisions) {
             AccelOptions options;
-            options.precision = precision;
+            options.precision = precision, options.threads = threads;
             peers.push_back(make_own_peer(entry, options));
         }
     }

@@ -42,7 +42,7 @@ struct StressPeerFigures {
     std::string name, precision;
     std::string left_out;      ///< why there is nothing below; empty if there is
     int builds = 0;
-    Spread build_seconds;      ///< CPU time
+    Spread build_seconds;      ///< CPU time; on the clock if several threads built
     StressStructure structure;
     std::optional<size_t> peak_bytes;   ///< of the process while it was built, over what was there before (PeakMemory)
     std::vector<StressRayFigures> rays;
@@ -81,8 +81,8 @@ StressFigures run_stress(const StressScene& scene, std::span<const RaySet> rays,
 /// The sets of make_ray_sets, by a BVH that is built for it.
 std::vector<RaySet> stress_rays(const StressScene& scene, std::vector<StressRay> primary, uint64_t seed);
 
-/// Each of `entries` in float and in double. They must live as long as the peers.
-std::vector<std::unique_ptr<StressPeer>> make_peers(std::span<const AcceleratorEntry> entries, std::span<const Precision> precisions);
+/// Each of `entries` in each precision, built on so many threads. The entries must live as long as the peers.
+std::vector<std::unique_ptr<StressPeer>> make_peers(std::span<const AcceleratorEntry> entries, std::span<const Precision> precisions, int threads = 1);
 
 /// For programs with an accelerator of their own: `entries` beside each other on the four kinds of rays, side x side of the camera's.
 StressFigures stress_entries(const StressScene& scene, std::span<const AcceleratorEntry> entries, size_t side = 128, const StressOptions& options = {});

@@ -63,7 +63,7 @@ Json to_json(const BuildStats& s) {
 
 Json to_json(const CompiledSummary& s) {
     return {{"instances", s.instances}, {"geometries", s.geometries}, {"lights", s.lights}, {"images", s.images}, {"triangles", s.triangles},
-            {"instanced_triangles", s.instanced_triangles}, {"bytes", s.bytes}};
+            {"instanced_triangles", s.instanced_triangles}, {"bytes", s.bytes}, {"accelerator", s.accelerator}};
 }
 
 Json to_json(const RenderStats& s) {

@@ -225,9 +225,9 @@ void build_solids(CompiledScene& out, std::vector<CsgExpression> solids) {
         }
 }
 
-/// Meshes get their accelerators, in parallel; only those that an instance shows.
+/// Meshes get their accelerators, in parallel, large ones each on several threads; only those that an instance shows.
 void build_structures(CompiledScene& out, const AcceleratorEntry& accel, std::vector<CsgExpression> solids, const CompileOptions& options, Diagnostics& said) {
-    const AccelOptions build{options.precision, options.isa, 1};
+    const AccelOptions build{options.precision, options.isa, options.threads};
     parallel_for(out.geometries.size(), options.threads, [&](size_t i) {
         Geometry& g = out.geometries[i];
         if (!g.mesh) return;
@@ -322,7 +322,7 @@ void choose_kernel(CompiledScene& out, const AcceleratorEntry& accel, const Comp
     out.filters_light = (reasons.mask() & (kAlpha | kTransmission)) != 0;
     if (out.filters_light) {
         tell_opaque_from_clear(out);
-        out.filters = accel.over_set(std::make_shared<InstanceSet>(out, kMaskFilter), {options.precision, options.isa, 1});
+        out.filters = accel.over_set(std::make_shared<InstanceSet>(out, kMaskFilter), {options.precision, options.isa, options.threads});
     }
     if (options.full_kernel) reasons.need(kAllFeatures, "--full-kernel");
     out.features = reasons.mask();
@@ -384,6 +384,7 @@ CompiledSummary summary(const CompiledScene& scene) {
         s.triangles += g.mesh->triangles.size();
         s.structures.emplace_back(scene.scene.shapes[g.shape.index].name, g.triangles->stats());
         s.bytes += g.triangles->stats().bytes;
+        if (const std::string& why = g.triangles->why; s.accelerator.find(why) == why.npos) s.accelerator += (s.accelerator.empty() ? "" : "; ") + why;   // each once
     }
     for (const Instance& i : scene.instances)
         if (const Mesh* mesh = scene.geometries[i.geometry].mesh) s.instanced_triangles += mesh->triangles.size();

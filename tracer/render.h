@@ -21,6 +21,7 @@ struct CompiledSummary {
     size_t bytes = 0;                      ///< of acceleration structures and vertex attributes
     std::string kernel;                    ///< which feature mask the render kernel has, and why
     std::vector<std::pair<std::string, BuildStats>> structures;   ///< top level first
+    std::string accelerator;               ///< of meshes, where it was chosen for them: each choice once, and why
 };
 
 /// Builds what a ray needs, and nothing that this scene does not require. What has to be said (a default sky, a framed camera, an image that cannot

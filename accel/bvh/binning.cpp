@@ -39,6 +39,10 @@ template <class R> HWY_INLINE HWY_ATTR void extend(CentroidBounds<R>& bounds, co
     }
 }
 
+template <class R> HWY_ATTR void bound(std::span<const BvhReference<R>> references, BoxEnds<R>& box, CentroidBounds<R>& centroids) {
+    for (const BvhReference<R>& reference : references) extend<R>(box, reference), extend<R>(centroids, reference);
+}
+
 template <class R> HWY_INLINE HWY_ATTR void copy(const BvhReference<R>& from, BvhReference<R>& to) {
     const hn::CappedTag<R, 8> d;
     for (size_t i = 0; i < 8; i += hn::Lanes(d)) hn::Store(hn::Load(d, from.v + i), d, to.v + i);
@@ -61,7 +65,21 @@ HWY_ATTR size_t partition(std::span<BvhReference<R>> references, BvhReference<R>
     return rights;
 }
 
-template <class R> constexpr BinningPasses<R> passes() { return {fill_bins<R>, partition<R>}; }
+/// Other threads write behind both sides, so that nothing is written twice here.
+template <class R>
+HWY_ATTR void scatter(std::span<const BvhReference<R>> references, BvhReference<R>* lefts, BvhReference<R>* rights, const CentroidMap<R>& map, int axis, int bin, CentroidBounds<R>& left,
+                      CentroidBounds<R>& right) {
+    BvhReference<R>* to[2] = {lefts, rights};
+    CentroidBounds<R> sides[2];
+    for (const BvhReference<R>& at : references) {
+        const bool is_right = map.bin(at, axis) >= bin;
+        extend<R>(sides[is_right], at);
+        copy(at, *to[is_right]++);
+    }
+    left = sides[0], right = sides[1];
+}
+
+template <class R> constexpr BinningPasses<R> passes() { return {bound<R>, fill_bins<R>, partition<R>, scatter<R>}; }
 
 }  // namespace alidade::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();

@@ -62,6 +62,9 @@ template <class R> struct alignas(8 * sizeof(R)) CentroidBounds {
             low[a] = c < low[a] ? c : low[a], high[a] = c > high[a] ? c : high[a];
         }
     }
+    void extend(const CentroidBounds& b) {
+        for (int a = 0; a < 3; ++a) low[a] = b.low[a] < low[a] ? b.low[a] : low[a], high[a] = b.high[a] > high[a] ? b.high[a] : high[a];
+    }
     R width(int axis) const { return high[axis] - low[axis]; }
 };
 
@@ -89,11 +92,16 @@ template <class R> struct Bins {
 
 /// The passes, for one kind of machine; all give the same results.
 template <class R> struct BinningPasses {
+    /// Extends both by the references.
+    void (*bound)(std::span<const BvhReference<R>> references, BoxEnds<R>& box, CentroidBounds<R>& centroids);
     /// Sorts the references into bins along each axis.
     void (*fill)(std::span<const BvhReference<R>> references, const CentroidMap<R>& map, Bins<R>& bins);
     /// Moves those not below `bin` to the front, and returns their number; keeps the order within both parts, and tells the bounds of their centroids. `spare` has room for all.
     size_t (*partition)(std::span<BvhReference<R>> references, BvhReference<R>* spare, const CentroidMap<R>& map, int axis, int bin, CentroidBounds<R>& left,
                         CentroidBounds<R>& right);
+    /// Copies those not below `bin` to `rights` and the others to `lefts`, in their order.
+    void (*scatter)(std::span<const BvhReference<R>> references, BvhReference<R>* lefts, BvhReference<R>* rights, const CentroidMap<R>& map, int axis, int bin, CentroidBounds<R>& left,
+                    CentroidBounds<R>& right);
 };
 template <class R> const BinningPasses<R>& binning_passes(Isa isa);
 template <> const BinningPasses<float>& binning_passes<float>(Isa isa);

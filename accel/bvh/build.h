@@ -19,11 +19,16 @@ template <class R> struct BvhNode {
     bool leaf() const { return count > 0; }
 };
 
+/// No node is deeper than this: below kSahDepth ranges are halved, and there are fewer than 2^32 references.
+inline constexpr uint32_t kSahDepth = 60, kBvhDepth = kSahDepth + 32;
+
 struct BvhLimits {
     uint32_t block = 1;      ///< references that one leaf test handles at once; leaves start at multiples of it
     uint32_t max_leaf = 1;
     Isa isa = Isa::best;     ///< changes no result
     double growth = 0;       ///< by this part of their number references may become more through spatial splits; 0: no such splits
+    int threads = 1;         ///< changes no result
+    uint32_t sah_depth = kSahDepth;   ///< below it ranges are halved
 };
 
 /// Foretells where spatial splits pay: where the largest reference has more than kLargeReference / sqrt(count) of a node's area. Of triangles side by side on a surface each has about
@@ -32,10 +37,6 @@ struct BvhLimits {
 inline constexpr double kLargeReference = 4;
 inline bool spatial_splits_promise(uint32_t count, double largest, double area) { return largest * largest * std::sqrt(double(count)) > kLargeReference * area; }
 
-
-/// No node is deeper than this: below kSahDepth ranges are halved, and there are fewer than 2^32 references.
-inline constexpr uint32_t kSahDepth = 60, kBvhDepth = kSahDepth + 32;
-
 /// The nodes, the root first, children after parents, in depth-first order of pairs; none for no references. Appends the ids to `order` leaf by leaf, padded to blocks.
 ///
 /// Method   Wald, "On fast construction of SAH-based bounding volume hierarchies", 2007. Leaves cost by started blocks. If the references are of `triangles`, nodes may be split in space
@@ -43,6 +44,13 @@ inline constexpr uint32_t kSahDepth = 60, kBvhDepth = kSahDepth + 32;
 template <class R>
 LargeVector<BvhNode<R>> build_bvh(LargeVector<BvhReference<R>> references, const BvhLimits& limits, std::vector<uint32_t>& order, BuildStats& stats,
                                   const TriangleSource<R>* triangles = nullptr);
+
+/// Adds the number of nodes and the surface area heuristic's cost.
+template <class R> void add_nodes(const LargeVector<BvhNode<R>>& nodes, BuildStats& stats) {
+    stats.nodes = nodes.size();
+    const double root = area(nodes[0].box);
+    for (const auto& node : nodes) stats.sah_cost += (root > 0 ? area(node.box) / root : 1) * (node.leaf() ? double(node.count) : 2.0);
+}
 
 extern template LargeVector<BvhNode<float>> build_bvh(LargeVector<BvhReference<float>>, const BvhLimits&, std::vector<uint32_t>&, BuildStats&, const TriangleSource<float>*);
 extern template LargeVector<BvhNode<double>> build_bvh(LargeVector<BvhReference<double>>, const BvhLimits&, std::vector<uint32_t>&, BuildStats&, const TriangleSource<double>*);

@@ -8,4 +8,7 @@ namespace alidade {
 template std::unique_ptr<Accelerator> over_triangles<Bvh>(const TriangleView&, const AccelOptions&);
 template std::unique_ptr<Accelerator> over_set<Bvh>(std::shared_ptr<const PrimitiveSet>, const AccelOptions&);
 
+template std::unique_ptr<Accelerator> over_triangles<FastBvh>(const TriangleView&, const AccelOptions&);
+template std::unique_ptr<Accelerator> over_set<FastBvh>(std::shared_ptr<const PrimitiveSet>, const AccelOptions&);
+
 }  // namespace alidade

@@ -4,32 +4,39 @@
 
 #include "accel/accelerator.h"
 #include "accel/bvh/build.h"
+#include "accel/bvh/fast_build.h"
 #include "accel/bvh/wide.h"
 #include "accel/query.h"
 #include "accel/shaft.h"
+#include "core/parallel.h"
 
 #include <stdexcept>
 
 namespace alidade {
 
 /// Boxes of what goes into the tree, with room for more of them. They are exact: a leaf's Real holds its bounds.
-template <class R, class Source> LargeVector<BvhReference<R>> bvh_references(BuildInput<Source>& input, double growth = 0) {
+template <class R, class Source> LargeVector<BvhReference<R>> bvh_references(BuildInput<Source>& input, int threads, double growth = 0) {
     LargeVector<BvhReference<R>> references;
     references.reserve(input.ids.size() + size_t(growth * double(input.ids.size())));
-    for (const uint32_t id : input.ids) {
-        const Bounds box = input.source.bounds(id);
-        references.emplace_back(BoundsT<R>{Vec3T<R>(box.min), Vec3T<R>(box.max)}, id);
-    }
+    references.resize(input.ids.size());
+    for_ranges(input.ids.size(), threads, [&](size_t first, size_t end) {
+        for (size_t i = first; i < end; ++i) references[i] = {box_of<R>(input.source, input.ids[i]), input.ids[i]};
+    });
     input.ids = {};
     return references;
 }
+
+/// How the tree is made: by the surface area heuristic, or fast (bvh/fast_build.h).
+enum class BvhBuilder { sah, fast };
 
 template <class Leaf> class Bvh {
   public:
     using R = typename Leaf::Real;
 
-    Bvh(BuildInput<typename Leaf::Source>& input, const AccelOptions& options, BuildStats& stats) {
-        nodes_ = build_bvh(bvh_references<R>(input), {Leaf::kBlock, std::max(4u, Leaf::kBlock), options.isa}, input.order, stats);
+    Bvh(BuildInput<typename Leaf::Source>& input, const AccelOptions& options, BuildStats& stats, BvhBuilder builder = BvhBuilder::sah) {
+        const BvhLimits limits{Leaf::kBlock, std::max(4u, Leaf::kBlock), options.isa, 0, options.threads};
+        auto references = bvh_references<R>(input, options.threads);
+        nodes_ = builder == BvhBuilder::fast ? build_bvh_fast(std::move(references), limits, input.order, stats) : build_bvh(std::move(references), limits, input.order, stats);
     }
 
     /// Nearer child first. A box is skipped only if its padded entry is beyond the padded limit: at an equal t there may be a lower id inside.
@@ -85,8 +92,12 @@ inline constexpr double kSplitGrowth = 1.0;
 
 template <class T> class Bvh<TriangleLeaf<T>> {
   public:
-    Bvh(BuildInput<TriangleSource<T>>& input, const AccelOptions& options, BuildStats& stats) : traversals_(wide_traversals<T>(options.isa)) {
-        nodes_ = widened(build_bvh(bvh_references<T>(input, kSplitGrowth), {kLanes, kLanes, options.isa, kSplitGrowth}, input.order, stats, &input.source), stats);
+    Bvh(BuildInput<TriangleSource<T>>& input, const AccelOptions& options, BuildStats& stats, BvhBuilder builder = BvhBuilder::sah) : traversals_(wide_traversals<T>(options.isa)) {
+        const double growth = builder == BvhBuilder::fast ? 0 : kSplitGrowth;
+        const BvhLimits limits{kLanes, kLanes, options.isa, growth, options.threads};
+        auto references = bvh_references<T>(input, options.threads, growth);
+        nodes_ = widened(builder == BvhBuilder::fast ? build_bvh_fast(std::move(references), limits, input.order, stats) : build_bvh(std::move(references), limits, input.order, stats, &input.source),
+                         stats, options.threads);
         if (input.order.size() / kLanes >= WideLeaf::kMaxBlocks) throw std::length_error("more triangles than the tree can number");
     }
 
@@ -96,6 +107,11 @@ template <class T> class Bvh<TriangleLeaf<T>> {
   private:
     const WideTraversals<T>& traversals_;
     LargeVector<WideNode<T>> nodes_;
+};
+
+template <class Leaf> class FastBvh : public Bvh<Leaf> {
+  public:
+    FastBvh(BuildInput<typename Leaf::Source>& input, const AccelOptions& options, BuildStats& stats) : Bvh<Leaf>(input, options, stats, BvhBuilder::fast) {}
 };
 
 }  // namespace alidade

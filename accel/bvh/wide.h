@@ -29,8 +29,8 @@ struct WideLeaf {
 };
 
 /// The binary tree with the inner nodes between joined, so that the area of all wide nodes is the least that there is. Depth-first order.
-/// Replaces the nodes, depth and cost of `stats`.
-template <class R> LargeVector<WideNode<R>> widened(const LargeVector<BvhNode<R>>& nodes, BuildStats& stats);
+/// Replaces the nodes, depth and cost of `stats`. The same for any number of threads.
+template <class R> LargeVector<WideNode<R>> widened(const LargeVector<BvhNode<R>>& nodes, BuildStats& stats, int threads = 1);
 
 /// Shows `query` the leaves whose boxes the ray enters.
 template <class Query> using WideTraversal = void (*)(const WideNode<typename Query::Real>* nodes, const LocalRay& ray, Query& query, WorkCounters& work);

@@ -13,8 +13,8 @@ inline constexpr uint32_t kLanes = 8;
 
 /// Eight triangles, coordinate by coordinate: v[3 * corner + axis][lane], and their ids in the source arrays.
 template <class T> struct alignas(64) TriangleBlock {
-    T v[9][kLanes] = {};
-    uint32_t id[kLanes] = {};
+    T v[9][kLanes];
+    uint32_t id[kLanes];
 
     std::array<Vec3, 3> corners(uint32_t lane) const {
         std::array<Vec3, 3> c;

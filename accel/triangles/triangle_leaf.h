@@ -4,7 +4,9 @@
 
 #include "accel/triangles/triangle_source.h"
 #include "core/huge_pages.h"
+#include "core/parallel.h"
 
+#include <algorithm>
 #include <bit>
 
 namespace alidade {
@@ -27,14 +29,13 @@ template <class R> class TriangleLeaf {
 
     TriangleLeaf(const Source& source, const std::vector<uint32_t>& order, const AccelOptions& options)
         : blocks_((order.size() + kLanes - 1) / kLanes), filter_(edge_filter<R>(options.isa)) {
-        for (uint32_t place = 0; place < order.size(); ++place) {
-            if (order[place] == kPadding) continue;
-            TriangleBlock<R>& block = blocks_[place / kLanes];
-            const uint32_t lane = place % kLanes;
-            const Corners corners = source.corners(order[place]);
-            for (int i = 0; i < 9; ++i) block.v[i][lane] = R(corners[size_t(i / 3)][i % 3]);
-            block.id[lane] = order[place];
-        }
+        for_ranges(blocks_.size(), options.threads, [&](size_t first, size_t end) {
+            for (size_t b = first; b < end; ++b) {
+                blocks_[b] = {};   // where no triangle is, filters read zeros
+                for (size_t place = b * kLanes; place < std::min(order.size(), (b + 1) * kLanes); ++place)
+                    if (order[place] != kPadding) pack(source.corners(order[place]), order[place], blocks_[b], place % kLanes);
+            }
+        });
     }
 
     bool closest(const Probe& probe, uint32_t first, uint32_t count, Hit& hit, WorkCounters& work) const {
@@ -81,6 +82,11 @@ template <class R> class TriangleLeaf {
     size_t bytes() const { return blocks_.capacity() * sizeof(TriangleBlock<R>); }
 
   private:
+    static void pack(const Corners& corners, uint32_t id, TriangleBlock<R>& block, size_t lane) {
+        for (int i = 0; i < 9; ++i) block.v[i][lane] = R(corners[size_t(i / 3)][i % 3]);
+        block.id[lane] = id;
+    }
+
     struct Found {
         double t;   ///< the caller's
         uint32_t id;

@@ -10,7 +10,8 @@ template <class R> PrimitiveKind TriangleSource<R>::kind(uint32_t id) const {
     if (std::max({t.x, t.y, t.z}) >= mesh_.positions.size()) return PrimitiveKind::removed;
     const Corners c = corners(id);
     for (const Vec3& p : c) {
-        if (!is_finite(p) || max_abs(p) > kLargestCoordinate<R>) return PrimitiveKind::removed;
+        for (int a = 0; a < 3; ++a)
+            if (!(std::abs(p[a]) <= kLargestCoordinate<R>)) return PrimitiveKind::removed;
     }
     return collinear(c[0], c[1], c[2]) ? PrimitiveKind::removed : PrimitiveKind::bounded;
 }

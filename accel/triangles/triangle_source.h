@@ -20,6 +20,16 @@ template <class R> class TriangleSource {
         const Corners c = corners(id);
         return {glm::min(c[0], glm::min(c[1], c[2])), glm::max(c[0], glm::max(c[1], c[2]))};
     }
+    /// The same in R.
+    BoundsT<R> box(uint32_t id) const {
+        if constexpr (std::is_same_v<R, float>) {
+            const Index3& t = mesh_.triangles[id];
+            const Vec3f &a = mesh_.positions[t.x], &b = mesh_.positions[t.y], &c = mesh_.positions[t.z];
+            return {glm::min(a, glm::min(b, c)), glm::max(a, glm::max(b, c))};
+        } else {
+            return bounds(id);
+        }
+    }
     /// The common box, empty where the triangle's plane passes by `box`.
     Bounds clipped_bounds(uint32_t id, const Bounds& box) const;
 

@@ -116,7 +116,7 @@ Json stress_document(const StressRequest& request, const StressResults& results,
     Words line = {"alidade", "stress"};
     line.insert(line.end(), request.words.begin(), request.words.end());
     Json out = {{"schema", kStressSchema}, {"alidade", ALIDADE_VERSION}, {"command", shell_line(line)}, {"machine", machine()}, {"exit_code", exit_code}, {"interrupted", results.interrupted},
-                {"rounds", request.rounds}, {"side", request.side}, {"seconds_budget", maybe(request.seconds)}, {"bytes_budget", number_or_null(results.bytes)}, {"scenes", Json::array()},
+                {"rounds", request.rounds}, {"threads", request.threads}, {"side", request.side}, {"seconds_budget", maybe(request.seconds)}, {"bytes_budget", number_or_null(results.bytes)}, {"scenes", Json::array()},
                 {"messages", to_json(results.said)}};
     for (const StressSeries& series : results.series) out["scenes"].push_back(to_json(series));
     return out;

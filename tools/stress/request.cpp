@@ -48,11 +48,12 @@ void add_what(CLI::App& app, StressRequest& request, std::vector<std::string>& g
                    fmt::format("a scene that is made: KIND is one of {}; N triangles (default: as the kind has it), or a range such as 1e3..1e6; may be given more than once", fmt::join(names_of(stress_kinds()), ", ")))
         ->type_name("KIND[:N][:SEED]")->allow_extra_args(false);
     app.add_flag("--growth", request.growth, fmt::format("--generate without N takes {:g}..{:g}: how costs grow", double(kGrowthLow), double(kGrowthHigh)));
-    const std::vector<std::string> structures = names_of(accelerators());
-    add(app, "--accel", "A,B", [structures](const std::string& word) { return list_of(word, structures); }, [&request](const std::vector<size_t>& chosen) {
+    std::vector<std::string> structures = names_of(accelerators());
+    structures.emplace_back("auto");
+    add(app, "--accel", "A,B", [structures](const std::string& word) { return list_of(word, structures); }, [&request, structures](const std::vector<size_t>& chosen) {
         request.accelerators.clear();
-        for (const size_t i : chosen) request.accelerators.push_back(&accelerators()[i]);
-    }, fmt::format("accelerators, of {} (default: all but brute, which is asked about some rays in any case)", fmt::join(structures, ", ")));
+        for (const size_t i : chosen) request.accelerators.push_back(find_accelerator(structures[i]));
+    }, fmt::format("accelerators, of {} (default: all but auto, and but brute, which is asked about some rays in any case)", fmt::join(structures, ", ")));
     add(app, "--precision", "A,B", [](const std::string& word) { return list_of(word, {"float", "double"}); }, [&request](const std::vector<size_t>& chosen) {
         request.precisions.clear();
         for (const size_t i : chosen) request.precisions.push_back(Precision(i));
@@ -63,6 +64,8 @@ void add_what(CLI::App& app, StressRequest& request, std::vector<std::string>& g
 void add_how(CLI::App& app, StressRequest& request) {
     add_integer(app, "--side", request.side, 1, 8192, "primary rays are N x N (default 128)");
     add_integer(app, "--rounds", request.rounds, 1, 1000, "of rays, in turns; builds get half as many (default 5)");
+    add_integer(app, "--threads", request.threads, 0, 4096,
+                "of our builds, which are timed on the clock then; 0: as many as the machine has (default 1: CPU time); no structure depends on it");
     add_number(app, "--time", "SECONDS", 0, [&request](double s) { request.seconds = s; },
         "a budget: what is predicted not to fit is left out, and that is said (default: none)");
     add(app, "--memory", "BYTES", parse_bytes, [&request](double bytes) { request.bytes = bytes; },

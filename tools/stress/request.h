@@ -30,7 +30,7 @@ struct StressRequest {
     std::vector<Precision> precisions;
     bool embree = false, growth = false;
     size_t side = 128;                      ///< primary rays are side x side
-    int rounds = 5;
+    int rounds = 5, threads = 1;            ///< threads: of the builds
     std::optional<double> seconds, bytes;   ///< budgets; without the second, 8/10 of what the system has available
     std::string rays, dump_rays, csv, json, report;
     bool prints_json = false;   ///< instead of tables
