@@ -13,7 +13,7 @@ std::span<const Subject> subjects() {
     static const std::vector<Subject> all = [] {
         std::vector<Subject> list;
         for (const AcceleratorEntry* entry : accelerators_under_test())
-            for (const Precision precision : {Precision::float_, Precision::double_}) list.push_back({entry, precision, entry == find_accelerator("auto") && precision == Precision::float_});
+            for (const Precision precision : {Precision::float_, Precision::double_}) list.push_back({entry, precision, entry == find_accelerator("bvh") && precision == Precision::float_});
         return list;
     }();
     return all;

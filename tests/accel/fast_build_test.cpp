@@ -4,8 +4,8 @@
 #include "accel/leaf.h"
 #include "accel/triangles/edge_filter.h"
 #include "core/draws.h"
-#include "tests/accel/compare.h"
-#include "tests/accel/rays.h"
+#include "numerics/triangles/compare.h"
+#include "numerics/triangles/rays.h"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -15,6 +15,8 @@
 #include <tuple>
 
 namespace alidade::test {
+
+using namespace numerics;
 namespace {
 
 template <class R> class FastBuild : public testing::Test {};
