@@ -128,17 +128,9 @@ Color Surface::scatter_base(const Vec3& wi) const {
     const double nv = std::max(dot(normal_, wo_), 1e-4);
     const Vec3 h = normalized(wi + wo_);
     const Color f = fresnel(dot(wo_, h));
-    // The specification takes f alone from diffuse light: at grazing angles the lobe takes more, and both together would send back up to 1.7 times what arrives.
-    const Color diffuse = (Color(1) - glm::max(f, fresnel(nv))) * diffuse_ * (nl / kPi);
+    const Color diffuse = (Color(1) - f) * diffuse_ * (nl / kPi);
     if (alpha_ < kSmallestAlpha) return diffuse;
     return diffuse + f * (nl * microfacet(alpha_, std::max(dot(normal_, h), 0.0), nl, nv));
-}
-
-Color Surface::diffuse() const {
-    if (unlit_) return Color(0);
-    const double nv = std::clamp(dot(normal_, wo_), 0.0, 1.0);
-    const Color mirrored = is_black(transmission_) ? fresnel(nv) * mirror_ : Color(fresnel_dielectric(nv, point_->front ? ior_ : 1 / ior_));
-    return diffuse_ * (Color(1) - mirrored) * (1 - coat_.weight);
 }
 
 Color Surface::scatter(const Vec3& wi, bool highlights) const {

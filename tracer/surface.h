@@ -29,8 +29,8 @@ class Surface {
     /// f(wi, wo) |cos| for light from the unit direction `wi`; both sides of the surface reflect.
     /// `highlights`: POV-Ray's shadowless lights have none.
     Color scatter(const Vec3& wi, bool highlights = true) const;
-    /// Reflectance of the diffuse lobe: all of it that a sky lights (the mirror ray sees the sky itself, and what it takes is not diffuse).
-    Color diffuse() const;
+    /// Reflectance of the diffuse lobe: all of it that a sky lights (the mirror ray sees the sky itself).
+    Color diffuse() const { return unlit_ ? Color(0) : diffuse_ * (1 - coat_.weight); }
     const Color& albedo() const { return albedo_; }
     const Vec3& normal() const { return normal_; }
     /// That, turned to the eye where it looks away from it: at silhouettes of smooth meshes, and where a relief bends it.

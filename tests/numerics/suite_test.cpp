@@ -18,7 +18,7 @@ TEST_P(Numerics, MeetsItsGoal) {
     const NumericsTally tally = run_numerics(row, 0, run_size(row.ci, row.full));
     fmt::print("{} {}: {} asked, {} wrong, worst {:.3g} (case {})\n", row.id, row.name, tally.asked(), tally.wrong(), tally.worst(), tally.worst_case());
     EXPECT_GT(tally.asked(), run_size(row.ci, row.full) / 4) << "most cases ask something";
-    const uint64_t allowed = *row.falls_short ? tally.asked() / 1000 : 0;
+    const uint64_t allowed = row.id == std::string("T14") ? tally.asked() / 1000 : 0;
     EXPECT_LE(tally.wrong(), allowed) << row.id << " case " << tally.first_wrong() << ": " << tally.why();
 }
 
@@ -30,12 +30,12 @@ std::vector<const NumericsRow*> rows() {
 
 INSTANTIATE_TEST_SUITE_P(Suite, Numerics, testing::ValuesIn(rows()), [](const auto& row) { return std::string(row.param->id); });
 
-/// T14, and that is told: all other rows meet their goals.
+/// T14, by its figure, and T24, whose goal leaves plastics out: both are told.
 TEST(NumericsSuite, AtMostTwoRowsFallShort) {
     size_t count = 0;
     for (const NumericsRow& row : numerics_suite()) count += *row.falls_short != 0;
     EXPECT_LE(count, 2u);
-    EXPECT_TRUE(*find_numerics("T14")->falls_short);
+    for (const char* row : {"T14", "T24"}) EXPECT_TRUE(*find_numerics(row)->falls_short) << row;
 }
 
 TEST(NumericsSuite, IdsAreInOrderAndFound) {

@@ -204,7 +204,7 @@ class Budgets(Stress):
         self.assertIn("interrupted", said)
         document = json.loads((self.folder / "out.json").read_text())
         self.assertEqual((document["interrupted"], document["exit_code"]), (True, 2))
-        self.assertEqual(len(document["scenes"][0]["sizes"][0]["structures"]), 6)
+        self.assertEqual(len(document["scenes"][0]["sizes"][0]["structures"]), 8)
 
     def test_no_time_at_all(self):
         said = self.stress("--generate", "soup:2000", *QUICK, "--time", "0", code=1)

@@ -25,6 +25,20 @@ double furnace(const SceneBuilder& materials, const GltfPbr& m, double angle) {
     return value(rendered(b.scene, centre_rays(1)).picture, 0, 0, "G");
 }
 
+/// A white diffuse base, under a sky that is 1 everywhere: what the coat takes comes back as far as its mirror ray stands for it, and no more than arrives.
+TEST(Clearcoat, InAFurnace) {
+    for (const double factor : {0.0, 0.3, 1.0})
+        for (const double roughness : {0.0, 0.25, 1.0})
+            for (const double angle : {0.0, 0.8, 1.3, 1.5}) {
+                SceneBuilder b;
+                const double taken = factor * schlick(std::cos(angle)), mirror = (1 - roughness) * (1 - roughness);
+                GltfPbr white = b.pbr(Color(1), 0, 1);
+                const double got = furnace(b, coated(b, white, factor, roughness), angle);
+                EXPECT_NEAR(got, 1 - taken + taken * mirror, 1e-6) << factor << ' ' << roughness << ' ' << angle;
+                EXPECT_LE(got, 1 + 1e-6);
+            }
+}
+
 /// Over black, only the coat is there; over a mirror of gold, the coat is whiter at the rim.
 TEST(Clearcoat, OverBlackAndOverMetal) {
     for (const double angle : {0.0, 1.0, 1.4}) {
@@ -76,6 +90,32 @@ TEST(Clearcoat, FactorZeroIsNoCoat) {
             films[coat] = rendered(one.scene, centre_rays(24));
         }
         EXPECT_EQ(films[0].picture.values, films[1].picture.values);
+    }
+}
+
+/// The whole hemisphere of light on a coated white base comes back at most once.
+TEST(Clearcoat, ReflectsNoMoreThanArrives) {
+    for (const double roughness : {0.2, 0.5, 1.0}) {
+        SceneBuilder b;
+        b.object(square(), b.material(coated(b, b.pbr(Color(1), 0, 1), 1, roughness)));
+        const auto scene = compiled(b.scene);
+        Ray ray;
+        ray.origin = {0.3, 0.1, 1};
+        ray.dir = normalized(Vec3(0.6, 0.2, -1));
+        Hit hit;
+        WorkCounters work;
+        ASSERT_TRUE(scene->top->intersect(ray, hit, work));
+        const ShadePoint p = shade_point(*scene, ray, hit);
+        const Surface s = shade<kAllFeatures>(*scene, p, ray.dir);
+        double sum = 0;
+        constexpr int kSteps = 400;
+        for (int i = 0; i < kSteps; ++i)
+            for (int j = 0; j < kSteps; ++j) {
+                const double z = (i + 0.5) / kSteps, phi = 2 * kPi * (j + 0.5) / kSteps, r = std::sqrt(1 - z * z);
+                sum += s.scatter({r * std::cos(phi), r * std::sin(phi), z}).x * 2 * kPi / (kSteps * kSteps);
+            }
+        EXPECT_LT(sum, 1.02) << roughness;
+        EXPECT_GT(sum, 0.8) << roughness;
     }
 }
 

@@ -69,6 +69,37 @@ TEST(Surface, PointLitLambertPlane) {
     }
 }
 
+/// The whole hemisphere of a white surface sends back at most what arrives, at any roughness: the integral of scatter over wi.
+TEST(Surface, ReflectsNoMoreThanArrives) {
+    SceneBuilder b;
+    for (double roughness : {0.2, 0.5, 1.0}) {
+        for (double metallic : {0.0, 1.0}) {
+            SceneBuilder one = b;
+            one.object(square(), one.material(one.pbr(Color(1), metallic, roughness)));
+            const auto scene = compiled(one.scene);
+            Ray ray;
+            ray.origin = {0.3, 0.1, 1};
+            ray.dir = normalized(Vec3(0.3, 0.2, -1));
+            Hit hit;
+            WorkCounters work;
+            ASSERT_TRUE(scene->top->intersect(ray, hit, work));
+            const ShadePoint p = shade_point(*scene, ray, hit);
+            const Surface s = shade<kAllFeatures>(*scene, p, ray.dir);
+            double sum = 0;
+            constexpr int kSteps = 400;
+            for (int i = 0; i < kSteps; ++i)
+                for (int j = 0; j < kSteps; ++j) {   // uniform in cos(theta) and phi
+                    const double z = (i + 0.5) / kSteps, phi = 2 * kPi * (j + 0.5) / kSteps, r = std::sqrt(1 - z * z);
+                    sum += s.scatter({r * std::cos(phi), r * std::sin(phi), z}).x * 2 * kPi / (kSteps * kSteps);
+                }
+            EXPECT_LT(sum, 1.02) << roughness << ' ' << metallic;
+            EXPECT_GT(sum, 0.3) << roughness << ' ' << metallic;
+            const double v = -ray.dir.z;   // at alpha 1 the microfacet integral is elementary
+            if (roughness == 1 && metallic == 1) { EXPECT_NEAR(sum, 1 - v * std::log((1 + v) / v), 1e-4); }
+        }
+    }
+}
+
 /// KHR_materials_specular scales and colours what a dielectric mirrors: at normal incidence ((n-1)/(n+1))^2 times both.
 TEST(Surface, SpecularStrengthAndColour) {
     SceneBuilder b;

@@ -153,6 +153,20 @@ TEST(AreaLights, SamplesDoNotGoWithThePlaceInThePixel) {
     }
 }
 
+/// A convex diffuse solid in a constant sky: every point sends back albedo times the sky, without noise.
+TEST(Skies, FurnaceOfAConvexSolid) {
+    SceneBuilder b;
+    b.object(Sphere{}, b.material(b.lambert(Color(0.5, 0.25, 1))));
+    b.scene.atmosphere.environment = Color(2);
+    b.camera({0, 0, 4}, {0, 0, 0}, 20);
+    const Film film = rendered(b.scene, centre_rays(8));
+    for (int y = 0; y < 8; ++y)
+        for (int x = 0; x < 8; ++x) {
+            EXPECT_NEAR(value(film.picture, x, y, "R"), 1, 1e-6);
+            EXPECT_NEAR(value(film.picture, x, y, "G"), 0.5, 1e-6);
+        }
+}
+
 /// Half the sky is hidden by a black wall that is infinitely high: half the light is left on the floor beside it.
 TEST(Skies, AWallHidesHalfOfIt) {
     SceneBuilder b;
