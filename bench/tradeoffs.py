@@ -19,7 +19,7 @@ ROOT = pathlib.Path(__file__).resolve().parents[1]
 PROGRAM = os.environ.get("ALIDADE_PROGRAM", str(ROOT / "build/release/tools/alidade"))
 OUT = ROOT / "docs" / "tradeoff"
 POVRAY = "povray +I{scene} +L{folder} +W{width} +H{height} +AM{am} +A{aa} +R4 -J +WT1 -D +O{out}"
-INK = {"Alidade": "#0b57b0", "POV-Ray": "#9a4a00", "random": "#9a4a00", "sobol": "#0b57b0", "BVH": "#0b57b0", "grid": "#2d7d46", "octree": "#9a4a00"}
+INK = {"Alidade": "#0b57b0", "POV-Ray, method 1": "#9a4a00", "POV-Ray, method 2": "#2d7d46", "random": "#9a4a00", "sobol": "#0b57b0", "BVH": "#0b57b0", "grid": "#2d7d46", "octree": "#9a4a00"}
 
 
 def tradeoff(*words, scene):
@@ -41,16 +41,16 @@ def points(rows, series, label, error="rmse", x="cpu_seconds"):
 def antialiasing():
     rows = tradeoff("--size", "240x180", "--vary", "spp=1,4,9,16,25,36", "--vary", "am=1,2", "--vary", "aa=0.3,0.1,0.03,0.01", "--external", POVRAY, "--reference", "self:400", "--repeat", 5,
                     scene="bench/scenes/edges.pov")
-    name = lambda row: "POV-Ray" if row["program"] == "povray" else "Alidade" if "spp" in row["setting"] else None
-    return "CPU seconds", "RMSE", points(rows, name, lambda row: row["setting"].get("spp") or "{am}: {aa}".format(**row["setting"]))
+    name = lambda row: "POV-Ray, method " + row["setting"]["am"] if row["program"] == "povray" else "Alidade" if "spp" in row["setting"] else None
+    return "CPU seconds", "RMSE", points(rows, name, lambda row: row["setting"].get("spp") or row["setting"]["aa"])
 
 
 def depth():
     with tempfile.TemporaryDirectory() as folder:
         reference = pathlib.Path(folder) / "reference.pfm"
         subprocess.run([PROGRAM, "render", "bench/scenes/glass.pov", "--size", "240x180", "--max-depth", "40", "-o", reference], check=True, cwd=ROOT, stderr=subprocess.DEVNULL)
-        rows = tradeoff("--size", "240x180", "--vary", "max-depth=1,2,3,4,5,6,8,10,12,14", "--reference", reference, "--repeat", 5, scene="bench/scenes/glass.pov")
-    return "CPU seconds", "RMSE", points(rows, lambda row: "Alidade" if "max-depth" in row["setting"] else None, lambda row: row["setting"]["max-depth"])
+        rows = tradeoff("--size", "240x180", "--vary", "max-depth=1,2,3,4,5,6,8,10,12,14", "--reference", reference, "--repeat", 1, scene="bench/scenes/glass.pov")
+    return "rays", "RMSE", points(rows, lambda row: "Alidade" if "max-depth" in row["setting"] else None, lambda row: row["setting"]["max-depth"], x="rays")
 
 
 def accelerators():
