@@ -64,7 +64,7 @@ template <class R> class SlabRay {
     static R padded(R far) { return far + std::abs(far) * (kSlabPad * kUnitRoundoff<R>); }
 
     /// Narrows [near, far] to the box; empty on a miss (near > far, or far is NaN).
-    void clip(const BoundsT<R>& box, R& near, R& far) const {
+    [[gnu::always_inline]] inline void clip(const BoundsT<R>& box, R& near, R& far) const {   // for each node of a walk: a call costs a twentieth of a picture
         for (int a = 0; a < 3; ++a) narrow(enter_slab(a, box.min[a], box.max[a]), leave_slab(a, box.min[a], box.max[a]), near, far);
         far = padded(far);
     }

@@ -40,7 +40,7 @@ template <class Leaf> class Bvh {
     }
 
     /// Nearer child first. A box is skipped only if its padded entry is beyond the padded limit: at an equal t there may be a lower id inside.
-    template <class Query> void traverse(const LocalRay& ray, Query& query, WorkCounters& work) const {
+    template <class Query> [[gnu::always_inline]] inline void traverse(const LocalRay& ray, Query& query, WorkCounters& work) const {
         struct Waiting {
             uint32_t node;
             R entry;

@@ -59,14 +59,10 @@ double Frustum::near_tangent(const Line& line, double s, const Ray& ray, double 
     const Vec3 across = line.start.across + s * line.across;
     const double radius = line.start.radius + s * line.radius, slope = dot(across, line.across) - radius * line.radius;
     if (slope * slope >= kNearTangent * dot(across, across) * (1 + slope_ * slope_) * line.size * line.size) return t;
-    const TwiceVec start = TwiceVec::difference(ray.origin, a_), axis(axis_);
-    const auto f = [&](double at) {
-        const TwiceVec x = start.moved(at, ray.dir);
-        const Twice along = dot(x, axis), r = slope_ * along + radius_a_;
-        const TwiceVec q = x.moved(-along, axis);
-        return dot(q, q) - r * r;
-    };
-    return refined(f, t, 2 * slope);
+    const TwiceVec x = TwiceVec::difference(ray.origin, a_).moved(t, ray.dir), axis(axis_);
+    const Twice along = dot(x, axis), r = slope_ * along + radius_a_;
+    const TwiceVec q = x.moved(-along, axis);
+    return after_step(t, std::abs(t) + max_abs(ray.origin) / line.size, dot(q, q) - r * r, 2 * slope);
 }
 
 /// Where |q| <= |r|; returns how many stretches that are, in order.

@@ -83,13 +83,12 @@ double near_tangent(const Quadric& q, const Ray& ray, double t) {
     const Vec3 gradient = value_and_gradient(q, ray.at(t)).gradient;
     const double slope = dot(gradient, ray.dir);
     if (slope * slope >= kNearTangent * dot(gradient, gradient) * dot(ray.dir, ray.dir)) return t;
-    const auto f = [&](double at) {
-        const TwiceVec x = TwiceVec(ray.origin).moved(at, ray.dir);
-        const Twice &a = x.v[0], &b = x.v[1], &c = x.v[2];
-        const Vec3 &s = q.squares, &m = q.products, &l = q.linear;
-        return a * (s.x * a + m.x * b + m.y * c + l.x) + b * (s.y * b + m.z * c + l.y) + c * (s.z * c + l.z) + q.constant;
-    };
-    return refined(f, t, slope);
+    const TwiceVec x = TwiceVec(ray.origin).moved(t, ray.dir);
+    const Twice &a = x.v[0], &b = x.v[1], &c = x.v[2];
+    const Vec3 &s = q.squares, &m = q.products, &l = q.linear;
+    Twice value = a * (s.x * a + l.x) + b * (s.y * b + l.y) + c * (s.z * c + l.z) + q.constant;
+    if (m != Vec3(0)) value = value + a * (m.x * b + m.y * c) + m.z * (b * c);
+    return after_step(t, std::abs(t) + max_abs(ray.origin) / max_abs(ray.dir), value, slope);
 }
 
 /// Units    the shape's space; `t` counts multiples of |ray.dir|.

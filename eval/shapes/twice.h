@@ -46,6 +46,11 @@ inline Twice operator*(const Twice& a, const Twice& b) {
     return Twice::sum(p.high, p.low + (a.high * b.low + a.low * b.high));
 }
 
+inline Twice operator*(double k, const Twice& a) {
+    const Twice p = Twice::product(k, a.high);
+    return Twice::sum(p.high, std::fma(k, a.low, p.low));
+}
+
 struct TwiceVec {
     Twice v[3];
 
@@ -68,10 +73,11 @@ struct TwiceVec {
 /// Lines whose cosine to the normal has a smaller square than this are near a tangent.
 inline constexpr double kNearTangent = 1.0 / 16;
 
-/// A root of a function with derivative `slope` there, after a Newton step with twice the digits if that leads nearer. `f(t)` is a Twice.
-template <class F> double refined(const F& f, double t, double slope) {
-    const double here = f(t).value(), next = t - here / slope;
-    return std::isfinite(next) && std::abs(f(next).value()) < std::abs(here) ? next : t;
+/// A root after a step of Newton's, `value` of the function being known with twice the digits. A step beyond rounding, where the line hardly falls or rises, is not taken. `scale`: of t and of
+/// what it was made of.
+inline double after_step(double t, double scale, const Twice& value, double slope) {
+    const double step = value.value() / slope;
+    return std::abs(step) <= 1e-9 * scale ? t - step : t;
 }
 
 inline Twice dot(const TwiceVec& a, const TwiceVec& b) { return a.v[0] * b.v[0] + a.v[1] * b.v[1] + a.v[2] * b.v[2]; }
