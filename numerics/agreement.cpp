@@ -18,16 +18,6 @@ namespace alidade::numerics {
 
 namespace {
 
-/// Structures over the same mesh; brute force is the last.
-struct Compared {
-    Mesh mesh;
-    std::vector<Built> structures;
-
-    Compared(Precision precision, const Mesh& source) : mesh(source.read_at(precision)), structures(built(precision, source)) {
-        structures.emplace_back(Subject{&accelerators().front(), precision, false}, source);
-    }
-};
-
 Compared compared(uint64_t block) {
     static const std::vector<Mesh> meshes = [] {
         std::vector<Mesh> list = small_meshes();

@@ -71,16 +71,7 @@ Passing passing(const MovedLine& line, const Mesh& mesh, size_t triangle) {
     return {crosses, met < 3 && most == least};
 }
 
-struct Solid {
-    Mesh mesh;
-    std::vector<Built> structures;
-
-    Solid(Precision precision, const Mesh& source) : mesh(source.read_at(precision)), structures(built(precision, source)) {
-        structures.emplace_back(Subject{&accelerators().front(), precision, false}, source);
-    }
-};
-
-Solid solid(uint64_t block) {
+Compared solid(uint64_t block) {
     static const std::vector<Mesh> meshes = [] {
         std::vector<Mesh> closed;
         for (const Mesh& mesh : small_meshes())
@@ -117,9 +108,9 @@ Ray whole_line(const Mesh& mesh, const RandomKey& key) {
 }  // namespace
 
 Check parity() {
-    return [kept = std::make_shared<Shared<Solid>>()](uint64_t number, NumericsTally& tally) {
+    return [kept = std::make_shared<Shared<Compared>>()](uint64_t number, NumericsTally& tally) {
         constexpr uint64_t kBlock = 512;   // lines through the same mesh
-        const Solid& s = kept->at(number / kBlock, solid);
+        const Compared& s = kept->at(number / kBlock, solid);
         const RandomKey key(4, 0, number);
         const Ray ray = whole_line(s.mesh, key);
         const LocalRay local = local_ray(ray, s.structures.front().accelerator->bounds(), true);

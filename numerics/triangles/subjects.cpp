@@ -30,4 +30,8 @@ std::vector<Built> built(Precision precision, const Mesh& source) {
     return all;
 }
 
+Compared::Compared(Precision precision, const Mesh& source) : mesh(source.read_at(precision)), structures(built(precision, source)) {
+    structures.emplace_back(Subject{&accelerators().front(), precision, false}, source);
+}
+
 }  // namespace alidade::numerics

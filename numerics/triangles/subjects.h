@@ -35,6 +35,14 @@ struct Built {
 /// All subjects of that precision.
 std::vector<Built> built(Precision precision, const Mesh& source);
 
+/// Those over one mesh; brute force is the last.
+struct Compared {
+    Mesh mesh;
+    std::vector<Built> structures;
+
+    Compared(Precision precision, const Mesh& source);
+};
+
 /// What neighbouring cases share: made when the first of them asks for it, from its number alone, and kept until another is asked for.
 template <class T> class Shared {
   public:

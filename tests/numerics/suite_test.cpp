@@ -38,6 +38,15 @@ TEST(NumericsSuite, AtMostTwoRowsFallShort) {
     for (const char* row : {"T14", "T24"}) EXPECT_TRUE(*find_numerics(row)->falls_short) << row;
 }
 
+/// What whole runs found, and ordinary ones are too short for.
+TEST(NumericsSuite, CasesThatOnceFailedAreRight) {
+    for (const auto& [row, number] : {std::pair("T09", 28464), {"T09", 468079}, {"T09", 1023371}, {"T15", 14831}}) {
+        const NumericsTally tally = run_numerics(*find_numerics(row), uint64_t(number), 1);
+        EXPECT_GT(tally.asked(), 0u) << row << ' ' << number;
+        EXPECT_EQ(tally.wrong(), 0u) << row << ' ' << number << ": " << tally.why();
+    }
+}
+
 TEST(NumericsSuite, IdsAreInOrderAndFound) {
     std::string last;
     for (const NumericsRow& row : numerics_suite()) {
