@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 /// The accelerators: three questions to ask of a set of primitives, and a table of structures that answer them.
 ///
-/// Every structure gives the answer of brute force, bit for bit: the same t, ids, u, v. It knows nothing of scenes: this folder sees core alone.
+/// Every structure gives the answer of brute force, bit for bit: the same t, ids, u, v (with Intersect::exact, which is the default). It knows nothing of scenes: this folder sees core alone.
 #pragma once
 
+#include "accel/intersect.h"
 #include "accel/isa.h"
 #include "accel/stats.h"
 #include "core/bounds.h"
@@ -73,6 +74,7 @@ struct AccelOptions {
     Precision precision = Precision::float_;   ///< of mesh vertices, nodes and the edge filter; rays and hits are double always
     Isa isa = Isa::best;
     int threads = 1;                           ///< of the build (0: as many as the machine has); the structure does not depend on it
+    Intersect intersect = Intersect::exact;    ///< of rays and triangles
 };
 
 struct AcceleratorEntry {

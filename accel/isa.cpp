@@ -9,7 +9,7 @@ namespace alidade {
 
 namespace {
 
-/// As the tables that chosen() is asked of.
+/// As the tables of isa_table.h are.
 constexpr Isa kCompiled[] = {
     Isa::scalar,
 #if HWY_TARGETS & HWY_SSE4

@@ -1,65 +1,120 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "accel/local_ray.h"
 
-#include "core/next_up.h"
+#include "accel/isa_table.h"
 #include "core/powers_of_two.h"
+
+#include <bit>
+
+// This file is compiled once for each of these targets, by including itself.
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "accel/local_ray.cpp"
+#include "hwy/foreach_target.h"
+#include "hwy/highway.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace alidade::HWY_NAMESPACE {
+
+#if HWY_TARGET == HWY_AVX2 || HWY_TARGET == HWY_AVX3   // four doubles at once
+
+namespace hn = hwy::HWY_NAMESPACE;
+using Four = hn::FixedTag<double, 4>;   // x, y, z, and a lane that decides nothing
+using V = hn::Vec<Four>;
+
+HWY_INLINE HWY_ATTR V first_three(V v, double last) { return hn::IfThenElse(hn::FirstN(Four(), 3), v, hn::Set(Four(), last)); }
+HWY_INLINE HWY_ATTR double greatest(V v) { return hn::GetLane(hn::MaxOfLanes(Four(), v)); }
+HWY_INLINE HWY_ATTR double least(V v) { return hn::GetLane(hn::MinOfLanes(Four(), v)); }
+
+HWY_INLINE HWY_ATTR V quantized_lanes(V v) {
+    const Four d;
+    return hn::IfThenElse(hn::Lt(hn::Abs(v), hn::Set(d, kQuantizedBelow)), hn::Sub(hn::Add(v, hn::Set(d, kQuantumShift)), hn::Set(d, kQuantumShift)), v);
+}
+
+/// As plain_local_ray() below, the same bits by a shorter way: slabs are in the caller's t until powers of two are known. False, and nothing done, for rays that are
+/// along an axis, or very long or short.
+HWY_ATTR bool vector_local_ray(const Ray& ray, const Bounds& bounds, bool move, LocalRay& local) {
+    const Four d;
+    const V given = hn::LoadU(d, &ray.dir.x), inverse = hn::Div(hn::Set(d, 1), first_three(given, 1));
+    const int exponent = int(std::bit_cast<uint64_t>(greatest(hn::Abs(first_three(given, 0)))) >> 52) - 1023;
+    if (exponent < -300 || exponent > 300) return false;
+    const double to_local = power_of_two(exponent), to_caller = power_of_two(-exponent);
+    const V dir = first_three(hn::Mul(given, hn::Set(d, to_caller)), 1);
+    if (!(least(hn::Abs(dir)) >= kSmallestSlope<float>)) return false;
+
+    alignas(32) static constexpr int64_t kFromZ[4] = {1, 2, 3, 3};   // a box is six numbers, one after the other
+    constexpr double kMost = std::numeric_limits<double>::max();
+    const V low = first_three(hn::LoadU(d, &bounds.min.x), -kMost);
+    const V high = first_three(hn::TableLookupLanes(hn::LoadU(d, &bounds.min.z), hn::SetTableIndices(d, kFromZ)), kMost);
+    V origin = quantized_lanes(first_three(hn::LoadU(d, &ray.origin.x), 0));
+    const V e = hn::Add(hn::Mul(hn::Abs(origin), hn::Set(d, 4 * kUnitRoundoff<double>)), hn::Set(d, kOriginPad<double>));
+    const V a = hn::Mul(hn::Sub(low, hn::Add(origin, e)), inverse), b = hn::Mul(hn::Sub(high, hn::Sub(origin, e)), inverse);
+    const V enter = hn::Min(a, b), leave = hn::Max(a, b), near = hn::MaxOfLanes(d, enter), far = hn::MinOfLanes(d, leave);
+    local.to_local = to_local, local.to_caller = to_caller;
+    local.set_interval(hn::GetLane(near) * to_local, hn::GetLane(far) * to_local);
+    if (move && local.enters_box() && (local.tmin > 0 || local.tmax < 0)) {
+        const V blur = hn::Abs(hn::Mul(e, inverse));
+        local.move(greatest(hn::IfThenElseZero(hn::Eq(enter, near), blur)) * to_local, greatest(hn::IfThenElseZero(hn::Eq(leave, far), blur)) * to_local);
+        origin = quantized_lanes(hn::Add(origin, hn::Mul(hn::Set(d, local.shift), dir)));
+    }
+    hn::Store(origin, d, &local.origin.x), hn::Store(dir, d, &local.dir.x), hn::Store(hn::Mul(inverse, hn::Set(d, to_local)), d, &local.inverse.x);
+    return true;
+}
+
+#endif
+
+}  // namespace alidade::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
 
 namespace alidade {
 
-bool can_hit(const Ray& ray, double largest) {
-    return is_finite(ray.origin) && max_abs(ray.origin) <= largest && is_finite(ray.dir) && max_abs(ray.dir) > 0 && ray.tmin <= ray.tmax;
-}
-
 namespace {
 
-/// A number above x, the next one but for 0: processors take a hundred cycles for a product with a denormal number, and most rays begin at 0. What is
-/// given away is far below kOriginPad.
-double above(double x) { return x == 0 ? 0x1p-600 : next_up(x); }
+/// max_abs, without a branch.
+double largest(const Vec3& v) { return std::max(std::max(std::abs(v.x), std::abs(v.y)), std::abs(v.z)); }
+double least(const Vec3& v) { return std::min(std::min(std::abs(v.x), std::abs(v.y)), std::abs(v.z)); }
 
-}  // namespace
-
-double LocalRay::upper(double caller) const { return padded_up((above(caller) - shift * to_caller) * to_local, kHitPad); }
-
-double LocalRay::lower(double caller) const { return padded_down((-above(-caller) - shift * to_caller) * to_local, kHitPad); }
-
-namespace {
-
-/// Not less than any |t| at which the ray is in the box: it is not along the largest component of the direction, which is at least 1.
-double reach_of(const LocalRay& ray, const Bounds& box) {
-    return padded_up(std::max(max_abs(box.min - ray.origin), max_abs(box.max - ray.origin)));
-}
-
-/// The local interval in which the ray is in the box, padded; empty on a miss.
-void clip_to_box(LocalRay& ray, const Bounds& box) {
-    ray.reach = reach_of(ray, box);
-    const SlabRay<double>& slab = ray.slab.emplace(ray.origin, ray.dir, ray.reach);
-    double near = -std::numeric_limits<double>::max(), far = std::numeric_limits<double>::max();
-    slab.clip(box, near, far);
-    if (near <= far) {
-        ray.tmin = padded_down(near), ray.tmax = padded_up(far);
-    } else {
-        ray.tmin = 0, ray.tmax = -1;
+/// Any ray, on any machine.
+void plain_local_ray(const Ray& ray, const Bounds& bounds, bool move, LocalRay& local) {
+    const int exponent = std::clamp(exponent_of(largest(ray.dir)), -1000, 1000);
+    local.to_local = power_of_two(exponent), local.to_caller = power_of_two(-exponent);
+    local.origin = quantized(ray.origin), local.dir = quantized(ray.dir * local.to_caller), local.inverse = Vec3(1.0) / local.dir;
+    local.origin_lane = 0, local.dir_lane = local.inverse_lane = 1;
+    const bool flat = least(local.dir) < kSmallestSlope<float>;
+    if (flat) local.reach = reach_of(local, bounds);
+    double near = -std::numeric_limits<double>::max(), far = std::numeric_limits<double>::max(), near_blur = 0, far_blur = 0;
+    const SlabRay<double> slab = slab_of<double>(local);
+    for (int a = 0; a < 3; ++a) {
+        const double enter = slab.enter_slab(a, bounds.min[a], bounds.max[a]), leave = slab.leave_slab(a, bounds.min[a], bounds.max[a]);
+        const double blur = (4 * kUnitRoundoff<double> * std::abs(local.origin[a]) + kOriginPad<double>) * std::abs(slab.inverse(a));
+        if (enter >= near) near_blur = enter > near ? blur : std::max(near_blur, blur), near = enter;
+        if (leave <= far) far_blur = leave < far ? blur : std::max(far_blur, blur), far = leave;
+    }
+    local.set_interval(near, far);
+    if (move && local.enters_box() && (local.tmin > 0 || local.tmax < 0)) {
+        local.move(near_blur, far_blur);
+        local.origin = quantized(local.origin + local.shift * local.dir);
+        if (flat) local.reach = reach_of(local, bounds);
     }
 }
 
+using VectorLocalRay = bool (*)(const Ray&, const Bounds&, bool, LocalRay&);
+
+constexpr IsaRow<VectorLocalRay> kVectors[] = {{Isa::scalar, nullptr}, ALIDADE_AVX2_ROW(vector_local_ray) ALIDADE_AVX512_ROW(vector_local_ray)};
+
 }  // namespace
 
-LocalRay local_ray(const Ray& ray, const Bounds& bounds, bool move) {
+LocalRay local_ray(const Ray& ray, const Bounds& bounds, bool move, Isa isa) {
+    static const VectorLocalRay best = chosen(kVectors, Isa::best);
     LocalRay local;
     if (bounds.empty()) return local;
-    const int exponent = std::clamp(exponent_of(max_abs(ray.dir)), -1000, 1000);
-    local.to_local = power_of_two(exponent), local.to_caller = power_of_two(-exponent);
-    local.origin = quantized(ray.origin), local.dir = quantized(ray.dir * local.to_caller);
-    clip_to_box(local, bounds);
-    if (!local.enters_box()) return local;
-    if (move && (local.tmin > 0 || local.tmax < 0)) {
-        local.shift = local.tmin;
-        local.origin = quantized(local.origin + local.shift * local.dir);
-        clip_to_box(local, bounds);
-        if (!local.enters_box()) return local;
-    }
-    local.tmin = std::max(local.tmin, local.lower(ray.tmin)), local.tmax = std::min(local.tmax, local.upper(ray.tmax));
+    const VectorLocalRay vector = isa == Isa::best ? best : chosen(kVectors, isa);
+    if (!vector || !vector(ray, bounds, move, local)) plain_local_ray(ray, bounds, move, local);
+    if (local.enters_box()) local.tmin = std::max(local.tmin, local.lower(ray.tmin)), local.tmax = std::min(local.tmax, local.upper(ray.tmax));
     return local;
 }
 
 }  // namespace alidade
+
+#endif

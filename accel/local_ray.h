@@ -2,19 +2,16 @@
 /// The entry point that all structures share: the ray is moved, in double, to where it enters the bounds of the primitives.
 #pragma once
 
+#include "accel/isa.h"
 #include "accel/slab.h"
+#include "core/next_up.h"
 #include "core/ray.h"
-
-#include <optional>
-#include <type_traits>
 
 namespace alidade {
 
 /// Coordinates of rays and of double vertices are rounded to multiples of 2^-300, so that exact signs (triangles/exact_sign.h) cannot underflow.
-inline double quantized(double x) {
-    constexpr double shift = 0x1.8p-248;   // its ulp is 2^-300
-    return std::abs(x) < 0x1p-249 ? (x + shift) - shift : x;
-}
+inline constexpr double kQuantumShift = 0x1.8p-248, kQuantizedBelow = 0x1p-249;   // the ulp of the shift is 2^-300
+inline double quantized(double x) { return std::abs(x) < kQuantizedBelow ? (x + kQuantumShift) - kQuantumShift : x; }
 inline Vec3 quantized(const Vec3& v) { return {quantized(v.x), quantized(v.y), quantized(v.z)}; }
 
 /// More than a hit's t may be off, relatively (kDepthError of triangles/decide.cpp), and the roundings around it: a box that holds the exact hit is not culled by the computed one.
@@ -22,32 +19,60 @@ inline constexpr double kHitPad = 0x1p-29;
 
 /// The ray that structures and leaves see. From here on (origin, dir) *is* the ray: every decision is about these numbers, exactly, and they
 /// depend on the caller's ray and on the bounds alone, so that all structures decide the same.
-struct LocalRay {
-    Vec3 origin{0}, dir{0};             ///< dir is the caller's times a power of two: its largest component is in [1, 2)
+struct alignas(32) LocalRay {
+    Vec3 origin;                        ///< these three are written and read as vectors of four
+    double origin_lane;
+    Vec3 dir;                           ///< the caller's times a power of two: its largest component is in [1, 2)
+    double dir_lane;
+    Vec3 inverse;                       ///< of dir's components
+    double inverse_lane;
     double shift = 0;                   ///< local t of the new origin, seen from the caller's origin
     double to_caller = 1, to_local = 1; ///< powers of two
     double tmin = 0, tmax = -1;         ///< local interval that holds all hits; empty if the ray misses the bounds
-    double reach = 0;                   ///< bounds |t| in it
-    std::optional<SlabRay<double>> slab;   ///< of origin, dir and reach; there if the bounds are not empty
+    double reach = 0;                   ///< bounds |t| in it, where somebody needs it: boxes, if a component of dir is very small (kSmallestSlope<float>), and the watertight test
 
+    LocalRay() {}   // not one by one in memory: that takes longer than a box test
     bool enters_box() const { return tmin <= tmax; }
     double caller_t(double t) const { return shift * to_caller + t * to_caller; }
+    /// Sets tmin and tmax to the ends of an interval, padded; to an empty one if near > far.
+    void set_interval(double near, double far) {
+        far = SlabRay<double>::padded(far);
+        if (near <= far) tmin = padded_down(near), tmax = padded_up(far);
+        else tmin = 0, tmax = -1;
+    }
+    /// The interval as it is seen from the point at tmin, rounded. How far rounding may shift the planes of both ends, in t, is twice the blurs and what the shift
+    /// itself loses.
+    void move(double near_blur, double far_blur) {
+        shift = tmin;
+        tmin = -(2 * near_blur + 0x1p-50 * std::abs(shift)), tmax = padded_up((tmax - shift) + (2 * far_blur + 0x1p-50 * std::abs(shift)));
+    }
     /// Not less than any local t whose caller_t is at most `caller`, and the same from below.
-    double upper(double caller) const;
-    double lower(double caller) const;
+    double upper(double caller) const { return padded_up((above(caller) - shift * to_caller) * to_local, kHitPad); }
+    double lower(double caller) const { return padded_down((-above(-caller) - shift * to_caller) * to_local, kHitPad); }
+
+  private:
+    /// A number above x, the next one but for 0: processors take a hundred cycles for a product with a denormal number, and most rays begin at 0. What is
+    /// given away is far below kOriginPad.
+    static double above(double x) { return x == 0 ? 0x1p-600 : next_up(x); }
 };
 
-/// The ray for tests against boxes of type R.
-template <class R> decltype(auto) slab_of(const LocalRay& ray) {
-    if constexpr (std::is_same_v<R, double>) return (*ray.slab);
-    else return SlabRay<R>(ray.origin, ray.dir, ray.reach);
+/// Not less than any |t| at which the ray is in the box: it is not along the largest component of the direction, which is at least 1.
+inline double reach_of(const LocalRay& ray, const Bounds& box) {
+    const auto largest = [](const Vec3& v) { return std::max(std::max(std::abs(v.x), std::abs(v.y)), std::abs(v.z)); };
+    return padded_up(std::max(largest(box.min - ray.origin), largest(box.max - ray.origin)));
 }
 
+/// The ray for tests against boxes of type R.
+template <class R> SlabRay<R> slab_of(const LocalRay& ray) { return {ray.origin, ray.dir, ray.inverse, ray.reach}; }
+
 /// Does `ray` have a direction, no NaN, and an origin within `largest` (kLargestCoordinate)? Others hit nothing.
-bool can_hit(const Ray& ray, double largest);
+inline bool can_hit(const Ray& ray, double largest) {
+    const Vec3 &o = ray.origin, &d = ray.dir;
+    return std::abs(o.x) <= largest && std::abs(o.y) <= largest && std::abs(o.z) <= largest && is_finite(d) && !(d.x == 0 && d.y == 0 && d.z == 0) && ray.tmin <= ray.tmax;
+}
 
 /// `ray`, which can hit, made ready for primitives within `bounds` (finite or empty). `move`: to the entry into the bounds. Custom primitives
-/// answer in the caller's t, so for them the ray stays where it is.
-LocalRay local_ray(const Ray& ray, const Bounds& bounds, bool move);
+/// answer in the caller's t, so for them the ray stays where it is. The same bits for all instructions.
+LocalRay local_ray(const Ray& ray, const Bounds& bounds, bool move, Isa isa = Isa::best);
 
 }  // namespace alidade

@@ -32,7 +32,11 @@ template <class Leaf> class ClosestQuery {
     }
     const Leaf& leaf() const { return leaf_; }
     const auto& probe() const { return probe_; }
-    bool found() const { return found_; }
+    /// Completes the hit. Was there one?
+    bool finish() {
+        if constexpr (requires { leaf_.finish(probe_, hit_); }) leaf_.finish(probe_, hit_);
+        return found_;
+    }
 
   private:
     void shorten() { limit_ = std::min(local_.tmax, local_.upper(hit_.t)); }

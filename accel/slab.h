@@ -32,8 +32,8 @@ inline double padded_down(double x, double pad = kSlabPad * kUnitRoundoff<double
 /// any hit at t inside it, however deep boxes are nested: all pads are relative to the ray and to the box's own planes, not to the scene.
 template <class R> class SlabRay {
   public:
-    /// `reach` bounds |t| of all points of interest.
-    SlabRay(const Vec3& origin, const Vec3& dir, double reach) {
+    /// `inverse`: of the components of `dir`, in double; those without slope are not asked. `reach` bounds |t| of all points of interest.
+    [[gnu::always_inline]] inline SlabRay(const Vec3& origin, const Vec3& dir, const Vec3& inverse, double reach) {
         for (int a = 0; a < 3; ++a) {
             const bool flat = std::abs(dir[a]) < kSmallestSlope<R>;
             const double drift = flat ? (std::abs(dir[a]) + 0x1p-300) * reach : 0;
@@ -43,7 +43,7 @@ template <class R> class SlabRay {
             const R outward = negative_[a] ? -e : e;
             near_origin_[a] = o + outward;
             far_origin_[a] = o - outward;
-            inverse_[a] = flat ? std::numeric_limits<R>::infinity() : 1 / R(dir[a]);
+            inverse_[a] = flat ? std::numeric_limits<R>::infinity() : R(inverse[a]);
         }
     }
 

@@ -2,8 +2,10 @@
 /// What a structure cost to build and what a ray cost to trace. Counters do not lie; seconds on a shared machine do.
 #pragma once
 
+#include <chrono>
 #include <cstddef>
 #include <cstdint>
+#include <utility>
 #include <vector>
 
 namespace alidade {
@@ -22,8 +24,16 @@ struct WorkCounters {
     }
 };
 
+/// A part of a build. "sort out": which primitives there are, and where; "plan": a grid's cells; "divide": a tree's nodes, or a grid's cells filled; "widen": two children a node become eight; "pack": primitives
+/// into leaves.
+struct BuildPhase {
+    const char* name;
+    double seconds;   ///< on the clock
+};
+
 struct BuildStats {
-    double seconds = 0;
+    double seconds = 0;        ///< on the clock
+    std::vector<BuildPhase> phases;   ///< in their order
     size_t primitives = 0;     ///< that can be hit: the given ones less those removed
     size_t references = 0;     ///< entries in leaves or cells; more than `primitives` where one lies in several
     size_t splits = 0;         ///< nodes of a tree that were split in space, so that primitives are in several leaves
@@ -32,6 +42,21 @@ struct BuildStats {
     size_t bytes = 0;          ///< of the finished structure, primitives as packed in leaves included
     double sah_cost = 0;       ///< expected box tests + primitive tests of a ray that hits the box
     std::vector<uint32_t> removed;   ///< ids that no ray can hit: not finite, out of range, without area
+};
+
+/// Adds phases to a build's statistics: each from the end of the one before it.
+class PhaseClock {
+  public:
+    explicit PhaseClock(BuildStats& stats) : stats_(stats) {}
+    void restart() { begun_ = std::chrono::steady_clock::now(); }   ///< what was before is another's
+    void ended(const char* phase) {
+        const auto now = std::chrono::steady_clock::now();
+        stats_.phases.push_back({phase, std::chrono::duration<double>(now - std::exchange(begun_, now)).count()});
+    }
+
+  private:
+    BuildStats& stats_;
+    std::chrono::steady_clock::time_point begun_ = std::chrono::steady_clock::now();
 };
 
 }  // namespace alidade

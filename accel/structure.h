@@ -6,6 +6,7 @@
 #include "accel/custom_leaf.h"
 #include "accel/query.h"
 #include "accel/shaft.h"
+#include "accel/sort_out.h"
 #include "accel/triangles/triangle_leaf.h"
 #include "core/parallel.h"
 
@@ -19,28 +20,36 @@ template <template <class> class Structure, class Leaf> class StructureAccelerat
   public:
     StructureAccelerator(const typename Leaf::Source& source, const AccelOptions& options) {
         const auto start = std::chrono::steady_clock::now();
-        std::vector<uint32_t> order, ids = sort_out(source, options.threads, order);
+        PhaseClock clock(stats_);
+        auto [ids, order, removed, bounds] = sort_out<typename Leaf::Real>(source, options.threads);
+        bounds_ = bounds;
         unbounded_ = uint32_t(order.size());
         stats_.primitives = ids.size() + order.size();
+        stats_.removed = std::move(removed);
+        clock.ended("sort out");
         BuildInput<typename Leaf::Source> input{source, std::move(ids), bounds_, order};
-        structure_.emplace(input, options, stats_);
+        structure_.emplace(input, options, stats_);   // has phases of its own
+        clock.restart();
         stats_.references = order.size() - size_t(std::count(order.begin(), order.end(), kPadding));
         leaf_.emplace(source, order, options);
+        clock.ended("pack");
         stats_.bytes = sizeof(*this) + structure_->bytes() + leaf_->bytes();
         stats_.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     }
 
     bool intersect(const Ray& ray, Hit& hit, WorkCounters& work, uint32_t instance) const override {
         if (!can_hit(ray, kLargestCoordinate<typename Leaf::Real>)) return false;
-        const LocalRay local = local_ray(ray, bounds_, Leaf::kMovesRay);
+        const LocalRay local = ready(ray);
+        if (unbounded_ == 0 && !local.enters_box()) return false;
         ClosestQuery<Leaf> query(*leaf_, ray, local, hit, work, instance);
         ask(local, query, work);
-        return query.found();
+        return query.finish();
     }
 
     bool occluded(const Ray& ray, WorkCounters& work) const override {
         if (!can_hit(ray, kLargestCoordinate<typename Leaf::Real>)) return false;
-        const LocalRay local = local_ray(ray, bounds_, Leaf::kMovesRay);
+        const LocalRay local = ready(ray);
+        if (unbounded_ == 0 && !local.enters_box()) return false;
         AnyQuery<Leaf> query(*leaf_, ray, local, work);
         ask(local, query, work);
         return query.found();
@@ -48,7 +57,8 @@ template <template <class> class Structure, class Leaf> class StructureAccelerat
 
     void all_hits(const Ray& ray, std::vector<Hit>& hits, WorkCounters& work, uint32_t instance) const override {
         if (!can_hit(ray, kLargestCoordinate<typename Leaf::Real>)) return;
-        const LocalRay local = local_ray(ray, bounds_, Leaf::kMovesRay);
+        const LocalRay local = ready(ray);
+        if (unbounded_ == 0 && !local.enters_box()) return;
         AllQuery<Leaf> query(*leaf_, ray, local, hits, work, instance);
         ask(local, query, work);
         query.finish();
@@ -67,49 +77,21 @@ template <template <class> class Structure, class Leaf> class StructureAccelerat
     const BuildStats& stats() const override { return stats_; }
 
   private:
+    bool moves(const Ray& ray) const {
+        if constexpr (requires { Leaf::Kernel::moves(ray, bounds_); }) return Leaf::Kernel::moves(ray, bounds_);
+        else return Leaf::kMovesRay;
+    }
+    LocalRay ready(const Ray& ray) const {
+        LocalRay local = local_ray(ray, bounds_, moves(ray));
+        if constexpr (requires { Leaf::Kernel::kNeedsReach; }) if (local.enters_box()) local.reach = reach_of(local, bounds_);
+        return local;
+    }
+
     template <class Query> void ask(const LocalRay& local, Query& query, WorkCounters& work) const {
         if (unbounded_ && query.visit(0, unbounded_)) return;
         if (!local.enters_box()) return;
         ++work.rays;
         structure_->traverse(local, query, work);
-    }
-
-    struct Sorted {
-        std::vector<uint32_t> bounded, unbounded, removed;
-        Bounds bounds;   ///< of the bounded ones
-    };
-
-    /// Returns the bounded primitives; puts the unbounded ones into `order`, the hopeless ones into stats_.removed; empty ones are dropped.
-    std::vector<uint32_t> sort_out(const typename Leaf::Source& source, int threads, std::vector<uint32_t>& order) {
-        std::vector<Sorted> ranges((source.size() + kRange - 1) / kRange);
-        for_ranges(source.size(), threads, [&](size_t first, size_t end) { ranges[first / kRange] = sorted(source, uint32_t(first), uint32_t(end)); });
-        std::vector<uint32_t> ids;
-        ids.reserve(source.size());
-        for (const Sorted& range : ranges) {
-            ids.insert(ids.end(), range.bounded.begin(), range.bounded.end());
-            order.insert(order.end(), range.unbounded.begin(), range.unbounded.end());
-            stats_.removed.insert(stats_.removed.end(), range.removed.begin(), range.removed.end());
-            bounds_.extend(range.bounds);
-        }
-        return ids;
-    }
-
-    static Sorted sorted(const typename Leaf::Source& source, uint32_t first, uint32_t end) {
-        Sorted out;
-        BoundsT<typename Leaf::Real> bounds;
-        size_t bounded = 0;
-        out.bounded.resize(end - first);
-        for (uint32_t id = first; id < end; ++id) {
-            switch (source.kind(id)) {
-                case PrimitiveKind::bounded: out.bounded[bounded++] = id, bounds.extend(box_of<typename Leaf::Real>(source, id)); break;
-                case PrimitiveKind::unbounded: out.unbounded.push_back(id); break;
-                case PrimitiveKind::removed: out.removed.push_back(id); break;
-                case PrimitiveKind::empty: break;
-            }
-        }
-        out.bounded.resize(bounded);
-        out.bounds = {Vec3(bounds.min), Vec3(bounds.max)};
-        return out;
     }
 
     Bounds bounds_;
@@ -119,12 +101,20 @@ template <template <class> class Structure, class Leaf> class StructureAccelerat
     std::optional<Leaf> leaf_;
 };
 
+template <template <class> class Structure, class R> std::unique_ptr<Accelerator> over_triangles_of(const TriangleView& mesh, const AccelOptions& options) {
+    const TriangleSource<R> source(mesh);
+    constexpr TriangleTest robust = requires { Structure<TriangleLeaf<R>>::kWidensBoxes; } ? TriangleTest::watertight : TriangleTest::watertight_in_double;
+    switch (options.intersect) {
+        case Intersect::exact: break;
+        case Intersect::robust: return std::make_unique<StructureAccelerator<Structure, TriangleLeaf<R, robust>>>(source, options);
+        case Intersect::fast: return std::make_unique<StructureAccelerator<Structure, TriangleLeaf<R, TriangleTest::fast>>>(source, options);
+    }
+    return std::make_unique<StructureAccelerator<Structure, TriangleLeaf<R>>>(source, options);
+}
+
 /// The two columns of the registry. Each structure's .cpp instantiates them.
 template <template <class> class Structure> std::unique_ptr<Accelerator> over_triangles(const TriangleView& mesh, const AccelOptions& options) {
-    if (options.precision == Precision::double_) {
-        return std::make_unique<StructureAccelerator<Structure, TriangleLeaf<double>>>(TriangleSource<double>(mesh), options);
-    }
-    return std::make_unique<StructureAccelerator<Structure, TriangleLeaf<float>>>(TriangleSource<float>(mesh), options);
+    return options.precision == Precision::double_ ? over_triangles_of<Structure, double>(mesh, options) : over_triangles_of<Structure, float>(mesh, options);
 }
 
 template <template <class> class Structure>

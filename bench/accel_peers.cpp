@@ -3,24 +3,19 @@
 ///
 /// In each round every tracer does the same work in turn, in CPU time of the thread; what is printed are medians over the rounds of the ratios within a
 /// round, so that a busy machine slows all of them. Hits are compared: a speed says nothing about wrong answers.
-/// Usage     accel_peers [--accel bvh,grid] [--kinds scan,hair] [--scale 1] [--rays 256] [--rounds 5] [--double] [--alone]
+#include "bench/words.h"
 #include "stress/run.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
-#include <cstdlib>
-#include <optional>
 
 namespace alidade::bench {
 namespace {
 
-struct Options {
-    std::string accel = "bvh", kinds;
-    double scale = 1;
+struct Options : Words {
     size_t rays = 256;
-    int rounds = 5;
     Precision precision = Precision::float_;
     bool alone = false;
 };
@@ -66,8 +61,8 @@ class Run {
     Run(const Options& options, std::vector<std::unique_ptr<StressPeer>> peers, size_t reference)
         : options_(options), peers_(std::move(peers)), reference_(reference) {}
 
-    void scene(const StressKind& kind) {
-        const StressScene scene = kind.make(size_t(double(kind.triangles) * options_.scale), 1);
+    void scene(const StressKind& kind, size_t triangles) {
+        const StressScene scene = kind.make(triangles, 1);
         fmt::print("{}: {} triangles{}\n", kind.name, scene.triangles(), scene.places.empty() ? "" : fmt::format(", {} times", scene.places.size()));
         const double millions = 1e-6 * double(scene.triangles());
         row("build", "Mtri/s", 0, millions, interleaved(std::span<const std::unique_ptr<StressPeer>>(peers_), std::max(1, options_.rounds / 2), [&](StressPeer& peer, size_t) { peer.build(scene); }), [&](const StressPeer& peer, size_t) {
@@ -141,60 +136,34 @@ class Run {
     Means means_;
 };
 
-bool listed(const std::string& list, std::string_view name) { return list.empty() || ("," + list + ",").find(fmt::format(",{},", name)) != std::string::npos; }
-
-std::optional<Options> parse(int argc, char** argv) {
-    Options options;
-    for (int i = 1; i < argc; ++i) {
-        const std::string_view word = argv[i];
-        if (word == "--double") {
-            options.precision = Precision::double_;
-            continue;
-        }
-        if (word == "--alone") {
-            options.alone = true;
-            continue;
-        }
-        if (i + 1 == argc) return std::nullopt;
-        const char* value = argv[++i];
-        if (word == "--accel") options.accel = value;
-        else if (word == "--kinds") options.kinds = value;
-        else if (word == "--scale") options.scale = std::atof(value);
-        else if (word == "--rays") options.rays = size_t(std::max(1, std::atoi(value)));
-        else if (word == "--rounds") options.rounds = std::max(1, std::atoi(value));
-        else return std::nullopt;
-    }
-    return options;
-}
-
-int run(const Options& options) {
+void run(const Options& options) {
     std::vector<std::unique_ptr<StressPeer>> peers;
     AccelOptions own;
     own.precision = options.precision;
-    for (const AcceleratorEntry& entry : accelerators()) {
-        if (listed(options.accel, entry.name)) peers.push_back(make_own_peer(entry, own));
-    }
-    if (peers.empty()) return 64;
+    for (const AcceleratorEntry* entry : options.entries()) peers.push_back(make_own_peer(*entry, own));
     const size_t ours = peers.size();
     if (!options.alone)
         for (auto& peer : make_embree_peers()) peers.push_back(std::move(peer));
     const size_t reference = peers.size() > ours ? ours : 0;
     Run run(options, std::move(peers), reference);
-    for (const StressKind& kind : stress_kinds()) {
-        if (listed(options.kinds, kind.name)) run.scene(kind);
-    }
+    options.for_each_kind([&](const StressKind& kind, size_t triangles) { run.scene(kind, triangles); });
     run.print_means();
-    return 0;
 }
 
 }  // namespace
 }  // namespace alidade::bench
 
 int main(int argc, char** argv) {
-    const auto options = alidade::bench::parse(argc, argv);
-    if (!options) {
-        fmt::print(stderr, "accel_peers [--accel bvh,grid] [--kinds scan,hair] [--scale 1] [--rays 256] [--rounds 5] [--double] [--alone]\n");
-        return 64;
-    }
-    return alidade::bench::run(*options);
+    using namespace alidade;
+    bench::Options options;
+    bool is_double = false;
+    CLI::App app("Our accelerators beside Embree.");
+    bench::add_words(app, options);
+    app.add_option("--rays", options.rays, "N x N camera rays")->check(CLI::Range(1, 1 << 14))->capture_default_str();
+    app.add_flag("--double", is_double);
+    app.add_flag("--alone", options.alone, "without Embree");
+    return bench::parsed(app, argc, argv, [&] {
+        if (is_double) options.precision = Precision::double_;
+        bench::run(options);
+    });
 }

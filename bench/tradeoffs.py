@@ -7,6 +7,7 @@
 The numbers behind each plot are written beside it, as CSV."""
 import csv
 import html
+import itertools
 import json
 import math
 import os
@@ -19,7 +20,7 @@ ROOT = pathlib.Path(__file__).resolve().parents[1]
 PROGRAM = os.environ.get("ALIDADE_PROGRAM", str(ROOT / "build/release/tools/alidade"))
 OUT = ROOT / "docs" / "tradeoff"
 POVRAY = "povray +I{scene} +L{folder} +W{width} +H{height} +AM{am} +A{aa} +R4 -J +WT1 -D +O{out}"
-INK = {"Alidade": "#0b57b0", "POV-Ray, method 1": "#9a4a00", "POV-Ray, method 2": "#2d7d46", "random": "#9a4a00", "sobol": "#0b57b0", "BVH": "#0b57b0", "grid": "#2d7d46", "octree": "#9a4a00"}
+INK = {"Alidade, level": "#0b57b0", "Alidade, bailout": "#5b3fb0", "POV-Ray, level": "#9a4a00", "POV-Ray, bailout": "#2d7d46", "Alidade": "#0b57b0", "POV-Ray, method 1": "#9a4a00", "POV-Ray, method 2": "#2d7d46", "float": "#0b57b0", "double": "#9a4a00", "random": "#9a4a00", "sobol": "#0b57b0", "BVH": "#0b57b0", "grid": "#2d7d46", "octree": "#9a4a00"}
 
 
 def tradeoff(*words, scene):
@@ -47,10 +48,15 @@ def antialiasing():
 
 def depth():
     with tempfile.TemporaryDirectory() as folder:
-        reference = pathlib.Path(folder) / "reference.pfm"
-        subprocess.run([PROGRAM, "render", "bench/scenes/glass.pov", "--size", "240x180", "--max-depth", "40", "-o", reference], check=True, cwd=ROOT, stderr=subprocess.DEVNULL)
-        rows = tradeoff("--size", "240x180", "--vary", "max-depth=1,2,3,4,5,6,8,10,12,14", "--reference", reference, "--repeat", 1, scene="bench/scenes/glass.pov")
-    return "rays", "RMSE", points(rows, lambda row: "Alidade" if "max-depth" in row["setting"] else None, lambda row: row["setting"]["max-depth"], x="rays")
+        reference = pathlib.Path(folder) / "reference.exr"
+        subprocess.run([PROGRAM, "povray", "+Ibench/scenes/glass.pov", "+W240", "+H180", "-A", "-D", "+FE", f"+O{reference}", "Declare=Level=40", "Declare=Bailout=0"], check=True, cwd=ROOT, stderr=subprocess.DEVNULL)
+        found = []
+        for axis, values, other in (("level", "1,2,3,4,5,6,8,10,12,14", "Bailout=0"), ("bailout", "0.5,0.3,0.1,0.03,0.01,0.003,0.001", "Level=40")):
+            words = f" +I{{scene}} +L{{folder}} +W{{width}} +H{{height}} -A -J +WT1 -D +O{{out}} Declare={axis.title()}={{{axis}}} Declare={other}"
+            rows = tradeoff("--size", "240x180", "--vary", f"{axis}={values}", "--external", "povray" + words, "--external", f"{PROGRAM} povray" + words, "--reference", reference, "--repeat", 5, scene="bench/scenes/glass.pov")
+            name = lambda row: (f"POV-Ray, {axis}" if row["program"] == "povray" else f"Alidade, {axis}") if axis in row["setting"] else None
+            found += points(rows, name, lambda row: row["setting"][axis])
+    return "CPU seconds", "RMSE", found
 
 
 def accelerators():
@@ -70,7 +76,24 @@ def samples():
     return "samples a pixel", "RMSE", [(row["setting"]["sampler"], float(row["setting"]["spp"]), row["errors"]["rmse"], row["setting"]["spp"]) for row in rows if "spp" in row["setting"]]
 
 
-EXPERIMENTS = {"antialiasing": antialiasing, "depth": depth, "accelerators": accelerators, "decimation": decimation, "samples": samples}
+def precision():
+    """Wrong answers of the suite's rows that are about triangles, over the time of the rays of all made scenes."""
+    cost = pathlib.Path(PROGRAM).resolve().parents[1] / "bench" / "intersect_cost"
+    said = subprocess.run([cost, "--precision", "both", "--rounds", "9", "--scale", "0.1", "--rays", "64"], capture_output=True, text=True, check=True).stdout
+    times = {"fast float": 1.0}
+    for line in said.splitlines():
+        kind, name, *numbers = (cell.strip() for cell in line.split("|"))
+        if kind == "mean":
+            times[name] = 1 + float(numbers[0]) / 100
+    found = []
+    for kind, test in itertools.product(("float", "double"), ("fast", "robust", "exact")):
+        run = subprocess.run([PROGRAM, "selftest", "--numerics", "T01", "T02", "T03", "T04", "T05", "T06", "--intersect", test, "--precision", kind, "--share", "0.1", "--json"], capture_output=True, text=True)
+        rates = [1e6 * row["wrong"] / row["asked"] for row in json.loads(run.stdout)["rows"]]
+        found.append((kind, times[f"{test} {kind}"], sum(rates) / len(rates), test))
+    return "time of a ray, over that of fast in float", "wrong answers of a million, mean of T01 to T06", found
+
+
+EXPERIMENTS = {"precision": precision, "antialiasing": antialiasing, "depth": depth, "accelerators": accelerators, "decimation": decimation, "samples": samples}
 
 
 class Axis:
@@ -85,6 +108,10 @@ class Axis:
         return self.start + (math.log10(value) - self.low) / (self.high - self.low) * (self.end - self.start)
 
     def ticks(self):
+        if self.high - self.low < 0.3:
+            low, high = 10 ** self.low, 10 ** self.high
+            exponent = math.floor(math.log10(high - low))
+            return [float(f"{k}e{exponent}") for k in range(math.ceil(low / 10.0 ** exponent), math.floor(high / 10.0 ** exponent) + 1)]
         factors = (1, 2, 5) if self.high - self.low < 2.5 else (1,)
         return [f * 10.0 ** e for e in range(math.floor(self.low), math.ceil(self.high) + 1) for f in factors if self.low <= math.log10(f * 10.0 ** e) <= self.high]
 
@@ -95,16 +122,18 @@ def text(x, y, words, **more):
 
 
 def svg(cost, error, found):
-    found = [point for point in found if point[1] > 0 and point[2] > 0]
-    x, y = Axis([p[1] for p in found], 70, 700), Axis([p[2] for p in found], 350, 20)
+    found = [point for point in found if point[1] > 0]
+    exact = any(p[2] == 0 for p in found)   # a line of its own below the axis
+    x, y_axis = Axis([p[1] for p in found], 70, 700), Axis([p[2] for p in found if p[2] > 0], 310 if exact else 350, 20)
+    y = lambda value: y_axis(value) if value else 340
     out = ['<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 720 410" font-family="sans-serif" font-size="13">', '<rect width="720" height="410" fill="#ffffff"/>']
     for tick in x.ticks():
         out += [f'<line x1="{x(tick):.1f}" x2="{x(tick):.1f}" y1="20" y2="350" stroke="#dfe2e7"/>', text(x(tick), 368, f"{tick:g}", text_anchor="middle")]
-    for tick in y.ticks():
-        out += [f'<line x1="70" x2="700" y1="{y(tick):.1f}" y2="{y(tick):.1f}" stroke="#dfe2e7"/>', text(64, y(tick) + 4, f"{tick:g}", text_anchor="end")]
+    for tick in y_axis.ticks() + ([0] if exact else []):
+        out += [f'<line x1="70" x2="700" y1="{y(tick):.1f}" y2="{y(tick):.1f}" stroke="#dfe2e7"/>', text(64, y(tick) + 4, f"{tick:g}" if tick < 1e5 else f"{tick:.0e}".replace("e+0", "e"), text_anchor="end")]
     out += [text(385, 396, cost, text_anchor="middle"), text(16, 185, error, text_anchor="middle", transform="rotate(-90 16 185)")]
     for number, name in enumerate(dict.fromkeys(point[0] for point in found)):
-        ink, line = INK[name], sorted(point for point in found if point[0] == name)
+        ink, line = INK[name], [point for point in found if point[0] == name]
         out.append(f'<polyline fill="none" stroke="{ink}" stroke-width="2" points="{" ".join(f"{x(p[1]):.1f},{y(p[2]):.1f}" for p in line)}"/>')
         for point in line:
             out += [f'<circle cx="{x(point[1]):.1f}" cy="{y(point[2]):.1f}" r="4" fill="{ink}"/>', text(x(point[1]) + 7, y(point[2]) - 6, point[3], fill=ink, font_size=11)]

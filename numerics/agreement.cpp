@@ -27,7 +27,7 @@ Compared compared(uint64_t block) {
     Draws draws(RandomKey(15, 1, block));
     const Mesh& mesh = meshes[draws.below(meshes.size())];
     const double scale = draws.below(4) == 0 ? 1 : std::pow(10, draws.uniform(-6, 6));   // a wrong epsilon shows only away from 1
-    return {draws.coin() ? Precision::double_ : Precision::float_, scaled(mesh, scale)};
+    return {precision_of(draws.coin()), scaled(mesh, scale)};
 }
 
 /// Is the first hit the nearest of all, and of those the one with the lowest id? Said without the order that all structures share.
@@ -38,7 +38,7 @@ bool is_first(const Answers& a) {
     return a.occluded && order(least) == order(a.first) && std::isfinite(a.first.t);
 }
 
-/// Instances of boxes, spheres and meshes on a lattice, faces and whole shapes at one place: most hits are ties. Compiled with each accelerator, with brute force last.
+/// Instances of boxes, spheres and meshes, or of every kind of shape, on a lattice, faces and whole shapes at one place: most hits are ties. Compiled with each accelerator, with brute force last.
 struct Instances {
     Mesh around = cube(2);   ///< what rays are made for
     std::vector<std::shared_ptr<const CompiledScene>> scenes;
@@ -52,20 +52,22 @@ Instances instances(uint64_t block) {
     const Mesh unit = cube(1);
     mesh.positions = unit.positions, mesh.triangles = unit.triangles;
     const double scale = draws.coin() ? 1 : std::pow(10, draws.uniform(-6, 6));
-    std::vector<PlacedToy> shapes;
+    std::vector<ShapeGeometry> kinds{Box{}, Sphere{}, mesh};
+    if (block / 16 % 2 == 1)
+        for (size_t row = 0; row < shapes().size(); ++row) kinds.push_back(toy_shape(row));
+    std::vector<PlacedToy> placed;
     for (int i = 0; i < 60; ++i) {
         const double x = draws.below(4), y = draws.below(4), z = draws.below(4);
-        const ShapeGeometry kinds[] = {Box{}, Sphere{}, mesh};
-        shapes.push_back({kinds[draws.below(3)], Transform::scale(Vec3(scale)) * Transform::translate(0.5 * Vec3(x, y, z) - Vec3(0.75)) * Transform::scale(Vec3(0.25))});
+        placed.push_back({kinds[draws.below(kinds.size())], Transform::scale(Vec3(scale)) * Transform::translate(0.5 * Vec3(x, y, z) - Vec3(0.75)) * Transform::scale(Vec3(0.25))});
     }
     Instances made;
     made.around = scaled(made.around, scale);
     const auto add = [&](const AcceleratorEntry& entry) {
         CompileOptions options;
         options.accel = entry.name, options.threads = 1;
-        options.precision = block % 2 ? Precision::double_ : Precision::float_;
+        options.precision = precision_of(block / 8 % 2 == 0), options.intersect = asked().intersect;
         Diagnostics said;
-        made.scenes.push_back(compile(toy_shapes(shapes), options, said));
+        made.scenes.push_back(compile(toy_shapes(placed), options, said));
     };
     for (const AcceleratorEntry* entry : accelerators_under_test()) add(*entry);
     add(accelerators().front());
@@ -105,7 +107,7 @@ Placed placed(uint64_t block) {
     const Lattice& lattice = lattices()[block % lattices().size()];
     Placement placement{std::exp2(int(draws.below(81)) - 40), Vec3(0)};
     if (draws.coin()) placement.offset = placement.size * Vec3(draws.below(1u << 20), -double(draws.below(1u << 20)), 1000);
-    const Precision precision = block / lattices().size() % 2 ? Precision::double_ : Precision::float_;
+    const Precision precision = precision_of(block / lattices().size() % 2 == 1);
     Placed placed{&lattice, placement, built(precision, placement.of(lattice.mesh))};
     placed.structures.emplace_back(Subject{&accelerators().front(), precision, false}, placement.of(lattice.mesh));
     return placed;

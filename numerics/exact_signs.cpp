@@ -150,7 +150,8 @@ Check exact_signs(std::span<const TriangleClass> classes, uint64_t row) {
     return [classes, row](uint64_t number, NumericsTally& tally) {
         Draws draws(RandomKey(row, 0, number));
         const TriangleClass& c = classes[number / 4 % classes.size()];
-        const Precision precision = number % 2 ? Precision::double_ : Precision::float_;
+        tally.at(NumericsScale::size, c.size), tally.at(NumericsScale::angle, c.angle);
+        const Precision precision = precision_of(number % 2 == 1);
         const bool wide = number / 2 % 2 == 0;
         const Triangle triangle = random_triangle(c, precision, draws);
         if (max_abs(cross(triangle[1] - triangle[0], triangle[2] - triangle[0])) == 0) return;   // on the lattice

@@ -5,6 +5,8 @@
 
 #include <fmt/format.h>
 
+#include <cfenv>
+
 namespace alidade::numerics {
 
 namespace {
@@ -41,17 +43,40 @@ size_t pixels_off(const Picture& a, const Picture& b) {
     return off;
 }
 
+/// How a world is scaled, and what may change.
+struct Scaled {
+    double factor;
+    bool baked;       ///< the numbers themselves, and not by a transform of the root
+    bool same_bits;   ///< of the whole picture; or no pixel more than 2/255 off
+};
+
+Scaled scaled(Draws& draws) {
+    switch (draws.below(4)) {
+        case 0: return {std::pow(10, draws.uniform(-12, 12)), false, false};
+        case 1: {
+            const int power = int(draws.below(81)) - 40;
+            return {std::ldexp(1.0, power), true, std::abs(power) <= 20};
+        }
+        default: return {std::ldexp(1.0, int(draws.below(81)) - 40), false, true};
+    }
+}
+
 }  // namespace
 
 Check scale_image() {
     return [originals = std::make_shared<Originals>()](uint64_t number, NumericsTally& tally) {
         Draws draws(RandomKey(12, 0, number));
         const size_t scene = number % toy_scene_count();
-        const int power = int(draws.below(81)) - 40;
+        const Scaled s = scaled(draws);
+        tally.at(NumericsScale::size, s.factor);
         const Picture& before = (*originals)[scene];
-        const Picture after = toy_picture(toy_scene(scene, std::ldexp(1.0, power)));
-        tally.decide(shows_something(before) && before.values == after.values,
-                     [&] { return fmt::format("{}, scaled by 2^{}: {} pixels are more than 2/255 off", toy_scene_name(scene), power, pixels_off(before, after)); });
+        std::feclearexcept(FE_UNDERFLOW);   // a number that lost digits below the least normal one would show what float can hold, and not what we can
+        const Picture after = toy_picture(s.baked ? baked_toy_scene(scene, s.factor) : toy_scene(scene, s.factor));
+        const bool held = !std::fetestexcept(FE_UNDERFLOW);
+        const size_t off = shows_something(before) ? pixels_off(before, after) : before.values.size();
+        tally.decide(held && off == 0 && (!s.same_bits || before.values == after.values), [&] {
+            return fmt::format("{}, {} by {:a}: {} pixels are more than 2/255 off{}{}", toy_scene_name(scene), s.baked ? "baked" : "a root scaled", s.factor, off, before.values == after.values ? "" : ", other bits", held ? "" : ", underflow");
+        });
     };
 }
 
@@ -60,6 +85,7 @@ Check offset_image() {
         Draws draws(RandomKey(13, 0, number));
         const size_t scene = number % toy_scene_count();
         const double distance = std::pow(10, draws.uniform(2, 9));
+        tally.at(NumericsScale::offset, distance);
         const Picture& before = (*originals)[scene];
         const Picture after = toy_picture(toy_scene(scene, 1, draws.direction() * distance));
         const size_t off = shows_something(before) ? pixels_off(before, after) : before.values.size();

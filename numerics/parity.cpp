@@ -79,7 +79,7 @@ Compared solid(uint64_t block) {
         return closed;
     }();
     Draws draws(RandomKey(4, 1, block));
-    return {block / meshes.size() % 2 ? Precision::double_ : Precision::float_, scaled(meshes[block % meshes.size()], std::pow(10, draws.uniform(-6, 6)))};
+    return {precision_of(block / meshes.size() % 2 == 1), scaled(meshes[block % meshes.size()], std::pow(10, draws.uniform(-6, 6)))};
 }
 
 /// Each triangle at most once, all that the moved line crosses, and none that the line does not touch.

@@ -70,6 +70,7 @@ Check quadric_cancel() {
         Draws draws(RandomKey(9, 0, number));
         const Kind& k = (*all)[number % all->size()];
         const double distance = std::pow(10, draws.uniform(1, 6));
+        tally.at(NumericsScale::distance, distance);
         const Vec3 aim = draws.in_box(Vec3(-1), Vec3(1)) * Vec3(1, k.size, 1) + Vec3(0, k.yy == 0 && k.y == 0 ? 0 : k.size, 0);
         Ray ray;
         ray.origin = aim + draws.direction() * distance, ray.dir = normalized(aim - ray.origin), ray.tmin = -kInf;

@@ -52,13 +52,15 @@ std::vector<Exact> exact_crossings(const Ray& ray, const Exact& minor) {
 }
 
 /// From a distance of 1 to 1e8, to a place in the torus, or past its tube by 1e-3 to 1e-9.
-Ray aimed(Draws& draws) {
+Ray aimed(Draws& draws, NumericsTally& tally) {
     const double distance = std::pow(10, draws.uniform(0.3, 8)), phi = draws.uniform(0, 2 * kPi);
     const Vec3 out(std::cos(phi), 0, std::sin(phi)), from = draws.direction();
     Vec3 side = cross(from, Vec3(-out.z, 0, out.x));
     if (!(length(side) > 1e-3)) side = Vec3(0, 1, 0);
     const bool grazing = draws.coin();
-    const double past = grazing ? kMinor * (1 - draws.sign() * std::pow(10, draws.uniform(-9, -3))) : draws.uniform(0, 1.2 * kMinor);
+    const double sign = grazing ? draws.sign() : 0, beside = grazing ? std::pow(10, draws.uniform(-9, -3)) : 0;
+    const double past = grazing ? kMinor * (1 - sign * beside) : draws.uniform(0, 1.2 * kMinor);
+    tally.at(NumericsScale::distance, distance), tally.at(NumericsScale::silhouette, beside);
     const Vec3 aim = out + normalized(side) * past;
     Ray ray;
     ray.origin = aim + from * distance, ray.dir = normalized(aim - ray.origin), ray.tmin = -kInf;
@@ -71,7 +73,7 @@ Check quartic_far() {
     const auto solids = std::make_shared<std::vector<ShapeGeometry>>(std::vector<ShapeGeometry>{Torus{Vec3(0), 1, kMinor}, torus_quartic()});
     return [solids](uint64_t number, NumericsTally& tally) {
         Draws draws(RandomKey(10, 0, number));
-        const Ray ray = aimed(draws);
+        const Ray ray = aimed(draws, tally);
         const double unit = ulp(std::max(1.0, length(ray.origin)));
         const Exact minor = exact(kMinor), band = exact(4 * unit);
         const std::vector<Exact> t = exact_crossings(ray, minor);

@@ -18,6 +18,7 @@ Check sphere_far();
 Check sphere_tangent();
 Check quadric_cancel();
 Check quartic_far();
+Check roots();
 Check scale_image();
 Check offset_image();
 Check axes_permute();

@@ -28,6 +28,8 @@ struct Stage {
     std::shared_ptr<const CompiledScene> scene;
     std::string text;
     double size = 1;
+    double offset = 0;       ///< of the centre from the origin, in sizes
+    double gap = 0;          ///< between its parts, in sizes
     Vec3 center{0};
     bool convex = true;
     Transform to_world;      ///< of the space in which the surfaces are at contact
@@ -37,7 +39,7 @@ struct Stage {
         CompileOptions options;
         options.threads = 1;
         const auto& entry = accelerators()[draws.below(accelerators().size())];
-        options.accel = entry.name, options.precision = draws.coin() ? Precision::double_ : Precision::float_;
+        options.accel = entry.name, options.precision = precision_of(draws.coin()), options.intersect = asked().intersect;
         Diagnostics said;
         scene = alidade::compile(std::move(source), options, said);
         text += fmt::format(", size {}, at {}, {}, {}", size, length(center), entry.name, name(options.precision));
@@ -84,7 +86,7 @@ Stage alone(uint64_t block) {
     Stage stage;
     stage.text = form.name, stage.convex = form.convex;
     stage.size = std::pow(10, draws.uniform(-12, 12));
-    if (draws.coin()) stage.center = draws.direction() * stage.size * std::pow(10, draws.uniform(0, 7));
+    if (draws.coin()) stage.offset = std::pow(10, draws.uniform(0, 7)), stage.center = draws.direction() * stage.size * stage.offset;
     stage.to_world = Transform::translate(stage.center) * turned(draws) * Transform::scale(Vec3(stage.size));
     stage.compile(toy_shapes({{form.geometry, stage.to_world}}), draws);
     return stage;
@@ -154,7 +156,7 @@ Stage contact(uint64_t block) {
     if (kind == 1) parts = {{s.mesh({s.low}), place}, {s.mesh({s.high}), place}};
     if (kind == 2) parts = {{Disc{Vec3(0), {0, 0, 1}, 1.5, 0}, stage.to_world}, {Disc{Vec3(0), {0, 0, 1}, 1.5, 0}, above}};
     if (kind == 3) parts = {{Box{Vec3(-1, -1, -1), Vec3(1, 1, 0)}, stage.to_world}, {Box{Vec3(-1, -1, 0), Vec3(1, 1, 1)}, above}};
-    stage.parts = parts.size();
+    stage.parts = parts.size(), stage.gap = gap;
     stage.text = fmt::format("{} apart, {}", gap, std::array{"one mesh", "two meshes", "discs", "boxes"}[kind]);
     stage.compile(toy_shapes(std::move(parts)), draws);
     return stage;
@@ -170,6 +172,7 @@ Check self_hit() {
         constexpr uint64_t kBlock = 64;   // rays at the same shape
         const Stage& stage = kept->at(number / kBlock, alone);
         Draws draws(RandomKey(17, 0, number));
+        tally.at(NumericsScale::size, stage.size), tally.at(NumericsScale::offset, stage.offset);
         const Ray ray = towards(stage, draws);
         const Hit hit = stage.first(ray);
         if (!hit.valid()) return;
@@ -186,6 +189,7 @@ Check contacts() {
     return [kept = std::make_shared<Shared<Stage>>()](uint64_t number, NumericsTally& tally) {
         constexpr uint64_t kBlock = 64;
         const Stage& stage = kept->at(number / kBlock, contact);
+        tally.at(NumericsScale::size, stage.size), tally.at(NumericsScale::gap, stage.gap);
         Draws draws(RandomKey(18, 0, number));
         const Vec3 up = normalized(stage.to_world.vector(Vec3(0, 0, 1)));
         const auto steep = [&](double side) {

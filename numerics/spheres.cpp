@@ -54,7 +54,9 @@ Crossings found(const SphereCase& c) { return find_shape(c.sphere)->crossings(c.
 Check sphere_far() {
     return [](uint64_t number, NumericsTally& tally) {
         Draws draws(RandomKey(7, 0, number));
-        const SphereCase c = aimed(draws, 4 * std::pow(10, draws.uniform(0, 11.4)), draws.uniform(0, 1.1));
+        const double distance = 4 * std::pow(10, draws.uniform(0, 11.4));
+        const SphereCase c = aimed(draws, distance, draws.uniform(0, 1.1));
+        tally.at(NumericsScale::distance, distance);
         const Crossings got = found(c);
         const auto what = [&] { return text(c, got.count); };
         const std::vector<Exact> t = exact_crossings(c);
@@ -70,6 +72,7 @@ Check sphere_tangent() {
         Draws draws(RandomKey(8, 0, number));
         const double aside = 1 - draws.sign() * std::pow(10, draws.uniform(-14, -3));
         const SphereCase c = aimed(draws, std::pow(10, draws.uniform(0.5, 3)), aside);
+        tally.at(NumericsScale::silhouette, std::abs(1 - aside));
         const Exact inside = depth(c);
         if (abs(inside) <= 4 * ulp(c.distance)) return;
         const Crossings got = found(c);

@@ -11,8 +11,8 @@ namespace alidade::numerics {
 
 namespace {
 
-constexpr size_t kSurfaces = 4;
-constexpr std::array<const char*, kSurfaces> kSurfaceNames{"diffuse and highlight", "mirror", "coloured glass", "POV-Ray's patterns"};
+constexpr size_t kSurfaces = 5;
+constexpr std::array<const char*, kSurfaces> kSurfaceNames{"diffuse and highlight", "mirror", "coloured glass", "POV-Ray's patterns", "POV-Ray's glass"};
 
 Mesh tetrahedron() {
     Mesh m;
@@ -23,9 +23,9 @@ Mesh tetrahedron() {
 
 class Toy {
   public:
-    Toy(double scale, const Vec3& offset) : scale_(scale) {
+    Toy(double scale, const Vec3& offset, bool baked) : scale_(scale), baked_(baked ? scale : 1) {
         Node root;
-        root.to_parent = Transform::translate(offset) * Transform::scale(Vec3(scale));
+        if (!baked) root.to_parent = Transform::translate(offset) * Transform::scale(Vec3(scale));
         scene_.nodes.push_back(root), scene_.roots.push_back({0});
         scene_.settings.max_depth = 5;
     }
@@ -40,7 +40,7 @@ class Toy {
         fog.distance = 40 * scale_, fog.color = Color(0.3, 0.4, 0.5);
         scene_.atmosphere.fogs.push_back(fog);
         Camera camera;
-        camera.location = {1.03, 1.21, 5}, camera.direction = normalized(Vec3(-1.01, -1.24, -5)), camera.right = {0.8, 0, 0}, camera.up = {0, 0.6, 0};
+        camera.location = Vec3(1.03, 1.21, 5) * baked_, camera.direction = normalized(Vec3(-1.01, -1.24, -5)), camera.right = {0.8, 0, 0}, camera.up = {0, 0.6, 0};
         scene_.cameras.push_back(camera);
         Node node;
         node.what = CameraId{0};
@@ -49,6 +49,7 @@ class Toy {
 
     MaterialId material(size_t surface) {
         if (surface == 3) return pov_material({0.9, 0.6, 0.3});
+        if (surface == 4) return pov_glass();
         GltfPbr m;
         m.base_color = constant(surface == 2 ? Vec4(0.8, 1, 0.9, 1) : Vec4(0.7, 0.5, 0.3, 1));
         m.metallic = constant(Vec4(surface == 1 ? 1 : 0)), m.roughness = constant(Vec4(surface == 0 ? 0.4 : 0));
@@ -57,7 +58,9 @@ class Toy {
     }
 
     void object(ShapeGeometry geometry, MaterialId material, uint32_t parent = 0) {
-        scene_.shapes.push_back({"", std::move(geometry), {}});
+        if (auto* mesh = std::get_if<Mesh>(&geometry))
+            for (Vec3f& p : mesh->positions) p *= float(baked_);
+        scene_.shapes.push_back({"", placed(std::move(geometry), baked_, Vec3(0)), {}});
         Node node;
         node.what = ShapeId{uint32_t(scene_.shapes.size() - 1)};
         node.materials = {material};
@@ -76,6 +79,7 @@ class Toy {
     void clear_interior() {
         Interior inside;
         inside.ior = 1.4, inside.attenuation_color = {0.7, 0.9, 0.8}, inside.attenuation_distance = scale_;
+        inside.fade_distance = 2 * scale_, inside.fade_power = 1.5, inside.fade_color = {0.9, 0.4, 0.2};
         scene_.interiors.push_back(inside);
         interior_ = InteriorId{0};
     }
@@ -102,12 +106,19 @@ class Toy {
         PatternSignal bozo;
         bozo.pattern = "bozo";
         bozo.map = {{0, constant(Vec4(color, 1))}, {1, constant(Vec4(0.2, 0.2, 0.3, 1))}};
-        bozo.turbulence.amount = Vec3(0.5);
+        bozo.turbulence.amount = Vec3(0.5), bozo.warps = {{WarpKind::transform, Transform::scale(Vec3(baked_)), {}}};
         ReliefSignal bumps;
-        bumps.pattern.pattern = "bumps";
+        bumps.pattern.pattern = "bumps", bumps.pattern.warps = bozo.warps;
         PovFinish f;
         f.pigment = push(bozo), f.normal = push(bumps);
         f.phong = 0.5, f.specular = 0.3, f.reflection_min = f.reflection_max = Color(0.2);
+        return push({{}, {f}, {}});
+    }
+
+    MaterialId pov_glass() {
+        PovFinish f;
+        f.pigment = push(ConstantSignal{Vec4(0.9, 0.8, 0.7, 1), 0.85, 0}), f.ambient = Color(0), f.diffuse = 0.1;
+        f.specular = 0.8, f.reflection_min = Color(0), f.reflection_max = Color(1), f.reflection_fresnel = true, f.conserve_energy = true;
         return push({{}, {f}, {}});
     }
 
@@ -115,14 +126,14 @@ class Toy {
         Light light;
         light.intensity = Color(intensity * (physical ? scale_ * scale_ : 1));
         light.inverse_square = physical;
-        if (!physical) light.fade = LightFade{4 * scale_, 2};
+        if (!physical) light.fade = LightFade{4 * scale_, 2}, light.clearance = 0.001 * scale_;
         scene_.lights.push_back(light);
         Node node;
-        node.what = LightId{uint32_t(scene_.lights.size() - 1)}, node.to_parent = Transform::translate(at);
+        node.what = LightId{uint32_t(scene_.lights.size() - 1)}, node.to_parent = Transform::translate(at * baked_);
         add(std::move(node), 0);
     }
 
-    double scale_;
+    double scale_, baked_;   ///< of the world; of what has no transform above it
     Scene scene_;
     std::optional<InteriorId> interior_;
 };
@@ -139,17 +150,23 @@ std::string toy_scene_name(size_t number) {
     return fmt::format("{}, {}", what, kSurfaceNames[number % kSurfaces]);
 }
 
-Scene toy_scene(size_t number, double scale, const Vec3& offset) {
-    Toy toy(scale, offset);
+namespace {
+
+Scene furnished(Toy toy, size_t number) {
     toy.surroundings();
     const size_t form = number / kSurfaces, surface = number % kSurfaces;
     const MaterialId material = toy.material(surface);
-    if (surface == 2) toy.clear_interior();
+    if (surface == 2 || surface == 4) toy.clear_interior();
     if (form < shapes().size()) toy.object(default_shape(shapes()[form].kind), material);
     else if (form == shapes().size()) toy.object(tetrahedron(), material);
     else toy.solid(material);
     return toy.take();
 }
+
+}  // namespace
+
+Scene toy_scene(size_t number, double scale, const Vec3& offset) { return furnished(Toy(scale, offset, false), number); }
+Scene baked_toy_scene(size_t number, double scale) { return furnished(Toy(scale, Vec3(0), true), number); }
 
 ShapeGeometry toy_shape(size_t row) { return default_shape(shapes()[row].kind); }
 
@@ -175,6 +192,7 @@ Picture toy_picture(const Scene& scene, const CompileOptions& compile_options, R
     const auto compiled = compile(scene, compile_options, said);
     if (!compiled) return {};
     options.width = 40, options.height = 30, options.spp = 1;
+    if (options.threads == 0) options.threads = 1;   // cases are what threads share
     auto film = render(*compiled, options);
     return film ? std::move(film->picture) : Picture();
 }

@@ -2,6 +2,8 @@
 #include "stress/instances.h"
 #include "stress/peer.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 
 namespace alidade {
@@ -11,6 +13,10 @@ class OwnPeer : public StressPeer {
   public:
     OwnPeer(const AcceleratorEntry& entry, const AccelOptions& options) : entry_(entry), options_(options) {
         threads = options.threads, name = entry.name, precision = options.precision == Precision::float_ ? "float" : "double";
+        if (options.intersect != Intersect::exact) {
+            name += fmt::format(":{}", alidade::name(options.intersect)), accountable = false;
+            return;
+        }
         exact = entry.over_triangles == find_accelerator("auto")->over_triangles || std::any_of(accelerators().begin(), accelerators().end(), [&](const AcceleratorEntry& known) { return known.over_triangles == entry.over_triangles; });
     }
 
@@ -44,7 +50,10 @@ class OwnPeer : public StressPeer {
     StressStructure structure() const override {
         StressStructure out;
         size_t nodes = 0, leaves = 0, references = 0, removed = 0, depth = 0;
-        const auto add = [&](const BuildStats& s) { out.bytes += s.bytes, nodes += s.nodes, leaves += s.leaves, references += s.references, removed += s.removed.size(); };
+        const auto add = [&](const BuildStats& s) {
+            out.bytes += s.bytes, nodes += s.nodes, leaves += s.leaves, references += s.references, removed += s.removed.size();
+            for (const BuildPhase& phase : s.phases) phase_of(phase.name, out.phases).seconds += phase.seconds;
+        };
         for (const auto& mesh : meshes_) add(mesh->stats()), depth = std::max(depth, mesh->stats().depth);
         if (top_) add(top_->stats()), out.bytes += set_->bytes(), depth += top_->stats().depth;
         out.nodes = nodes, out.leaves = leaves, out.references = references, out.removed = removed, out.depth = depth;
@@ -54,6 +63,11 @@ class OwnPeer : public StressPeer {
     std::optional<WorkCounters> work() const override { return work_; }
 
   private:
+    static BuildPhase& phase_of(const char* name, std::vector<BuildPhase>& phases) {
+        const auto found = std::find_if(phases.begin(), phases.end(), [&](const BuildPhase& phase) { return std::string_view(phase.name) == name; });
+        return found != phases.end() ? *found : phases.emplace_back(BuildPhase{name, 0});
+    }
+
     const AcceleratorEntry& entry_;
     AccelOptions options_;
     std::vector<std::unique_ptr<Accelerator>> meshes_;

@@ -26,6 +26,7 @@ struct StressStructure {
     std::optional<size_t> nodes, leaves, references, removed;
     std::optional<size_t> depth;          ///< the deepest mesh's, and that of the structure over the places
     std::optional<double> sah_cost;       ///< of the mesh with the most triangles
+    std::vector<BuildPhase> phases;       ///< of the last build; empty where the tracer does not tell
 };
 
 /// Single rays, one thread. Rays are converted to the tracer's own within the measured time.

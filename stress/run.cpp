@@ -264,13 +264,11 @@ std::vector<RaySet> stress_rays(const StressScene& scene, std::vector<StressRay>
     return make_ray_sets(scene, *top, std::move(primary), seed);
 }
 
-std::vector<std::unique_ptr<StressPeer>> make_peers(std::span<const AcceleratorEntry> entries, std::span<const Precision> precisions, int threads) {
+std::vector<std::unique_ptr<StressPeer>> make_peers(std::span<const AcceleratorEntry> entries, std::span<const Precision> precisions, int threads, std::span<const Intersect> tests) {
     std::vector<std::unique_ptr<StressPeer>> peers;
     for (const AcceleratorEntry& entry : entries) {
         for (const Precision precision : precisions) {
-            AccelOptions options;
-            options.precision = precision, options.threads = threads;
-            peers.push_back(make_own_peer(entry, options));
+            for (const Intersect how : tests) peers.push_back(make_own_peer(entry, {precision, Isa::best, threads, how}));
         }
     }
     return peers;

@@ -81,8 +81,9 @@ StressFigures run_stress(const StressScene& scene, std::span<const RaySet> rays,
 /// The sets of make_ray_sets, by a BVH that is built for it.
 std::vector<RaySet> stress_rays(const StressScene& scene, std::vector<StressRay> primary, uint64_t seed);
 
-/// Each of `entries` in each precision, built on so many threads. The entries must live as long as the peers.
-std::vector<std::unique_ptr<StressPeer>> make_peers(std::span<const AcceleratorEntry> entries, std::span<const Precision> precisions, int threads = 1);
+inline constexpr Intersect kExactAlone[] = {Intersect::exact};
+/// Each of `entries` in each precision with each test of triangles, built on so many threads. The entries must live as long as the peers.
+std::vector<std::unique_ptr<StressPeer>> make_peers(std::span<const AcceleratorEntry> entries, std::span<const Precision> precisions, int threads = 1, std::span<const Intersect> tests = kExactAlone);
 
 /// For programs with an accelerator of their own: `entries` beside each other on the four kinds of rays, side x side of the camera's.
 StressFigures stress_entries(const StressScene& scene, std::span<const AcceleratorEntry> entries, size_t side = 128, const StressOptions& options = {});

@@ -31,15 +31,24 @@ std::string text(const std::optional<double>& value, const char* format) { retur
 /// Half of what lies between the fastest and the slowest round, in percent of the median.
 std::string spread_text(const Spread& s, int rounds) { return rounds > 1 && s.median > 0 ? fmt::format("{:.0f}", 50 * (s.high - s.low) / s.median) : "-"; }
 
+/// "sort out 4 %, divide 80 %, pack 16 %".
+std::string phases_text(const std::vector<BuildPhase>& phases) {
+    double all = 0;
+    for (const BuildPhase& phase : phases) all += phase.seconds;
+    std::string out;
+    for (const BuildPhase& phase : phases) out += fmt::format("{}{} {:.0f} %", out.empty() ? "" : ", ", phase.name, all > 0 ? 100 * phase.seconds / all : 0);
+    return out.empty() ? "-" : out;
+}
+
 std::string structures(const StressFigures& figures) {
-    std::vector<Row> rows{{"accelerator", "precision", "build s", "Mtri/s", "bytes/tri", "peak/tri", "nodes", "depth", "SAH cost"}};
+    std::vector<Row> rows{{"accelerator", "precision", "build s", "Mtri/s", "bytes/tri", "peak/tri", "nodes", "depth", "SAH cost", "phases of a build"}};
     const double triangles = double(figures.triangles);
     for (const StressPeerFigures& peer : figures.peers) {
         if (!peer.left_out.empty()) continue;
         const StressStructure& s = peer.structure;
         const auto peak = peer.peak_bytes ? std::optional(double(*peer.peak_bytes) / triangles) : std::nullopt;
         rows.push_back({peer.name, peer.precision, fmt::format("{:.4g}", peer.build_seconds.median), fmt::format("{:.2f}", 1e-6 * triangles / peer.build_seconds.median),
-                        fmt::format("{:.1f}", double(s.bytes) / triangles), text(peak, "{:.1f}"), text(s.nodes), text(s.depth), text(s.sah_cost, "{:.1f}")});
+                        fmt::format("{:.1f}", double(s.bytes) / triangles), text(peak, "{:.1f}"), text(s.nodes), text(s.depth), text(s.sah_cost, "{:.1f}"), phases_text(s.phases)});
     }
     return rows.size() > 1 ? aligned(rows, 2) : "";
 }

@@ -12,14 +12,14 @@
 
 namespace alidade {
 
-namespace {
-
-/// Another build may compute otherwise: builds are told apart by when they were written.
-std::string program() {
+/// Builds are told apart by when they were written.
+std::string program_identity() {
     struct stat s {};
     const bool known = ::stat("/proc/self/exe", &s) == 0;
     return fmt::format("alidade {} ({} bytes, written at {}.{:09})", ALIDADE_VERSION, known ? s.st_size : 0, known ? s.st_mtim.tv_sec : 0, known ? s.st_mtim.tv_nsec : 0);
 }
+
+namespace {
 
 std::string fingerprint_of(const Scene& scene) {
     uint64_t sum = fingerprint(dump(scene, MeshLists::fingerprints));
@@ -48,7 +48,7 @@ Identity identity(const CompiledScene& scene, const RenderOptions& options) {
     const auto& [width, height, region, camera, integrator, spp, supersampling, adaptive, lens_noise, sampler, light_samples, aperture, focus, seed, frame, max_depth, exposure, aovs, tile, threads, time] = options;
     static_cast<void>(threads);
     const Region part = region.value_or(Region{0, 0, width, height});
-    return {{"program", program()},
+    return {{"program", program_identity()},
             {"size", fmt::format("{}x{}", width, height)},
             {"part", fmt::format("{},{},{},{}", part.x0, part.y0, part.x1, part.y1)},
             {"antialiasing", fmt::format("{} spp={} adaptive={} lens={} sampler={} tile={}", text(supersampling), spp, adaptive, text(lens_noise), sampler, tile)},

@@ -10,6 +10,9 @@ namespace alidade {
 /// pixels, on however many threads they are made.
 using Identity = std::vector<std::pair<std::string, std::string>>;
 
+/// This build of the program: another may compute otherwise.
+std::string program_identity();
+
 /// Of a scene that was compiled with the usual CompileOptions. A scene is what dump() says of it, and the bytes of the pictures that it names.
 Identity identity(const CompiledScene& scene, const RenderOptions& options);
 

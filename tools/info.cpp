@@ -4,6 +4,7 @@
 #include "tools/interrupt.h"
 #include "tools/load.h"
 #include "tools/surfaces.h"
+#include "tracer/explain.h"
 #include "tracer/render.h"
 
 #include <CLI/CLI.hpp>
@@ -64,6 +65,12 @@ Json structures(const CompiledSummary& built) {
     return list;
 }
 
+Json explained(const std::vector<Explained>& list) {
+    Json rows = Json::array();
+    for (const Explained& each : list) rows.push_back({{"what", each.what}, {"name", each.name}, {"why", each.why}});
+    return rows;
+}
+
 Json describe_scene(const Request& request, const Scene& scene) {
     const Bounds box = world_bounds(scene);
     Diagnostics places;
@@ -83,6 +90,8 @@ Json describe(const Request& request, Loaded& loaded) {
         document["kernel"] = built.kernel;
         document["compiled"] = to_json(built);
         document["structures"] = structures(built);
+        document["decoded"] = explained(decoded(*compiled));
+        document["left out"] = explained(left_out(*compiled));
     }
     document["messages"] = to_json(loaded.said);
     return document;

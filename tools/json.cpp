@@ -63,7 +63,7 @@ Json to_json(const BuildStats& s) {
 
 Json to_json(const CompiledSummary& s) {
     return {{"instances", s.instances}, {"geometries", s.geometries}, {"lights", s.lights}, {"images", s.images}, {"triangles", s.triangles},
-            {"instanced_triangles", s.instanced_triangles}, {"bytes", s.bytes}, {"accelerator", s.accelerator}};
+            {"instanced_triangles", s.instanced_triangles}, {"structures_waiting", s.waiting}, {"bytes", s.bytes}, {"accelerator", s.accelerator}, {"intersect", s.intersect}};
 }
 
 Json to_json(const RenderStats& s) {
@@ -71,7 +71,7 @@ Json to_json(const RenderStats& s) {
     return {{"pixels", s.pixels}, {"pixels_ended_early", s.pixels_ended_early}, {"samples_per_pixel", per_pixel},
             {"camera_rays", s.camera_rays}, {"shadow_rays", s.shadow_rays}, {"secondary_rays", s.secondary_rays},
             {"accelerator_rays", s.work.rays}, {"boxes", s.work.boxes}, {"filtered", s.work.filtered}, {"primitives", s.work.primitives},
-            {"exact", s.work.exact}, {"seconds", s.seconds}, {"cpu_seconds", s.cpu_seconds}, {"tiles", s.tiles}, {"tiles_done", s.tiles_done}};
+            {"exact", s.work.exact}, {"texture_reads", s.texture_reads}, {"seconds", s.seconds}, {"cpu_seconds", s.cpu_seconds}, {"tiles", s.tiles}, {"tiles_done", s.tiles_done}};
 }
 
 Json to_json(const Diagnostics& diagnostics) {

@@ -2,6 +2,7 @@
 #include "tools/load.h"
 
 #include "scene/queries.h"
+#include "tools/analytic.h"
 
 #include <chrono>
 
@@ -17,12 +18,22 @@ std::optional<Scene> posed(const Scene& scene, double time, Diagnostics& said) {
     return checked.has_errors() ? std::nullopt : std::optional(pose(scene, time));
 }
 
+/// A file's, or one that the program has itself.
+ImportResult read_scene(const Request& request) {
+    if (!tradeoff::is_analytic(request.scene)) return import_scene(request.scene, request.import);
+    auto made = tradeoff::analytic_scene(request.scene);
+    if (made) return Imported{std::move(*made), {}};
+    Diagnostics said;
+    said.error({}, made.error());
+    return tl::unexpected(std::move(said));
+}
+
 }  // namespace
 
 Loaded load(const Request& request) {
     Loaded loaded;
     const double start = seconds_now();
-    ImportResult imported = import_scene(request.scene, request.import);
+    ImportResult imported = read_scene(request);
     loaded.said = imported ? std::move(imported->diagnostics) : std::move(imported.error());
     if (imported && !loaded.said.has_errors())
         loaded.scene = request.time ? posed(imported->scene, *request.time, loaded.said) : std::optional(std::move(imported->scene));
@@ -33,7 +44,9 @@ Loaded load(const Request& request) {
 }
 
 Prepared prepare(const Request& request) {
-    Loaded loaded = load(request);
+    Request shown = request;
+    shown.import.shown_only = true;
+    Loaded loaded = load(shown);
     const double start = seconds_now();
     Prepared prepared;
     if (loaded.scene) prepared.scene = compile(std::move(*loaded.scene), request.compile, loaded.said);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tools/options.h"
 
+#include "accel/intersect.h"
 #include "tools/option_words.h"
 #include "topology/subdivide.h"
 #include "tracer/render.h"
@@ -80,11 +81,14 @@ void add_compile_options(CLI::App& app, Request& request) {
     add_choice(app, "--accel", structures, [&request, structures](size_t i) { request.compile.accel = structures[i]; }, "accelerator (default auto)");
     add_choice(app, "--precision", {"float", "double"}, [&request](size_t i) { request.compile.precision = Precision(i); },
                "of mesh vertices and nodes; rays and hits are double always (default float)");
+    add_choice(app, "--intersect", names_of(intersects()), [&request](size_t i) { request.compile.intersect = intersects()[i].value; },
+               "of rays and triangles (default exact; docs/accelerators.md says what the others give up, and gain)");
     const std::vector<std::string> isas = isa_names();
     const auto set_isa = [&request](size_t i) { request.compile.isa = i == 0 ? Isa::best : available_isas()[i - 1]; };
     add_choice(app, "--isa", isas, set_isa, "instructions of the triangle filter, of those that this machine has (default best)");
     add(app, "--environment", "#rgb|FILE", parse_sky, [&request](const SkyWord& sky) { request.compile.environment = sky.color, request.compile.environment_file = sky.file; },
         "a constant sky, or an equirectangular picture, instead of the scene's");
+    app.add_flag("--lazy", request.compile.lazy, "a mesh's structure is built when the first ray enters its box; the picture does not depend on it");
     app.add_flag("--full-kernel", request.compile.full_kernel, "renders with every feature, needed or not: to measure what they cost; the picture does not depend on it");
     const auto set_threads = [&request](int64_t n) { request.compile.threads = request.render.threads = int(n); };
     add(app, "--threads", "N", [](const std::string& word) { return parse_integer(word, 0, 4096); }, set_threads,

@@ -28,7 +28,7 @@ struct Request {
 
 /// SCENE, and how it is read: --time, --light-units, --strict, -I, --declare, --allow-write, --subdivide, --decimate, --crease.
 void add_scene_options(CLI::App& app, Request& request);
-/// What is built for its rays: --accel, --precision, --isa, --environment, --full-kernel, --threads.
+/// What is built for its rays: --accel, --precision, --isa, --environment, --lazy, --full-kernel, --threads.
 void add_compile_options(CLI::App& app, Request& request);
 /// How it is seen: --size, --region, --camera, --exposure, --aperture, --focus, --integrator, --spp, --adaptive, --sampler, --light-samples, --seed, --max-depth,
 /// --aov, --tile.

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/image.h"
+#include "tools/analytic.h"
 #include "tools/compare/program.h"
 #include "tools/interrupt.h"
 #include "tools/option_words.h"
 #include "tools/output.h"
-#include "tools/tradeoff/analytic.h"
 #include "tools/tradeoff/document.h"
 
 #include <CLI/CLI.hpp>
@@ -94,7 +94,6 @@ std::string why_senseless(const TradeoffWords& words) {
             if (each.is_error) names.emplace_back(each.name);
         return fmt::format("--metric: '{}' is not one of {}", words.questions.metric, fmt::join(names, ", "));
     }
-    if (job.instructions && is_analytic(job.scene)) return "--instructions: an analytic scene is in no file that the counted program could read";
     if (job.instructions && find_program("valgrind").empty()) return "--instructions: valgrind is not installed (Debian's package valgrind)";
     const bool counted = std::any_of(words.questions.require.begin(), words.questions.require.end(), [](const Requirement& rule) { return rule.cost.metric == "instructions"; });
     return counted && !job.instructions ? "--require: instructions are counted with --instructions alone" : "";

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "accel/lazy.h"
 #include "core/float_mode.h"
 #include "core/image_colors.h"
 #include "core/parallel.h"
@@ -225,13 +226,14 @@ void build_solids(CompiledScene& out, std::vector<CsgExpression> solids) {
         }
 }
 
-/// Meshes get their accelerators, in parallel, large ones each on several threads; only those that an instance shows.
+/// Meshes get their accelerators, in parallel, large ones each on several threads; only those that an instance shows. Lazy ones get them when a ray comes near.
 void build_structures(CompiledScene& out, const AcceleratorEntry& accel, std::vector<CsgExpression> solids, const CompileOptions& options, Diagnostics& said) {
-    const AccelOptions build{options.precision, options.isa, options.threads};
+    const AccelOptions build{options.precision, options.isa, options.threads, options.intersect};
     parallel_for(out.geometries.size(), options.threads, [&](size_t i) {
         Geometry& g = out.geometries[i];
         if (!g.mesh) return;
-        g.triangles = accel.over_triangles({g.mesh->positions, g.mesh->exact_positions, g.mesh->triangles}, build);
+        const TriangleView view{g.mesh->positions, g.mesh->exact_positions, g.mesh->triangles};
+        g.triangles = options.lazy ? over_triangles_lazily(accel, view, build) : accel.over_triangles(view, build);
         g.bounds = g.triangles->bounds();
     });
     for (const Geometry& g : out.geometries)
@@ -360,6 +362,7 @@ std::shared_ptr<const CompiledScene> compile(Scene scene, const CompileOptions& 
     make_missing_tangents(*out, options.threads);
     make_sky(*out, options, said);
     if (said.has_errors()) return nullptr;
+    out->intersect = options.intersect;
     build_structures(*out, *accel, placer.take_solids(), options, said);
     default_camera(*out, said);
     default_light(*out, options, said);
@@ -367,28 +370,6 @@ std::shared_ptr<const CompiledScene> compile(Scene scene, const CompileOptions& 
     placer.finish();
     choose_kernel(*out, *accel, options, reasons);
     return out;
-}
-
-CompiledSummary summary(const CompiledScene& scene) {
-    CompiledSummary s;
-    s.instances = scene.instances.size();
-    s.geometries = scene.geometries.size();
-    s.lights = scene.lights.size();
-    s.images = scene.textures->count();
-    s.kernel = scene.kernel;
-    s.structures.emplace_back("instances", scene.top->stats());
-    s.bytes = scene.top->stats().bytes + scene.textures->bytes() + scene.instances.size() * sizeof(Instance);
-    if (scene.filters) s.structures.emplace_back("instances that let light through", scene.filters->stats()), s.bytes += scene.filters->stats().bytes;
-    for (const Geometry& g : scene.geometries) {
-        if (!g.mesh) continue;
-        s.triangles += g.mesh->triangles.size();
-        s.structures.emplace_back(scene.scene.shapes[g.shape.index].name, g.triangles->stats());
-        s.bytes += g.triangles->stats().bytes;
-        if (const std::string& why = g.triangles->why; s.accelerator.find(why) == why.npos) s.accelerator += (s.accelerator.empty() ? "" : "; ") + why;   // each once
-    }
-    for (const Instance& i : scene.instances)
-        if (const Mesh* mesh = scene.geometries[i.geometry].mesh) s.instanced_triangles += mesh->triangles.size();
-    return s;
 }
 
 }  // namespace alidade

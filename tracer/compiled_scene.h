@@ -115,6 +115,7 @@ struct CompiledScene {
     bool glows = false;                    ///< a surface emits light (or is unlit)
     bool filters_light = false;            ///< some surface lets a part of the light on a shadow ray pass
     bool all_air = true;                   ///< no interior bends, dims or colours light: rays need not know what they are in
+    Intersect intersect = Intersect::exact;   ///< of its meshes
     unsigned features = 0;                 ///< of the kernel: what the scene needs, or more
     std::string kernel;                    ///< the features in words, each with what asked for it
 

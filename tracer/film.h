@@ -21,6 +21,7 @@ struct RenderStats {
     uint64_t camera_rays = 0, shadow_rays = 0, secondary_rays = 0;
     uint64_t pixels = 0, pixels_ended_early = 0;   ///< finished; and of them, with fewer samples than asked for (RenderOptions::adaptive)
     WorkCounters work;
+    uint64_t texture_reads = 0;   ///< texels, of all pictures: of a filtered texture four a lookup
     double seconds = 0, cpu_seconds = 0;
     size_t tiles = 0, tiles_done = 0;
 };

@@ -121,6 +121,11 @@ bool lets_light_through(const Scene& scene, uint32_t material) {
     });
 }
 
+std::span<const char* const> feature_names() {
+    static constexpr const char* kNames[] = {"textures", "alpha", "transmission", "mirrors", "sampled lights"};
+    return kNames;
+}
+
 void FeatureReasons::need(unsigned features, const std::string& who) {
     for (int bit = 0; bit < kBits; ++bit)
         if (features & (1u << bit) && who_[bit].empty()) who_[bit] = who;
@@ -128,10 +133,9 @@ void FeatureReasons::need(unsigned features, const std::string& who) {
 }
 
 std::string FeatureReasons::text() const {
-    static constexpr const char* kName[kBits] = {"textures", "alpha", "transmission", "mirrors", "sampled lights"};
     std::string out = fmt::format("mask {} of {}", mask_, unsigned(kAllFeatures));
     for (int bit = 0; bit < kBits; ++bit)
-        if (mask_ & (1u << bit)) out += fmt::format("; {} for {}", kName[bit], who_[bit]);
+        if (mask_ & (1u << bit)) out += fmt::format("; {} for {}", feature_names()[size_t(bit)], who_[bit]);
     return mask_ ? out : out + ": plain opaque surfaces, lights without extent";
 }
 

@@ -5,6 +5,7 @@
 #include "tracer/compiled_scene.h"
 
 #include <map>
+#include <span>
 #include <tuple>
 
 namespace alidade {
@@ -33,6 +34,9 @@ class MaterialTable {
 
 /// May light pass through all layers of the material, or of one of its parts?
 bool lets_light_through(const Scene& scene, uint32_t material);
+
+/// The features of the kernel in words, by bit.
+std::span<const char* const> feature_names();
 
 /// The feature mask of the render kernel, each bit with the first thing that asked for it.
 class FeatureReasons {

@@ -18,10 +18,12 @@ namespace alidade {
 struct CompileOptions {
     std::string accel = "auto";
     Precision precision = Precision::float_;
+    Intersect intersect = Intersect::exact;
     Isa isa = Isa::best;
     int threads = 0;                       ///< 0: all
     std::optional<Color> environment;      ///< a constant sky instead of the scene's
     std::string environment_file;          ///< an equirectangular picture instead of it
+    bool lazy = false;                     ///< a mesh's structure is built when the first ray enters its box
     bool full_kernel = false;              ///< the kernel with every feature, needed or not: to measure what they would cost
 };
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/float_mode.h"
 #include "core/parallel.h"
+#include "eval/texture_reads.h"
 #include "tracer/cameras.h"
 #include "tracer/layers.h"
 #include "tracer/sample_stop.h"
@@ -75,7 +76,7 @@ Color take_ray(const Job& job, Tracing& tracing, const SampleKey& key, double x,
     RayState state;
     state.key = key;
     state.time = float(job.options.time);
-    Ray ray = job.camera.at(x, y, job.camera.has_lens() ? state.key.pair(kLensDimension) : Vec2(0.5));
+    Ray ray = job.camera.at(x, y, job.camera.has_lens() ? state.key.pair(Coordinates::lens, kLensDimension) : Vec2(0.5));
     if (job.normal) bend(job, Vec2(x / job.options.width - 0.5, 0.5 - y / job.options.height), ray);
     ray.time = state.time;
     ++tracing.stats.camera_rays;
@@ -87,7 +88,7 @@ Color take_ray(const Job& job, Tracing& tracing, const SampleKey& key, double x,
 
 Color take_sample(const Job& job, Tracing& tracing, int x, int y, int s, PixelSamples& pixel) {
     const SampleKey key = sample_key(job, x, y, uint32_t(s), uint32_t(job.spp));
-    const Vec2 in_pixel = job.spp > 1 ? key.pair(kPixelDimension) : Vec2(0.5);
+    const Vec2 in_pixel = job.spp > 1 ? key.pair(Coordinates::pixel, kPixelDimension) : Vec2(0.5);
     return take_ray(job, tracing, key, x + in_pixel.x, y + in_pixel.y, pixel);
 }
 
@@ -137,7 +138,7 @@ bool render_block(const Job& job, Tracing& tracing, const Region& square, const 
     BlockRays rays;
     rays.take = [&](const PixelRay& r) {
         const SampleKey key = sample_key(job, r.x, r.y, r.index, r.count);
-        const Vec2 moved = r.jitter > 0 ? (key.pair(kPixelDimension) - Vec2(0.5)) * r.jitter : Vec2(0);
+        const Vec2 moved = r.jitter > 0 ? (key.pair(Coordinates::pixel, kPixelDimension) - Vec2(0.5)) * r.jitter : Vec2(0);
         const uint64_t before = tests_done(tracing.stats.work);
         PixelSamples out;
         take_ray(job, tracing, key, r.x + r.at.x + moved.x, r.y + r.at.y + moved.y, out);
@@ -179,6 +180,7 @@ void add(RenderStats& sum, const RenderStats& b) {
     sum.pixels += b.pixels;
     sum.pixels_ended_early += b.pixels_ended_early;
     sum.work += b.work;
+    sum.texture_reads += b.texture_reads;
 }
 
 /// Of one pixel and light: samples are numbered in 32 bits.
@@ -193,7 +195,9 @@ bool run(const Job& job, const Monitor& monitor, Film& film) {
         if (job.stopped()) return;
         RenderStats stats;
         const bool known = monitor.recall && monitor.recall(tile, film.picture);
+        const uint64_t read_before = texture_reads;
         const bool whole = known || render_tile(job, tile, film.picture, stats);
+        stats.texture_reads = texture_reads - read_before;
         if (whole && !known && monitor.keep) monitor.keep(tile, film.picture);
         const std::lock_guard lock(mutex);
         add(film.stats, stats);

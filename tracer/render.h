@@ -18,10 +18,12 @@ struct CompiledScene;
 struct CompiledSummary {
     size_t instances = 0, geometries = 0, lights = 0, images = 0;
     size_t triangles = 0, instanced_triangles = 0;
+    size_t waiting = 0;                    ///< structures of meshes that no ray has come near yet (CompileOptions::lazy)
     size_t bytes = 0;                      ///< of acceleration structures and vertex attributes
     std::string kernel;                    ///< which feature mask the render kernel has, and why
     std::vector<std::pair<std::string, BuildStats>> structures;   ///< top level first
     std::string accelerator;               ///< of meshes, where it was chosen for them: each choice once, and why
+    std::string intersect;                 ///< how rays meet triangles, and what that gives up; empty where there are none
 };
 
 /// Builds what a ray needs, and nothing that this scene does not require. What has to be said (a default sky, a framed camera, an image that cannot

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tracer/sampler.h"
 
+#include <array>
+#include <bit>
+
 namespace alidade {
 namespace {
 
@@ -37,13 +40,28 @@ uint32_t sobol_second(uint32_t first) {
     return x ^ ((x & 0x55555555u) << 1);
 }
 
+/// In which order a pair of coordinates takes the sequence: what each binary digit of an index adds to the one that is taken, the lowest first; digits above stay. A triangular matrix over GF(2),
+/// so that aligned blocks of 2^k are permuted, and the pair stays a (0, 2)-sequence.
+using Order = std::array<uint16_t, 16>;
+
+/// Found by bench/sample_orders.py, which looks for the pairs that are nets together: pixel and light, pixel and lens, all three.
+constexpr Order kOfLight = {0x0001, 0x0003, 0x0004, 0x000d, 0x0011, 0x0032, 0x0045, 0x00db, 0x0114, 0x0305, 0x041f, 0x0a33, 0x1987, 0x29e5, 0x6070, 0xf927};
+constexpr Order kOfLens = {0x0001, 0x0003, 0x0004, 0x000a, 0x0017, 0x002a, 0x0068, 0x00f4, 0x0116, 0x02db, 0x06e2, 0x08f9, 0x1b17, 0x31dd, 0x4000, 0x8000};
+
+uint32_t in_order(const Order& order, uint32_t index) {
+    uint32_t taken = index & ~0xffffu;
+    for (uint32_t rest = index & 0xffffu; rest != 0; rest &= rest - 1) taken ^= order[size_t(std::countr_zero(rest))];
+    return taken;
+}
+
 double to_unit(uint32_t x) { return x * 0x1p-32; }
 
-/// Sobol's (0, 2)-sequence, shuffled and scrambled for each domain on its own.
-Vec2 sobol(RandomKey domain, uint32_t index, uint32_t) {
-    const uint64_t shuffle = domain.bits(0), scramble = domain.bits(1);
+/// Sobol's (0, 2)-sequence for each pair of coordinates, each in an order of its own; shuffled for each order, and scrambled for each domain.
+Vec2 sobol(const SampleDomain& domain, uint32_t index, uint32_t) {
+    const uint64_t shuffle = domain.order.bits(0), scramble = domain.own.bits(1);
     // The index is shuffled by a scrambling, which permutes aligned blocks of 2^k, so that each stays a net. The first dimension is that index, reversed.
-    const uint32_t first = scrambled_from_below(reversed(index), uint32_t(shuffle));
+    uint32_t first = scrambled_from_below(reversed(index), uint32_t(shuffle));
+    if (domain.coordinates != Coordinates::pixel) first = reversed(in_order(domain.coordinates == Coordinates::light ? kOfLight : kOfLens, reversed(first)));
     return {to_unit(owen_scrambled(first, uint32_t(scramble))), to_unit(owen_scrambled(sobol_second(first), uint32_t(scramble >> 32)))};
 }
 
@@ -65,21 +83,21 @@ uint32_t permuted(uint32_t index, uint32_t count, RandomKey key) {
 }
 
 /// A jittered grid, as nearly square as `count` allows, its cells in random order.
-Vec2 stratified(RandomKey domain, uint32_t index, uint32_t count) {
+Vec2 stratified(const SampleDomain& domain, uint32_t index, uint32_t count) {
     uint32_t rows = uint32_t(std::sqrt(double(count)));
     while (count % rows) --rows;
-    const uint32_t columns = count / rows, cell = permuted(index % count, count, domain.child(0));
-    const RandomKey jitter = domain.child(1).child(index);
+    const uint32_t columns = count / rows, cell = permuted(index % count, count, domain.own.child(0));
+    const RandomKey jitter = domain.own.child(1).child(index);
     return {(cell % columns + jitter.uniform(0)) / columns, (cell / columns + jitter.uniform(1)) / rows};
 }
 
-Vec2 independent(RandomKey domain, uint32_t index, uint32_t) {
-    const RandomKey key = domain.child(index);
+Vec2 independent(const SampleDomain& domain, uint32_t index, uint32_t) {
+    const RandomKey key = domain.own.child(index);
     return {key.uniform(0), key.uniform(1)};
 }
 
 constexpr SamplerEntry kTable[] = {
-    {"sobol", "low discrepancy: Sobol pairs, Owen-scrambled", sobol},
+    {"sobol", "low discrepancy: Sobol pairs that are spread over pixel, light and lens together, Owen-scrambled", sobol},
     {"stratified", "a jittered grid", stratified},
     {"random", "independent", independent},
 };

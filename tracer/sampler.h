@@ -11,8 +11,21 @@
 
 namespace alidade {
 
-/// The sample `index` of `count` in one two-dimensional domain, in [0, 1)^2. `domain` is a key that no other domain has.
-using SamplePair = Vec2 (*)(RandomKey domain, uint32_t index, uint32_t count);
+/// Two of the numbers that a sample's light depends on together: they are coordinates of one point, so that all of the points are spread over all of the numbers. Lights are added up, so all of
+/// them may have the same two.
+enum class Coordinates : uint32_t { pixel, light, lens };
+
+/// Of which samples are taken. `own` is a key that no other domain has; domains of the same `order` take their samples in one order, and differ in their coordinates, or are added up.
+struct SampleDomain {
+    RandomKey own, order;
+    Coordinates coordinates = Coordinates::pixel;
+
+    SampleDomain(RandomKey apart) : own(apart), order(apart) {}
+    SampleDomain(RandomKey own_key, RandomKey of_all, Coordinates which) : own(own_key), order(of_all), coordinates(which) {}
+};
+
+/// The sample `index` of `count` in one two-dimensional domain, in [0, 1)^2.
+using SamplePair = Vec2 (*)(const SampleDomain& domain, uint32_t index, uint32_t count);
 
 struct SamplerEntry {
     const char* name;
@@ -27,23 +40,30 @@ const SamplerEntry* find_sampler(std::string_view name);
 class SampleKey {
   public:
     SampleKey() = default;
-    SampleKey(SamplePair pair, RandomKey pixel, uint32_t index, uint32_t count) : pair_(pair), path_(pixel), index_(index), count_(count) {}
+    SampleKey(SamplePair pair, RandomKey pixel, uint32_t index, uint32_t count) : pair_(pair), pixel_(pixel), path_(pixel), index_(index), count_(count) {}
 
-    SampleKey child(uint64_t branch) const { return {pair_, path_.child(branch), index_, count_}; }
-    Vec2 pair(uint64_t dimension) const {
-        const RandomKey domain = path_.child(dimension ^ kDomain);
-        return count_ == 1 ? Vec2(domain.uniform(0), domain.uniform(1)) : pair_(domain, index_, count_);   // one sample alone is spread over nothing
+    SampleKey child(uint64_t branch) const {
+        SampleKey key = *this;
+        key.path_ = path_.child(branch);
+        return key;
     }
-    /// Sample `part` of `parts` that this sample takes of one domain: so many more samples of that domain.
-    Vec2 pair(uint64_t dimension, uint32_t part, uint32_t parts) const {
-        return pair_(path_.child(dimension ^ kDomain), index_ * parts + part, count_ * parts);
+    /// Of a domain that depends on no other.
+    Vec2 pair(uint64_t dimension) const { return of(path_.child(dimension ^ kDomain)); }
+    Vec2 pair(Coordinates which, uint64_t dimension) const { return of({path_.child(dimension ^ kDomain), pixel_, which}); }
+    /// Sample `part` of `parts` that this sample takes of a light: so many more samples of it.
+    Vec2 pair_of_light(uint64_t dimension, uint32_t part, uint32_t parts) const {
+        return parts == 1 ? pair(Coordinates::light, dimension) : pair_(path_.child(dimension ^ kDomain), index_ * parts + part, count_ * parts);
     }
 
   private:
     static constexpr uint64_t kDomain = uint64_t(1) << 63;   // keeps domains and branches apart
 
+    Vec2 of(const SampleDomain& domain) const {
+        return count_ == 1 ? Vec2(domain.own.uniform(0), domain.own.uniform(1)) : pair_(domain, index_, count_);   // one sample alone is spread over nothing
+    }
+
     SamplePair pair_ = nullptr;
-    RandomKey path_;
+    RandomKey pixel_, path_;
     uint32_t index_ = 0, count_ = 1;
 };
 

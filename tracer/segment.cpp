@@ -22,7 +22,7 @@ bool fog_reaches(const CompiledScene& scene, const InteriorStack& inside) {
 }
 
 Color pov_fade(const Interior& interior, double length) {
-    if (!(interior.fade_distance > 1e-10)) return Color(1);
+    if (!(interior.fade_distance > 0)) return Color(1);
     const Color& c = interior.fade_color;
     const double x = length / interior.fade_distance;
     if (interior.fade_power < 1000) return c + (Color(1) - c) / (1 + std::pow(x, interior.fade_power));

@@ -32,6 +32,9 @@ template <unsigned F> Vec4 base_color(const CompiledScene& scene, const GltfPbr&
     return base;
 }
 
+/// Not less than what the facets send back of light from everywhere to an eye at `cosine` from the normal: Schlick's term over them, by a fit that tests/tracer/facets_test.cpp holds against quadrature.
+double reflected_bound(double f0, double f90, double alpha, double cosine);
+
 /// Inline, so that a kernel leaves out what it does not ask of the surface.
 template <unsigned F> [[gnu::always_inline]] inline Surface shade_metal_rough(const CompiledScene& scene, const GltfPbr& m, const ShadePoint& point, const Vec3& dir) {
     Surface s;
@@ -54,12 +57,18 @@ template <unsigned F> [[gnu::always_inline]] inline Surface shade_metal_rough(co
     const double specular = scalar(scene, m.specular, point, 1);
     const Color tint = m.specular_color ? Color(scene.textures->evaluate(*m.specular_color, point)) : Color(1);
     const Color dielectric_f0 = glm::min(tint * std::pow((m.ior - 1) / (m.ior + 1), 2), Color(1)) * specular;
-    s.diffuse_ = s.albedo_ * ((1 - metallic) * (1 - transmission));
     s.f0_ = dielectric_f0 * (1 - metallic) + s.albedo_ * metallic;
     s.f90_ = specular * (1 - metallic) + metallic;
     s.alpha_ = roughness * roughness;
     s.mirror_ = (1 - roughness) * (1 - roughness);
     s.ior_ = m.ior;
+    if (metallic < 1) {
+        s.diffuse_ = s.albedo_ * ((1 - metallic) * (1 - transmission));
+        const double cosine = s.cosine_to_eye();
+        s.most_diffuse_ = max_component(s.albedo_) * (1 - metallic);
+        if (transmission > 0) s.glass_ = fresnel_dielectric(cosine, point.front ? m.ior : 1 / m.ior);
+        s.share_of_lights_ = diffuse_share(s.most_diffuse_, std::max(reflected_bound(max_component(s.f0_), s.f90_, s.alpha_, cosine), s.glass_));
+    }
     if constexpr ((F & kMirrors) != 0) {
         if (m.clearcoat && (point.front || transmission <= 0)) {   // glass has its coat on the outside
             s.coat_ = coat_over(scene, m, point, s.wo_);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tracer/sky.h"
 
+#include "eval/texture_reads.h"
 #include "tracer/sampler.h"
 
 namespace alidade {
@@ -8,6 +9,7 @@ namespace {
 
 Color pixel(const Picture& p, int x, int y) {
     const float* v = p.at(x, y);
+    ++texture_reads;
     return p.channels >= 3 ? Color(v[0], v[1], v[2]) : Color(v[0]);
 }
 

@@ -117,9 +117,9 @@ class CornerBlock {
     };
 
     Corner taken(int x, int y, int column, int row) const {
-        const uint32_t row_size = uint32_t(parts_);
+        const auto row_size = uint32_t(parts_ + 1);
         const Vec2 at = Vec2(column, row) / double(parts_);
-        Corner corner{rays_.take({x, y, at, how_.jitter / (2 * parts_ + 1), uint32_t(row) * row_size + uint32_t(column), row_size * row_size}), {}};
+        Corner corner{rays_.take({x, y, at, how_.jitter / (2 * parts_ + 1), uint32_t(row) * row_size + uint32_t(column), parts_ == 1 ? 1 : row_size * row_size}), {}};
         corner.coded = difference_.coded(corner.samples.radiance);
         return corner;
     }

@@ -69,6 +69,12 @@ Coat coat_over(const CompiledScene& scene, const GltfPbr& m, const ShadePoint& p
     return coat;
 }
 
+double reflected_bound(double f0, double f90, double alpha, double cosine) {
+    const double x = std::clamp(1 - cosine, 0.0, 1.0), x2 = x * x, schlick = x2 * x2 * x;
+    const double dimmed = alpha * alpha * (14 + 6.5 * alpha) / (alpha + 0.45 * cosine + 1e-300), facets = schlick / (1 + schlick * dimmed) + 0.003;
+    return std::min(f0 + (f90 - f0) * facets, 1.0);
+}
+
 namespace {
 
 /// The square of eta times the cosine beyond, of vectors whose squared lengths have the product `lengths`. Near the critical angle it is a small difference, whose root a rounding would move by half
@@ -120,6 +126,11 @@ Color Surface::fresnel(double cos_angle) const {
     return f0_ + (Color(f90_) - f0_) * (x2 * x2 * x);
 }
 
+Color Surface::diffuse() const {
+    if (unlit_) return Color(0);
+    return diffuse_ * (diffuse_share(most_diffuse_, std::max(max_component(fresnel(cosine_to_eye())) * mirror_, glass_)) * (1 - coat_.weight));
+}
+
 Vec3 Surface::facing_normal() const { return point_->front ? point_->geometric_normal : -point_->geometric_normal; }
 
 Color Surface::scatter_base(const Vec3& wi) const {
@@ -128,7 +139,7 @@ Color Surface::scatter_base(const Vec3& wi) const {
     const double nv = std::max(dot(normal_, wo_), 1e-4);
     const Vec3 h = normalized(wi + wo_);
     const Color f = fresnel(dot(wo_, h));
-    const Color diffuse = (Color(1) - f) * diffuse_ * (nl / kPi);
+    const Color diffuse = (Color(1) - f) * diffuse_ * (nl / kPi * share_of_lights_);
     if (alpha_ < kSmallestAlpha) return diffuse;
     return diffuse + f * (nl * microfacet(alpha_, std::max(dot(normal_, h), 0.0), nl, nv));
 }

@@ -18,6 +18,12 @@ struct Coat {
     Vec3 normal{0, 0, 1};
 };
 
+/// The share of a diffuse lobe of at most `most` that is left where `mirrored` of all light is sent back before: by the facets, by the mirror ray in their place where a sky lights, or by glass. (The
+/// specification takes from it what the one facet mirrors that turns light to the eye: smooth plastic would send back up to twice what arrives where the eye grazes it.)
+inline double diffuse_share(double most, double mirrored) {
+    return most > 0 && most > 1 - mirrored ? std::max(1 - mirrored, 0.0) / most : 1;   // colours may be above 1
+}
+
 /// glTF 2.0 metal-rough at a point (specification, appendix B): a diffuse and a microfacet lobe; where roughness is low, a mirror ray; with transmission,
 /// refraction by Snell's law; over all of it, a clear coat. Or POV-Ray's layers (pov_surface.h).
 class Surface {
@@ -30,7 +36,7 @@ class Surface {
     /// `highlights`: POV-Ray's shadowless lights have none.
     Color scatter(const Vec3& wi, bool highlights = true) const;
     /// Reflectance of the diffuse lobe: all of it that a sky lights (the mirror ray sees the sky itself).
-    Color diffuse() const { return unlit_ ? Color(0) : diffuse_ * (1 - coat_.weight); }
+    Color diffuse() const;
     const Color& albedo() const { return albedo_; }
     const Vec3& normal() const { return normal_; }
     /// That, turned to the eye where it looks away from it: at silhouettes of smooth meshes, and where a relief bends it.
@@ -50,6 +56,7 @@ class Surface {
     void add_coat(const RayState& state, Secondaries& out) const;
     void add_transmission(const CompiledScene& scene, const RayState& state, Secondaries& out) const;
     Color fresnel(double cos_angle) const;
+    double cosine_to_eye() const { return std::max(dot(normal_, wo_), 0.0); }
     /// The eye's direction, mirrored by `normal`.
     Vec3 mirrored(const Vec3& normal) const;
     /// The geometric normal on the side of the eye.
@@ -60,6 +67,7 @@ class Surface {
     Vec3 normal_{0, 0, 1};       ///< shading normal, on the side of wo
     Color albedo_{0}, diffuse_{0}, f0_{0}, emitted_{0}, transmission_{0};
     double alpha_ = 1, mirror_ = 0, coverage_ = 1, ior_ = 1.5, f90_ = 1;
+    double most_diffuse_ = 0, share_of_lights_ = 1, glass_ = 0;   ///< the largest of diffuse_ if nothing went through; of it; what glass mirrors
     Coat coat_;
     bool unlit_ = false, mirrors_or_refracts_ = false;
     std::optional<PovSurface> pov_;   ///< takes the place of all the rest but the normal

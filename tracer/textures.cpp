@@ -3,6 +3,7 @@
 
 #include "core/image_colors.h"
 #include "core/parallel.h"
+#include "eval/texture_reads.h"
 
 #include <fmt/format.h>
 #include <map>
@@ -49,6 +50,7 @@ int wrapped(int i, int size, Wrap wrap) {
 Vec4 texel(const Picture& picture, int x, int y) {
     if (x < 0 || y < 0) return Vec4(0);
     const float* p = picture.at(x, y);
+    ++texture_reads;
     switch (picture.channels) {
         case 1: return {p[0], p[0], p[0], 1};
         case 2: return {p[0], p[0], p[0], p[1]};

@@ -49,6 +49,8 @@ class Textures {
     /// Calls f(entry, share, frame) for the entries of a PatternSignal's map that count at a point, with where they are looked up: their shares add up to 1.
     template <class F> void for_each_share(SignalId pattern, const PatternFrame& frame, const F& f) const;
 
+    /// Was something made ready for the signal itself: an image that it reads, its pattern or its relief?
+    bool reads(SignalId signal) const { return signal.index < resource_of_.size() && resource_of_[signal.index] != kNoId; }
     size_t count() const { return pictures_.size() + space_pictures_.all().size(); }
     size_t bytes() const;
 

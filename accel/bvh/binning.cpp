@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "accel/bvh/binning.h"
 
+#include "accel/isa_table.h"
+
 // This file is compiled once for each of these targets, by including itself.
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "accel/bvh/binning.cpp"
@@ -90,29 +92,12 @@ namespace alidade {
 
 namespace {
 
-template <class R> struct PassesEntry {
-    Isa isa;
-    BinningPasses<R> passes;
-};
-
-/// What was compiled, from the plainest to the widest.
-template <class R> constexpr PassesEntry<R> kPasses[] = {
-    {Isa::scalar, HWY_NAMESPACE::passes<R>()},
-#if HWY_TARGETS & HWY_SSE4
-    {Isa::sse4, N_SSE4::passes<R>()},
-#endif
-#if HWY_TARGETS & HWY_AVX2
-    {Isa::avx2, N_AVX2::passes<R>()},
-#endif
-#if HWY_TARGETS & HWY_AVX3
-    {Isa::avx512, N_AVX3::passes<R>()},
-#endif
-};
+template <class R> constexpr IsaRow<BinningPasses<R>> kPasses[] = {ALIDADE_ISA_ROWS(HWY_NAMESPACE::passes<R>(), passes<R>())};
 
 }  // namespace
 
-template <> const BinningPasses<float>& binning_passes<float>(Isa isa) { return chosen(kPasses<float>, isa).passes; }
-template <> const BinningPasses<double>& binning_passes<double>(Isa isa) { return chosen(kPasses<double>, isa).passes; }
+template <> const BinningPasses<float>& binning_passes<float>(Isa isa) { return chosen(kPasses<float>, isa); }
+template <> const BinningPasses<double>& binning_passes<double>(Isa isa) { return chosen(kPasses<double>, isa); }
 
 }  // namespace alidade
 

@@ -35,8 +35,10 @@ template <class Leaf> class Bvh {
 
     Bvh(BuildInput<typename Leaf::Source>& input, const AccelOptions& options, BuildStats& stats, BvhBuilder builder = BvhBuilder::sah) {
         const BvhLimits limits{Leaf::kBlock, std::max(4u, Leaf::kBlock), options.isa, 0, options.threads};
+        PhaseClock clock(stats);
         auto references = bvh_references<R>(input, options.threads);
         nodes_ = builder == BvhBuilder::fast ? build_bvh_fast(std::move(references), limits, input.order, stats) : build_bvh(std::move(references), limits, input.order, stats);
+        clock.ended("divide");
     }
 
     /// Nearer child first. A box is skipped only if its padded entry is beyond the padded limit: at an equal t there may be a lower id inside.
@@ -46,7 +48,7 @@ template <class Leaf> class Bvh {
             R entry;
         };
         Waiting stack[kBvhDepth];
-        const auto& slab = slab_of<R>(ray);
+        const auto slab = slab_of<R>(ray);
         const R start = slab.start(ray.tmin);
         R limit = slab.limit(query.limit());
         Waiting current{0, start};
@@ -90,14 +92,19 @@ template <class Leaf> class Bvh {
 /// Twice as many references are what fits in 110 bytes a triangle (tests/accel). Generated architecture takes a quarter more, the stadium a hundredth.
 inline constexpr double kSplitGrowth = 1.0;
 
-template <class T> class Bvh<TriangleLeaf<T>> {
+template <class T, TriangleTest test> class Bvh<TriangleLeaf<T, test>> {
   public:
-    Bvh(BuildInput<TriangleSource<T>>& input, const AccelOptions& options, BuildStats& stats, BvhBuilder builder = BvhBuilder::sah) : traversals_(wide_traversals<T>(options.isa)) {
+    static constexpr bool kWidensBoxes = true;   ///< for TriangleTest::watertight
+
+    Bvh(BuildInput<TriangleSource<T>>& input, const AccelOptions& options, BuildStats& stats, BvhBuilder builder = BvhBuilder::sah) : traversals_(wide_traversals<T, test>(options.isa)) {
         const double growth = builder == BvhBuilder::fast ? 0 : kSplitGrowth;
         const BvhLimits limits{kLanes, kLanes, options.isa, growth, options.threads};
+        PhaseClock clock(stats);
         auto references = bvh_references<T>(input, options.threads, growth);
-        nodes_ = widened(builder == BvhBuilder::fast ? build_bvh_fast(std::move(references), limits, input.order, stats) : build_bvh(std::move(references), limits, input.order, stats, &input.source),
-                         stats, options.threads);
+        const auto nodes = builder == BvhBuilder::fast ? build_bvh_fast(std::move(references), limits, input.order, stats) : build_bvh(std::move(references), limits, input.order, stats, &input.source);
+        clock.ended("divide");
+        nodes_ = widened(nodes, stats, options.threads);
+        clock.ended("widen");
         if (input.order.size() / kLanes >= WideLeaf::kMaxBlocks) throw std::length_error("more triangles than the tree can number");
     }
 
@@ -105,7 +112,7 @@ template <class T> class Bvh<TriangleLeaf<T>> {
     size_t bytes() const { return nodes_.capacity() * sizeof(WideNode<T>); }
 
   private:
-    const WideTraversals<T>& traversals_;
+    const WideTraversals<T, test>& traversals_;
     LargeVector<WideNode<T>> nodes_;
 };
 

@@ -32,27 +32,80 @@ struct WideLeaf {
 /// Replaces the nodes, depth and cost of `stats`. The same for any number of threads.
 template <class R> LargeVector<WideNode<R>> widened(const LargeVector<BvhNode<R>>& nodes, BuildStats& stats, int threads = 1);
 
+/// What its move to the start may shift an origin by, relatively; the factor that pads far ends.
+inline constexpr double kMoved = 0x1p-52;
+template <class R> inline constexpr R kWidened = 1 + kSlabPad * kUnitRoundoff<R>;
+
+/// A ray made ready for tests of eight boxes: a SlabRay that starts where hits begin. None is behind it then, and the pad of far ends is a factor of the inverse
+/// (docs/numerics.md, "Eight at once").
+template <class R> class WideRay {
+  public:
+    explicit WideRay(const LocalRay& ray) : start_(ray.tmin) {
+        for (int a = 0; a < 3; ++a) {
+            const bool flat = std::abs(ray.dir[a]) < kSmallestSlope<R>;
+            const R o = R(ray.origin[a] + start_ * ray.dir[a]);
+            const R drift = flat ? R(4 * ((std::abs(ray.dir[a]) + 0x1p-300) * ray.reach)) : R(0);
+            const R e = 4 * kUnitRoundoff<R> * std::abs(o) + (R(kMoved * std::abs(ray.origin[a])) + (kOriginPad<R> + drift));
+            negative_[a] = !flat & (ray.dir[a] < 0);
+            const R outward = negative_[a] ? -e : e;
+            near_origin_[a] = o + outward, far_origin_[a] = o - outward;
+            near_inverse_[a] = flat ? std::numeric_limits<R>::infinity() : R(ray.inverse[a]);
+            far_inverse_[a] = near_inverse_[a] * kWidened<R>;
+        }
+    }
+
+    /// For hits at up to `t`, a local one: boxes that are entered beyond this are of no use.
+    R limit(double t) const { return SlabRay<R>::limit(t - start_); }
+
+    /// Where the ray enters the box, not before its origin; infinity if it misses it or enters beyond `limit`.
+    R enter(const BoundsT<R>& box, R limit) const {
+        R near = 0, far = limit;
+        for (int a = 0; a < 3; ++a) {
+            const R enters = ((negative_[a] ? box.max[a] : box.min[a]) - near_origin_[a]) * near_inverse_[a], leaves = ((negative_[a] ? box.min[a] : box.max[a]) - far_origin_[a]) * far_inverse_[a];
+            SlabRay<R>::narrow(enters, leaves, near, far);
+        }
+        return near <= far ? near : std::numeric_limits<R>::infinity();
+    }
+
+    /// What the ends of slabs are computed from.
+    bool negative(int axis) const { return negative_[axis]; }
+    R near_origin(int axis) const { return near_origin_[axis]; }
+    R far_origin(int axis) const { return far_origin_[axis]; }
+    R near_inverse(int axis) const { return near_inverse_[axis]; }
+    R far_inverse(int axis) const { return far_inverse_[axis]; }
+
+  private:
+    double start_;   ///< local t of its origin
+    R near_origin_[3], far_origin_[3], near_inverse_[3], far_inverse_[3];
+    bool negative_[3];
+};
+
 /// Shows `query` the leaves whose boxes the ray enters.
 template <class Query> using WideTraversal = void (*)(const WideNode<typename Query::Real>* nodes, const LocalRay& ray, Query& query, WorkCounters& work);
 
 /// The traversals for each question on one kind of machine. All test the same boxes, bit for bit, in the same order.
-template <class R> struct WideTraversals {
-    WideTraversal<ClosestQuery<TriangleLeaf<R>>> closest;
-    WideTraversal<AnyQuery<TriangleLeaf<R>>> any;
-    WideTraversal<AllQuery<TriangleLeaf<R>>> all;
+template <class R, TriangleTest test = TriangleTest::exact> struct WideTraversals {
+    using Leaf = TriangleLeaf<R, test>;
+    WideTraversal<ClosestQuery<Leaf>> closest;
+    WideTraversal<AnyQuery<Leaf>> any;
+    WideTraversal<AllQuery<Leaf>> all;
 
-    void operator()(const WideNode<R>* nodes, const LocalRay& ray, ClosestQuery<TriangleLeaf<R>>& query, WorkCounters& work) const { closest(nodes, ray, query, work); }
-    void operator()(const WideNode<R>* nodes, const LocalRay& ray, AnyQuery<TriangleLeaf<R>>& query, WorkCounters& work) const { any(nodes, ray, query, work); }
-    void operator()(const WideNode<R>* nodes, const LocalRay& ray, AllQuery<TriangleLeaf<R>>& query, WorkCounters& work) const { all(nodes, ray, query, work); }
+    void operator()(const WideNode<R>* nodes, const LocalRay& ray, ClosestQuery<Leaf>& query, WorkCounters& work) const { closest(nodes, ray, query, work); }
+    void operator()(const WideNode<R>* nodes, const LocalRay& ray, AnyQuery<Leaf>& query, WorkCounters& work) const { any(nodes, ray, query, work); }
+    void operator()(const WideNode<R>* nodes, const LocalRay& ray, AllQuery<Leaf>& query, WorkCounters& work) const { all(nodes, ray, query, work); }
 };
 
 /// Those for these instructions, as edge_filter() chooses.
-template <class R> const WideTraversals<R>& wide_traversals(Isa isa);
+template <class R, TriangleTest test = TriangleTest::exact> const WideTraversals<R, test>& wide_traversals(Isa isa);
 template <> const WideTraversals<float>& wide_traversals<float>(Isa isa);
 template <> const WideTraversals<double>& wide_traversals<double>(Isa isa);
+template <> const WideTraversals<float, TriangleTest::watertight>& wide_traversals(Isa isa);
+template <> const WideTraversals<double, TriangleTest::watertight>& wide_traversals(Isa isa);
+template <> const WideTraversals<float, TriangleTest::fast>& wide_traversals(Isa isa);
+template <> const WideTraversals<double, TriangleTest::fast>& wide_traversals(Isa isa);
 
-/// Which of the eight boxes the ray enters, not before `start` nor beyond `limit`, and where: SlabRay::enter for each. For tests.
-template <class R> using WideBoxTest = uint32_t (*)(const WideNode<R>& node, const SlabRay<R>& ray, R start, R limit, R* entries);
+/// Which of the eight boxes the ray enters, not beyond `limit`, and where: WideRay::enter for each. For tests.
+template <class R> using WideBoxTest = uint32_t (*)(const WideNode<R>& node, const LocalRay& ray, R limit, R* entries);
 template <class R> WideBoxTest<R> wide_box_test(Isa isa);
 template <> WideBoxTest<float> wide_box_test<float>(Isa isa);
 template <> WideBoxTest<double> wide_box_test<double>(Isa isa);

@@ -22,42 +22,75 @@ template <class V> HWY_INLINE HWY_ATTR V larger(V a, V b) { return hn::IfThenEls
 template <class V> HWY_INLINE HWY_ATTR V smaller(V a, V b) { return hn::IfThenElse(hn::Lt(a, b), a, b); }
 #endif
 
-/// A SlabRay, each number in all lanes. The operations below are those of SlabRay::enter, in their order: so is the proof of docs/numerics.md.
+/// A WideRay, each number in all lanes. The operations below are those of WideRay::enter, in their order; differences and inverses have the other sign, so
+/// that planes are operands from memory.
 template <class R> class VectorBoxes {
   public:
-    explicit HWY_ATTR VectorBoxes(const SlabRay<R>& ray) {
-        for (int a = 0; a < 3; ++a) {
-            near_plane_[a] = 2 * a + ray.negative(a), far_plane_[a] = 2 * a + !ray.negative(a);
-            near_origin_[a] = hn::Set(D(), ray.near_origin(a)), far_origin_[a] = hn::Set(D(), ray.far_origin(a)), inverse_[a] = hn::Set(D(), ray.inverse(a));
-        }
+    explicit HWY_ATTR VectorBoxes(const LocalRay& ray) : start_(ray.tmin) {
+        if (!set_sloped(ray)) set(WideRay<R>(ray));
     }
 
-    HWY_INLINE HWY_ATTR uint32_t enter(const WideNode<R>& node, R start, R limit, R* entries) const {
+    R limit(double t) const { return SlabRay<R>::limit(t - start_); }
+
+    HWY_INLINE HWY_ATTR uint32_t enter(const WideNode<R>& node, R limit, R* entries) const {
         const D d;
         const auto lanes = uint32_t(hn::Lanes(d));
+        const R* const planes = node.planes[0];
         uint32_t bits = 0;
         for (uint32_t lane = 0; lane < kWide; lane += lanes) {
-            const V last = hn::Set(d, limit);
-            V near = hn::Set(d, start), far = last;
+            V near = hn::Zero(d), far = hn::Set(d, limit);
             for (int a = 0; a < 3; ++a) {
-                near = larger(hn::Mul(hn::Sub(hn::Load(d, &node.planes[near_plane_[a]][lane]), near_origin_[a]), inverse_[a]), near);
-                far = smaller(hn::Mul(hn::Sub(hn::Load(d, &node.planes[far_plane_[a]][lane]), far_origin_[a]), inverse_[a]), far);
+                near = larger(hn::Mul(hn::Sub(near_origin_[a], hn::Load(d, planes + near_plane_[a] + lane)), near_inverse_[a]), near);
+                far = smaller(hn::Mul(hn::Sub(far_origin_[a], hn::Load(d, planes + far_plane_[a] + lane)), far_inverse_[a]), far);
             }
-            far = hn::Add(far, hn::Mul(hn::Abs(far), hn::Set(d, kSlabPad * kUnitRoundoff<R>)));
             hn::Store(near, d, entries + lane);
-            uint8_t stored[8] = {};
-            hn::StoreMaskBits(d, hn::And(hn::Le(near, far), hn::Le(near, last)), stored);
-            bits |= uint32_t(stored[0]) << lane;
+            bits |= mask_bits(d, hn::Le(near, far)) << lane;
         }
         return bits;
     }
 
   private:
+    HWY_INLINE HWY_ATTR void set(const WideRay<R>& ray) {
+        for (int a = 0; a < 3; ++a) set_axis(a, ray.negative(a), ray.near_origin(a), ray.far_origin(a), -ray.near_inverse(a), -ray.far_inverse(a));
+    }
+    HWY_INLINE HWY_ATTR void set_axis(int a, bool negative, R near_origin, R far_origin, R near_inverse, R far_inverse) {
+        const D d;
+        near_plane_[a] = size_t(2 * a + negative) * kWide, far_plane_[a] = size_t(2 * a + !negative) * kWide;
+        near_origin_[a] = hn::Set(d, near_origin), far_origin_[a] = hn::Set(d, far_origin), near_inverse_[a] = hn::Set(d, near_inverse), far_inverse_[a] = hn::Set(d, far_inverse);
+    }
+
+    /// As set(WideRay), the three axes at once, where the machine has vectors of four doubles. False, and nothing done, for rays that are along an axis.
+    HWY_INLINE HWY_ATTR bool set_sloped(const LocalRay& ray) {
+#if HWY_TARGET == HWY_AVX2 || HWY_TARGET == HWY_AVX3
+        if constexpr (std::is_same_v<R, float>) {
+            const hn::FixedTag<double, 4> wide;
+            const hn::FixedTag<float, 4> d;
+            const auto at = hn::Load(wide, &ray.origin.x), dir = hn::Load(wide, &ray.dir.x);
+            uint8_t flat[8] = {};
+            hn::StoreMaskBits(wide, hn::Lt(hn::Abs(dir), hn::Set(wide, kSmallestSlope<float>)), flat);
+            if (flat[0] & 7) return false;
+            const auto o = hn::DemoteTo(d, hn::Add(at, hn::Mul(hn::Set(wide, start_), dir)));
+            const auto moved = hn::Add(hn::DemoteTo(d, hn::Mul(hn::Abs(at), hn::Set(wide, kMoved))), hn::Set(d, kOriginPad<float>));
+            const auto e = hn::Add(hn::Mul(hn::Abs(o), hn::Set(d, 4 * kUnitRoundoff<float>)), moved);
+            const auto inverse = hn::DemoteTo(d, hn::Load(wide, &ray.inverse.x)), outward = hn::CopySign(e, inverse), near_inverse = hn::Neg(inverse);
+            alignas(16) float near_origins[4], far_origins[4], near_inverses[4], far_inverses[4];
+            hn::Store(hn::Add(o, outward), d, near_origins), hn::Store(hn::Sub(o, outward), d, far_origins);
+            hn::Store(near_inverse, d, near_inverses), hn::Store(hn::Mul(near_inverse, hn::Set(d, kWidened<float>)), d, far_inverses);
+            hn::StoreMaskBits(d, hn::Lt(inverse, hn::Zero(d)), flat);
+            for (int a = 0; a < 3; ++a) set_axis(a, flat[0] >> a & 1, near_origins[a], far_origins[a], near_inverses[a], far_inverses[a]);
+            return true;
+        }
+#endif
+        static_cast<void>(ray);
+        return false;
+    }
+
     using D = hn::CappedTag<R, kWide>;
     using V = hn::Vec<D>;
 
-    V near_origin_[3], far_origin_[3], inverse_[3];
-    int near_plane_[3], far_plane_[3];
+    V near_origin_[3], far_origin_[3], near_inverse_[3], far_inverse_[3];
+    size_t near_plane_[3], far_plane_[3];
+    double start_;
 };
 
 template <class R> struct VectorMachine {
@@ -66,15 +99,20 @@ template <class R> struct VectorMachine {
 };
 
 /// What waits on the stack: where its box is entered, as a float, above the child. Rounding to float is monotone: what is not beyond a limit stays so.
-/// As signed integers they are in the order of their entries, but for negative ones among themselves.
+/// As signed integers they are in the order of their entries, as none is negative.
 struct WideWaiting {
     int64_t key;
 
     WideWaiting() = default;
     WideWaiting(uint32_t child, float entry) : key(int64_t(uint64_t(std::bit_cast<uint32_t>(entry)) << 32 | child)) {}
     uint32_t child() const { return uint32_t(uint64_t(key)); }
-    float entry() const { return std::bit_cast<float>(uint32_t(uint64_t(key) >> 32)); }
 };
+
+/// The child below all that waits; no leaf (WideLeaf::kMaxBlocks).
+inline constexpr uint32_t kNoChild = ~0u;
+
+/// Not less than the key of any child that is entered at up to `limit`.
+inline int64_t last_key(float limit) { return WideWaiting(~0u, limit).key; }
 
 /// Puts the nearer one last, without a branch.
 HWY_INLINE HWY_ATTR void put_in_order(WideWaiting& far, WideWaiting& near) {
@@ -99,28 +137,26 @@ HWY_INLINE HWY_ATTR void sort_top(WideWaiting* top, uint32_t count) {
 }
 
 /// Puts the children whose bits are set on the stack, all but one: returns that one, the nearest if `sorted`. One or two are the common case.
-template <bool sorted, class R, class Fetch>
-HWY_INLINE HWY_ATTR uint32_t take_children(const WideNode<R>& node, uint32_t bits, const R* entries, WideWaiting* stack, uint32_t& waiting, const Fetch& fetch) {
+template <bool sorted, class R>
+HWY_INLINE HWY_ATTR uint32_t take_children(const WideNode<R>& node, uint32_t bits, const R* entries, WideWaiting*& top) {
     const auto next = [&]() HWY_ATTR {
-        const auto i = uint32_t(std::countr_zero(bits));
+        const auto i = size_t(std::countr_zero(bits));
         bits &= bits - 1;
-        fetch(node.child[i]);
         return WideWaiting(node.child[i], float(entries[i]));
     };
     WideWaiting near = next();
     if (!bits) return near.child();
     WideWaiting far = next();
     if constexpr (sorted) put_in_order(far, near);
-    WideWaiting* const top = stack + waiting;
     top[0] = far;
-    if (!bits) return ++waiting, near.child();
+    if (!bits) return ++top, near.child();
     top[1] = near;
     uint32_t count = 2;
     do top[count++] = next();
     while (bits);
     if constexpr (sorted) sort_top(top, count);
-    waiting += count - 1;
-    return top[count - 1].child();
+    top += count - 1;
+    return top->child();
 }
 
 /// Nearer children first, where the order matters to the query. A box is skipped only if its padded entry is beyond the padded limit: at an equal t there may
@@ -128,26 +164,23 @@ HWY_INLINE HWY_ATTR uint32_t take_children(const WideNode<R>& node, uint32_t bit
 template <class Machine, class Query>
 HWY_ATTR void wide_traverse(const WideNode<typename Query::Real>* nodes, const LocalRay& ray, Query& query, WorkCounters& work) {
     using R = typename Query::Real;
-    WideWaiting stack[(kWide - 1) * kBvhDepth + kWide];
-    const auto& slab = slab_of<R>(ray);
-    const typename Machine::Boxes boxes(slab);
-    const R start = slab.start(ray.tmin);
-    R limit = slab.limit(query.limit());
+    WideWaiting stack[1 + (kWide - 1) * kBvhDepth + kWide];
+    const typename Machine::Boxes boxes(ray);
+    R limit = boxes.limit(query.limit());
+    int64_t last = last_key(float(limit));
     const auto& leaf = query.leaf();
-    uint32_t waiting = 0, current = 0;
+    WideWaiting* top = stack;
+    (top++)->key = std::numeric_limits<int64_t>::min() | kNoChild;
+    uint32_t current = 0;
     uint64_t tested = 0, filtered = 0;
-    const auto fetch = [&](uint32_t child) HWY_ATTR {   // what waits will be asked for soon
-        const char* at = WideLeaf::is(child) ? reinterpret_cast<const char*>(&leaf.block(WideLeaf::block(child))) : reinterpret_cast<const char*>(nodes + child);
-        for (int line = 0; line < 5; ++line) __builtin_prefetch(at + 64 * line);
-    };
     for (;;) {
         if (!WideLeaf::is(current)) {
             const WideNode<R>& node = nodes[current];
             alignas(64) R entries[kWide];
-            uint32_t bits = boxes.enter(node, start, limit, entries);
+            const uint32_t bits = boxes.enter(node, limit, entries);
             tested += kWide;
             if (bits) {
-                current = take_children<Query::kNearestFirst>(node, bits, entries, stack, waiting, fetch);
+                current = take_children<Query::kNearestFirst>(node, bits, entries, top);
                 continue;
             }
         } else {
@@ -156,14 +189,22 @@ HWY_ATTR void wide_traverse(const WideNode<typename Query::Real>* nodes, const L
             const uint32_t bits = Machine::filter(leaf, leaf.block(block), query.probe().filter) & ((2u << (count - 1)) - 1);
             if (bits) {
                 if (query.decide(block, bits)) break;
-                limit = slab.limit(query.limit());
+                limit = boxes.limit(query.limit());
+                last = last_key(float(limit));
             }
         }
-        while (waiting && !(stack[waiting - 1].entry() <= float(limit))) --waiting;
-        if (waiting == 0) break;
-        current = stack[--waiting].child();
+        do --top;
+        while (top->key > last);
+        current = top->child();
+        if (current == kNoChild) break;
     }
     work.boxes += tested, work.filtered += filtered;
+}
+
+/// The walks of a machine for each question.
+template <class Machine, class R, TriangleTest test> constexpr WideTraversals<R, test> traversals_of() {
+    using Leaf = TriangleLeaf<R, test>;
+    return {wide_traverse<Machine, ClosestQuery<Leaf>>, wide_traverse<Machine, AnyQuery<Leaf>>, wide_traverse<Machine, AllQuery<Leaf>>};
 }
 
 }  // namespace alidade::HWY_NAMESPACE

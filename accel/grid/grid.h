@@ -23,10 +23,12 @@ template <class Leaf> class Grid {
   public:
     Grid(BuildInput<typename Leaf::Source>& input, const AccelOptions&, BuildStats& stats) {
         if (input.ids.empty()) return;
+        PhaseClock clock(stats);
         const size_t before = input.order.size();
         const GridPlanner planner(input.source, input.ids, input.bounds);
         std::vector<Task> tasks;
         tasks.push_back({0, 1, planner.plan(kInf), kGridGrowth * double(input.ids.size())});
+        clock.ended("plan");
         parts_.emplace_back();
         while (!tasks.empty()) {
             const Task task = std::move(tasks.back());
@@ -35,6 +37,7 @@ template <class Leaf> class Grid {
         }
         stats.leaves += input.order.size() > before ? 0 : 1;
         parts_.shrink_to_fit(), starts_.shrink_to_fit();
+        clock.ended("divide");
     }
 
     template <class Query> void traverse(const LocalRay& ray, Query& query, WorkCounters& work) const {

@@ -20,17 +20,16 @@ inline constexpr double kCellPad = 0x1p-8;
 
 /// A ray as all lattices of a grid see it.
 struct GridRay {
-    explicit GridRay(const LocalRay& local) : ray(local) {
-        for (int a = 0; a < 3; ++a) {
-            step[a] = (ray.dir[a] > 0) - (ray.dir[a] < 0);
-            inverse[a] = step[a] ? 1 / ray.dir[a] : 0;
-        }
+    explicit GridRay(const LocalRay& local) : ray(local), slab_(slab_of<double>(local)) {
+        for (int a = 0; a < 3; ++a) step[a] = (ray.dir[a] > 0) - (ray.dir[a] < 0);
     }
-    const SlabRay<double>& slab() const { return slab_of<double>(ray); }   ///< for box tests
+    const SlabRay<double>& slab() const { return slab_; }   ///< for box tests
 
     const LocalRay& ray;
-    int step[3];         ///< sign of the direction
-    double inverse[3];   ///< of the direction, 0 where it is 0
+    int step[3];   ///< sign of the direction
+
+  private:
+    SlabRay<double> slab_;
 };
 
 class Lattice {
@@ -97,7 +96,7 @@ class LatticeWalk {
     double crossing(int axis) const {
         const int next = at_[size_t(axis)] + ray_.step[axis];
         if (ray_.step[axis] == 0 || next < 0 || next >= lattice_.resolution()[size_t(axis)]) return kInf;
-        return (lattice_.plane(axis, at_[size_t(axis)] + (ray_.step[axis] > 0)) - ray_.ray.origin[axis]) * ray_.inverse[axis];
+        return (lattice_.plane(axis, at_[size_t(axis)] + (ray_.step[axis] > 0)) - ray_.ray.origin[axis]) * ray_.ray.inverse[axis];
     }
 
     const Lattice& lattice_;

@@ -49,6 +49,7 @@ double octree_division_cost(const Bounds& box, const OctreeSplit& split, const s
 template <class Leaf> class Octree {
   public:
     Octree(BuildInput<typename Leaf::Source>& input, const AccelOptions&, BuildStats& stats) : box_(input.bounds), typical_(input.typical_extent()) {
+        PhaseClock clock(stats);
         std::vector<Task> tasks;
         const double budget = kOctreeGrowth * double(input.ids.size());
         nodes_.emplace_back();
@@ -62,11 +63,12 @@ template <class Leaf> class Octree {
         }
         nodes_.shrink_to_fit(), boxes_.shrink_to_fit();
         stats.nodes = nodes_.size();
+        clock.ended("divide");
     }
 
     template <class Query> void traverse(const LocalRay& ray, Query& query, WorkCounters& work) const {
         std::array<Cell, 7 * kOctreeDepth + 8> stack;
-        const SlabRay<double>& slab = slab_of<double>(ray);
+        const auto slab = slab_of<double>(ray);
         stack[0] = {box_.min, box_.max, ray.tmin, 0};
         for (size_t waiting = 1; waiting > 0;) {
             const Cell cell = stack[--waiting];

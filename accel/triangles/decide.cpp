@@ -13,6 +13,8 @@ constexpr double kWeightError = 0x1p-34;
 constexpr double kDepthError = 0x1p-30;
 /// More than clamping moves such a t, and all roundings around it.
 constexpr double kClampSlack = 0x1p-28;
+/// More than what rounds in t, in the planes' t and in a point at t, of the magnitudes that these are made of.
+constexpr double kInsideSlack = 0x1p-49;
 
 /// Edge functions of the sides opposite to each corner; all signs are exact.
 struct EdgeFunctions {
@@ -22,11 +24,20 @@ struct EdgeFunctions {
     double error = 0;          ///< of each function
 
     double sum() const { return e[0] + e[1] + e[2]; }
-    bool outside() const {
-        const bool positive = e[0] > 0 || e[1] > 0 || e[2] > 0, negative = e[0] < 0 || e[1] < 0 || e[2] < 0;
-        return positive == negative;   // on both sides, or edge-on
-    }
+    double largest() const { return std::max(std::max(e[0], e[1]), e[2]); }
+    double least() const { return std::min(std::min(e[0], e[1]), e[2]); }
+    bool outside() const { return (largest() > 0) == (least() < 0); }   // on both sides, or edge-on
 };
+
+/// Evaluates those that their error leaves open; all of them if weights are `blurred`.
+[[gnu::noinline]] void make_exact(const DecideRay& ray, const Corners& corners, bool blurred, EdgeFunctions& f, uint64_t& exact) {
+    for (size_t c = 0; c < 3; ++c) {
+        if (!blurred && std::abs(f.e[c]) > f.error) continue;
+        f.e[c] = exact_edge(ray.dir, ray.origin, corners[(c + 1) % 3], corners[(c + 2) % 3]) / ray.dir[ray.axes.z];
+        ++exact;
+    }
+    if (blurred) f.error = 0;
+}
 
 EdgeFunctions edge_functions(const DecideRay& ray, const Corners& corners, uint64_t& exact) {
     using Error = EdgeError<double>;
@@ -34,28 +45,18 @@ EdgeFunctions edge_functions(const DecideRay& ray, const Corners& corners, uint6
     std::array<double, 3> x, y;
     double mx = 0, my = 0;
     for (size_t c = 0; c < 3; ++c) {
-        const Vec3 p = corners[c] - ray.origin;
-        f.z[c] = p[ray.axes.z];
-        x[c] = p[ray.axes.x] - ray.shear_x * f.z[c];
-        y[c] = p[ray.axes.y] - ray.shear_y * f.z[c];
+        f.z[c] = corners[c][ray.axes.z] - ray.origin[ray.axes.z];
+        x[c] = (corners[c][ray.axes.x] - ray.origin[ray.axes.x]) - ray.shear_x * f.z[c];
+        y[c] = (corners[c][ray.axes.y] - ray.origin[ray.axes.y]) - ray.shear_y * f.z[c];
         mx = std::max(mx, std::abs(x[c])), my = std::max(my, std::abs(y[c])), f.depth = std::max(f.depth, std::abs(f.z[c]));
     }
-    for (size_t c = 0; c < 3; ++c) {
-        const size_t i = (c + 1) % 3, j = (c + 2) % 3;
-        f.e[c] = x[i] * y[j] - y[i] * x[j];
-    }
+    f.e = {x[1] * y[2] - y[1] * x[2], x[2] * y[0] - y[2] * x[0], x[0] * y[1] - y[0] * x[1]};
     const double dx = Error::corner(0, Error::slope(ray.shear_x), mx, f.depth), dy = Error::corner(0, Error::slope(ray.shear_y), my, f.depth);
     const double error = Error::edge(dx, dy, mx, my);
-    const bool positive = f.e[0] > error || f.e[1] > error || f.e[2] > error, negative = f.e[0] < -error || f.e[1] < -error || f.e[2] < -error;
-    if (positive && negative) return f;   // surely outside: the other sign does not matter
+    if (f.largest() > error && f.least() < -error) return f;   // surely outside: the other sign does not matter
     f.error = error;
     const bool blurred = !(error <= kWeightError * std::abs(f.sum()));
-    for (size_t c = 0; c < 3; ++c) {
-        if (!blurred && std::abs(f.e[c]) > error) continue;
-        f.e[c] = exact_edge(ray.dir, ray.origin, corners[(c + 1) % 3], corners[(c + 2) % 3]) / ray.dir[ray.axes.z];
-        ++exact;
-    }
-    if (blurred) f.error = 0;
+    if (blurred || std::min(std::min(std::abs(f.e[0]), std::abs(f.e[1])), std::abs(f.e[2])) <= error) make_exact(ray, corners, blurred, f, exact);
     return f;
 }
 
@@ -72,16 +73,36 @@ double t_of_plane(const DecideRay& ray, const Corners& c, uint64_t& exact) {
     return along / exact_edge(ray.dir, c[0], c[1], c[2]) * scale;
 }
 
-/// Moves t into the interval in which the ray is in the box of the corners: where boxes are culled by t, the hit is then inside.
-double clamped_to_box(const DecideRay& ray, const Corners& corners, double t) {
+struct Extent {
+    double low, high;
+};
+
+Extent extent(const Corners& c, int axis) {
+    return {std::min(std::min(c[0][axis], c[1][axis]), c[2][axis]), std::max(std::max(c[0][axis], c[1][axis]), c[2][axis])};
+}
+
+/// Moves t into the interval in which the ray is in the box of the corners, by division.
+[[gnu::noinline]] double clamped_by_division(const DecideRay& ray, const Corners& corners, double t) {
     double enter = -kInf, leave = kInf;
     for (int a = 0; a < 3; ++a) {
         if (ray.dir[a] == 0) continue;
-        const auto [low, high] = std::minmax({corners[0][a], corners[1][a], corners[2][a]});
+        const auto [low, high] = extent(corners, a);
         const double t0 = (low - ray.origin[a]) / ray.dir[a], t1 = (high - ray.origin[a]) / ray.dir[a];
         enter = std::max(enter, std::min(t0, t1)), leave = std::min(leave, std::max(t0, t1));
     }
     return std::min(std::max(t, enter), leave);
+}
+
+/// The same, where boxes are culled by t the hit is then inside. Points that are in the box by more than all roundings need no division to tell that t stays.
+double clamped_to_box(const DecideRay& ray, const Corners& corners, double t) {
+    bool inside = true;
+    for (int a = 0; a < 3; ++a) {
+        const auto [low, high] = extent(corners, a);
+        const double travel = t * ray.dir[a], at = ray.origin[a] + travel;
+        const double slack = kInsideSlack * (std::abs(ray.origin[a]) + std::abs(travel) + (std::abs(low) + std::abs(high)));
+        inside &= (at - low > slack) & (high - at > slack);
+    }
+    return inside ? t : clamped_by_division(ray, corners, t);
 }
 
 }  // namespace

@@ -10,11 +10,12 @@ namespace alidade {
 
 using Corners = std::array<Vec3, 3>;
 
+/// Refers to the local ray.
 struct DecideRay {
     explicit DecideRay(const LocalRay& ray)
         : origin(ray.origin), dir(ray.dir), axes(ray.dir), shear_x(dir[axes.x] / dir[axes.z]), shear_y(dir[axes.y] / dir[axes.z]) {}
 
-    Vec3 origin, dir;
+    const Vec3 &origin, &dir;
     ShearAxes axes;
     double shear_x, shear_y;
 };

@@ -7,6 +7,7 @@
 #define ALIDADE_EDGE_FILTER_INL
 #endif
 
+#include "accel/mask_bits-inl.h"
 #include "accel/triangles/edge_filter.h"
 
 #include "hwy/highway.h"
@@ -16,32 +17,28 @@ namespace alidade::HWY_NAMESPACE {
 
 namespace hn = hwy::HWY_NAMESPACE;
 
-/// may_hit() of edge_filter.cpp, on as many lanes as `d` has: multiplications, additions and comparisons in the same order.
-template <class T, class D> HWY_INLINE HWY_ATTR auto may_hit_lanes(D d, const TriangleBlock<T>& block, uint32_t lane, const FilterRay<T>& ray) {
+/// What may_hit() of edge_filter.cpp rejects, on as many lanes as `d` has: multiplications, additions and comparisons in the same order.
+template <class T, class D> HWY_INLINE HWY_ATTR auto outside_lanes(D d, const TriangleBlock<T>& block, uint32_t lane, const FilterRay<T>& ray) {
     using V = hn::Vec<D>;
     using Error = EdgeError<T>;
     const auto all = [&](T value) HWY_ATTR { return hn::Set(d, value); };
-    const auto load = [&](int corner, int axis, int origin) HWY_ATTR { return hn::Sub(hn::Load(d, &block.v[3 * corner + axis][lane]), all(ray.origin[origin])); };
-    const auto sheared = [&](int corner, int axis, int i, V z) HWY_ATTR { return hn::Sub(load(corner, axis, i), hn::Mul(all(ray.shear[i]), z)); };
-    const auto largest = [&](V a, V b, V c) HWY_ATTR { return hn::Max(hn::Max(hn::Abs(a), hn::Abs(b)), hn::Abs(c)); };
-    const V z0 = load(0, ray.axes.z, 2), z1 = load(1, ray.axes.z, 2), z2 = load(2, ray.axes.z, 2);
-    const V x0 = sheared(0, ray.axes.x, 0, z0), x1 = sheared(1, ray.axes.x, 0, z1), x2 = sheared(2, ray.axes.x, 0, z2);
-    const V y0 = sheared(0, ray.axes.y, 1, z0), y1 = sheared(1, ray.axes.y, 1, z1), y2 = sheared(2, ray.axes.y, 1, z2);
+    const T *const at_x = block.v[ray.axes.x] + lane, *const at_y = block.v[ray.axes.y] + lane, *const at_z = block.v[ray.axes.z] + lane;
+    const V ox = all(ray.origin[0]), oy = all(ray.origin[1]), oz = all(ray.origin[2]), shear_x = all(ray.shear[0]), shear_y = all(ray.shear[1]);
+    const auto depth_of = [&](size_t corner) HWY_ATTR { return hn::Sub(oz, hn::Load(d, at_z + 3 * kLanes * corner)); };
+    const auto sheared = [&](V o, V shear, const T* at, size_t corner, V z) HWY_ATTR { return hn::Sub(hn::Sub(o, hn::Load(d, at + 3 * kLanes * corner)), hn::Mul(shear, z)); };
+    const V z0 = depth_of(0), z1 = depth_of(1), z2 = depth_of(2);
+    const V x0 = sheared(ox, shear_x, at_x, 0, z0), x1 = sheared(ox, shear_x, at_x, 1, z1), x2 = sheared(ox, shear_x, at_x, 2, z2);
+    const V y0 = sheared(oy, shear_y, at_y, 0, z0), y1 = sheared(oy, shear_y, at_y, 1, z1), y2 = sheared(oy, shear_y, at_y, 2, z2);
 
-    const V mx = largest(x0, x1, x2), my = largest(y0, y1, y2), depth = largest(z0, z1, z2);
-    const auto corner = [&](int i, V m) HWY_ATTR {
-        const V near = hn::Add(all(Error::kOrigin * ray.farthest[i]), hn::Mul(all(Error::kSheared), m));
-        return hn::Add(hn::Add(near, hn::Mul(all(Error::kDepth), hn::Mul(all(ray.slope[i]), depth))), all(Error::kQuanta));
-    };
-    const V dx = corner(0, mx), dy = corner(1, my);
-    const V linear = hn::Mul(all(Error::kLinear), hn::Add(hn::Mul(dx, my), hn::Mul(dy, mx)));
-    const V error = hn::Add(hn::Add(linear, hn::Mul(all(Error::kSquare), hn::Mul(dx, dy))), all(Error::kQuanta));
+    const auto largest = [&](V a, V b, V c) HWY_ATTR { return hn::Max(hn::Max(hn::Abs(a), hn::Abs(b)), hn::Abs(c)); };
+    const V m = hn::Max(largest(x0, x1, x2), largest(y0, y1, y2));
+    const V blur = hn::Add(all(ray.origin_blur), hn::Mul(all(ray.depth_blur), largest(z0, z1, z2))), off = hn::Add(blur, hn::Mul(all(Error::kSheared), m));
+    const V squares = hn::Add(hn::Mul(all(Error::kSquare), hn::Mul(off, off)), all(Error::kQuanta));
+    const V error = hn::Add(hn::Mul(hn::Mul(all(Error::kBoth), m), blur), hn::Add(hn::Mul(all(Error::kBothSheared), hn::Mul(m, m)), squares));
 
     const auto edge = [&](V xa, V ya, V xb, V yb) HWY_ATTR { return hn::Sub(hn::Mul(xa, yb), hn::Mul(ya, xb)); };
-    const V u = edge(x1, y1, x2, y2), v = edge(x2, y2, x0, y0), w = edge(x0, y0, x1, y1), below = hn::Neg(error);
-    const auto positive = hn::Or(hn::Or(hn::Gt(u, error), hn::Gt(v, error)), hn::Gt(w, error));
-    const auto negative = hn::Or(hn::Or(hn::Lt(u, below), hn::Lt(v, below)), hn::Lt(w, below));
-    return hn::Not(hn::And(positive, negative));
+    const V u = edge(x1, y1, x2, y2), v = edge(x2, y2, x0, y0), w = edge(x0, y0, x1, y1);
+    return hn::And(hn::Gt(hn::Max(u, hn::Max(v, w)), error), hn::Lt(hn::Min(u, hn::Min(v, w)), hn::Neg(error)));
 }
 
 /// Bit i: triangle i of the block may be hit.
@@ -50,11 +47,9 @@ template <class T> HWY_INLINE HWY_ATTR uint32_t filter_block(const TriangleBlock
     const auto lanes = uint32_t(hn::Lanes(d));
     uint32_t bits = 0;
     for (uint32_t lane = 0; lane < kLanes; lane += lanes) {
-        uint8_t stored[8] = {};
-        hn::StoreMaskBits(d, may_hit_lanes(d, block, lane, ray), stored);
-        bits |= uint32_t(stored[0]) << lane;
+        bits |= mask_bits(d, outside_lanes(d, block, lane, ray)) << lane;
     }
-    return bits;
+    return ~bits & ((1u << kLanes) - 1);
 }
 
 }  // namespace alidade::HWY_NAMESPACE

@@ -27,8 +27,10 @@ template <class T> struct alignas(64) TriangleBlock {
 struct ShearAxes {
     int x, y, z;
     explicit ShearAxes(const Vec3& dir) {
-        z = std::abs(dir.x) >= std::abs(dir.y) ? (std::abs(dir.x) >= std::abs(dir.z) ? 0 : 2) : (std::abs(dir.y) >= std::abs(dir.z) ? 1 : 2);
-        x = (z + 1) % 3, y = (z + 2) % 3;
+        constexpr int kAfter[] = {1, 2, 0, 1};
+        const double ax = std::abs(dir.x), ay = std::abs(dir.y), az = std::abs(dir.z);
+        z = az > std::max(ax, ay) ? 2 : int(ay > ax);   // no branch: directions are random
+        x = kAfter[z], y = kAfter[z + 1];
     }
 };
 
@@ -42,6 +44,13 @@ template <class T> struct EdgeError {
 
     static T corner(T origin, T slope, T m, T depth) { return kOrigin * origin + kSheared * m + kDepth * (slope * depth) + kQuanta; }
     static T edge(T dx, T dy, T mx, T my) { return kLinear * (dx * my + dy * mx) + kSquare * (dx * dy) + kQuanta; }
+    /// The same for all three functions at once, as the filter asks: `blur` is A + C depth of a FilterRay, `m` the largest sheared coordinate of both axes. Where a
+    /// product of coordinates overflows, m m does.
+    static constexpr T kBoth = 2 * kLinear, kBothSheared = kBoth * kSheared;
+    static T bound(T blur, T m) {
+        const T d = blur + kSheared * m;
+        return (kBoth * m) * blur + (kBothSheared * (m * m) + (kSquare * (d * d) + kQuanta));
+    }
     /// Bounds a rounded shear: what underflow took from it is put back.
     static T slope(T shear) { return std::abs(shear) + 2 * std::numeric_limits<T>::min(); }
 };
@@ -50,16 +59,19 @@ template <class T> struct EdgeError {
 template <class T> struct FilterRay {
     FilterRay(const LocalRay& ray, const ShearAxes& shear_axes, double shear_x, double shear_y)
         : axes(shear_axes), origin{T(ray.origin[axes.x]), T(ray.origin[axes.y]), T(ray.origin[axes.z])} {
+        using Error = EdgeError<T>;
         shear[0] = T(shear_x), shear[1] = T(shear_y);
+        T farthest = 0, slope = 0;
         for (int i = 0; i < 2; ++i) {
-            slope[i] = EdgeError<T>::slope(shear[i]);
-            farthest[i] = std::abs(origin[i]) + slope[i] * std::abs(origin[2]);
+            const T bound = Error::slope(shear[i]);
+            slope = std::max(slope, bound), farthest = std::max(farthest, std::abs(origin[i]) + bound * std::abs(origin[2]));
         }
+        origin_blur = Error::kOrigin * farthest + Error::kQuanta, depth_blur = Error::kDepth * slope;
     }
 
     ShearAxes axes;
     T origin[3], shear[2];
-    T slope[2], farthest[2];   ///< for EdgeError::corner
+    T origin_blur, depth_blur;   ///< a sheared coordinate is off by this, and this times the depth, and EdgeError::kSheared of itself
 };
 
 /// Bit i is set if triangle i of the block may be hit by the line of the ray.

@@ -10,7 +10,7 @@ namespace alidade {
 /// a and b negates the result exactly. The value is within a few ulps of the exact one.
 ///
 /// Range    components must be 0 or multiples of 2^-300, and below 2^481 (2^25 for d): then nothing overflows or underflows.
-/// Method   floating-point expansions: Shewchuk, "Adaptive Precision Floating-Point Arithmetic and Fast Robust Geometric Predicates", 1997.
+/// Method   integers of 192 or 320 bits, where those hold the coordinates: an axis has its own unit. Else floating-point expansions: Shewchuk, "Adaptive Precision Floating-Point Arithmetic and Fast Robust Geometric Predicates", 1997.
 double exact_edge(const Vec3& d, const Vec3& o, const Vec3& a, const Vec3& b);
 
 /// Do the three points lie on one line (or coincide), exactly? The range is that of exact_edge.

@@ -2,6 +2,7 @@
 /// Leaves of triangles packed by eights in the order of traversal: no index, no vertex array, no virtual call.
 #pragma once
 
+#include "accel/triangles/kernel.h"
 #include "accel/triangles/triangle_source.h"
 #include "core/huge_pages.h"
 #include "core/parallel.h"
@@ -11,24 +12,24 @@
 
 namespace alidade {
 
-template <class R> class TriangleLeaf {
+template <class R, TriangleTest test = TriangleTest::exact> class TriangleLeaf {
   public:
     using Real = R;
     using Source = TriangleSource<R>;
     static constexpr uint32_t kBlock = kLanes;
-    static constexpr bool kMovesRay = true;
+    using Kernel = TriangleKernel<R, test>;
+    static constexpr bool kMovesRay = Kernel::kMovesRay;
 
-    struct Probe {
-        Probe(const TriangleLeaf&, const Ray& r, const LocalRay& l, uint32_t id) : ray(r), local(l), decide(l), filter(l, decide.axes, decide.shear_x, decide.shear_y), instance(id) {}
+    struct Probe : Kernel::Ray {
+        Probe(const TriangleLeaf&, const Ray& r, const LocalRay& l, uint32_t id) : Kernel::Ray(r, l), ray(r), local(l), instance(id) {}
         const Ray& ray;
         const LocalRay& local;
-        DecideRay decide;
-        FilterRay<R> filter;
         uint32_t instance;
+        mutable uint32_t place = kPadding;   ///< where the triangle stands that closest() hit last
     };
 
     TriangleLeaf(const Source& source, const std::vector<uint32_t>& order, const AccelOptions& options)
-        : blocks_((order.size() + kLanes - 1) / kLanes), filter_(edge_filter<R>(options.isa)) {
+        : blocks_((order.size() + kLanes - 1) / kLanes), filter_(Kernel::filter(options.isa)) {
         for_ranges(blocks_.size(), options.threads, [&](size_t first, size_t end) {
             for (size_t b = first; b < end; ++b) {
                 blocks_[b] = {};   // where no triangle is, filters read zeros
@@ -61,11 +62,17 @@ template <class R> class TriangleLeaf {
         bool found = false;
         for_each_hit(probe, block, lanes, limit, work, [&](const Found& f) {
             if (!comes_before(f.t, probe.instance, f.id, hit)) return false;
-            hit = make_hit(probe, f);
+            hit.t = f.t, hit.instance = probe.instance, hit.primitive = f.id, hit.part = 0;
+            hit.u = float(f.crossing.u), hit.v = float(f.crossing.v);
+            probe.place = block * kLanes + f.lane;
             found = true;
             return false;
         });
         return found;
+    }
+    /// What of a hit is only computed once, after closest() found it.
+    void finish(const Probe& probe, Hit& hit) const {
+        if (probe.place != kPadding) hit.error = Kernel::error(probe.ray, hit.t, blocks_[probe.place / kLanes].corners(probe.place % kLanes));
     }
     bool any_of(const Probe& probe, uint32_t block, uint32_t lanes, WorkCounters& work) const {
         return for_each_hit(probe, block, lanes, probe.local.tmax, work, [](const Found&) { return true; });
@@ -78,7 +85,7 @@ template <class R> class TriangleLeaf {
     }
 
     const TriangleBlock<R>& block(uint32_t i) const { return blocks_[i]; }
-    uint32_t filter(const TriangleBlock<R>& block, const FilterRay<R>& ray) const { return filter_(block, ray); }
+    uint32_t filter(const TriangleBlock<R>& block, const auto& ray) const { return filter_(block, ray); }
     size_t bytes() const { return blocks_.capacity() * sizeof(TriangleBlock<R>); }
 
   private:
@@ -89,7 +96,7 @@ template <class R> class TriangleLeaf {
 
     struct Found {
         double t;   ///< the caller's
-        uint32_t id;
+        uint32_t id, lane;
         const TriangleCrossing& crossing;
         const Corners& corners;
     };
@@ -118,19 +125,19 @@ template <class R> class TriangleLeaf {
     template <class F> static bool decide_lane(const Probe& probe, const TriangleBlock<R>& block, uint32_t lane, double limit, WorkCounters& work, F&& found) {
         ++work.primitives;
         const Corners corners = block.corners(lane);
-        const auto crossing = decide(probe.decide, corners, probe.local.tmin, limit, work.exact);
+        const auto crossing = Kernel::crossing(probe, probe.local, block, lane, corners, limit, work);
         if (!crossing) return false;
         const double t = probe.local.caller_t(crossing->t);
         if (!(t >= probe.ray.tmin && t <= probe.ray.tmax && std::isfinite(t))) return false;
-        return found(Found{t, block.id[lane], *crossing, corners});
+        return found(Found{t, block.id[lane], lane, *crossing, corners});
     }
 
     static Hit make_hit(const Probe& probe, const Found& f) {
-        return {f.t, probe.instance, f.id, 0, float(f.crossing.u), float(f.crossing.v), plane_error(probe.ray, f.t, f.corners)};
+        return {f.t, probe.instance, f.id, 0, float(f.crossing.u), float(f.crossing.v), Kernel::error(probe.ray, f.t, f.corners)};
     }
 
     LargeVector<TriangleBlock<R>> blocks_;
-    EdgeFilter<R> filter_;
+    decltype(Kernel::filter(Isa::best)) filter_;
 };
 
 }  // namespace alidade

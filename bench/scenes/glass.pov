@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // Two bubbles of glass within each other, before a mirror: light that is bent and turned back many times.
 #version 3.7;
-global_settings { assumed_gamma 1 max_trace_level 16 }
+#ifndef (Level) #declare Level = 16; #end
+#ifndef (Bailout) #declare Bailout = 1/255; #end
+global_settings { assumed_gamma 1 max_trace_level Level adc_bailout Bailout }
 camera { location <0, 1.6, -6> look_at <0, 1, 0> angle 40 }
 light_source { <-5, 8, -6>, rgb 1 }
 background { rgb <0.4, 0.55, 0.8> }

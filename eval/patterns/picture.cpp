@@ -2,6 +2,7 @@
 #include "eval/patterns/picture.h"
 
 #include "core/image_colors.h"
+#include "eval/texture_reads.h"
 
 #include <algorithm>
 #include <cmath>
@@ -135,6 +136,7 @@ SpacePicture::Texel SpacePicture::texel(int x, int y) const {
     const auto within = [&](int i, int size) { return how_.once ? std::clamp(i, 0, size - 1) : (i % size + size) % size; };
     x = within(x, picture_.width), y = picture_.height - 1 - within(y, picture_.height);
     const float* p = picture_.at(x, y);
+    ++texture_reads;
     Texel out;
     const bool grey = picture_.channels < 3, has_alpha = picture_.channels == 2 || picture_.channels >= 4;
     out.rgba = Vec4(p[0], p[grey ? 0 : 1], p[grey ? 0 : 2], has_alpha ? 1 - double(p[grey ? 1 : 3]) : 0);

@@ -8,7 +8,7 @@
 namespace alidade {
 
 /// The root of `f` between low and high, where f has different signs: Newton steps, and a halving where one would leave the bracket or gains too little.
-/// `f(x)` is a pair: the value and the derivative. Ends with a step that is below `least_step`, or below `precision` times the bracket's ends.
+/// `f(x)` is a pair: the value and the derivative. Ends with a step that is below `least_step`, or below `precision` times the root.
 /// Source   the safeguard of W. H. Press et al., "Numerical Recipes", 3rd ed. (2007), section 9.4.
 template <class F> double bracketed_root(const F& f, double low, double high, bool low_is_positive, double least_step, double precision) {
     double x = 0.5 * (low + high), last_step = high - low;
@@ -19,7 +19,7 @@ template <class F> double bracketed_root(const F& f, double low, double high, bo
         double next = x - value / slope;
         if (!(next > low && next < high) || std::abs(next - x) > 0.5 * last_step) next = 0.5 * (low + high);
         last_step = std::abs(next - x);
-        if (last_step <= std::max(least_step, precision * std::max(std::abs(low), std::abs(high)))) return next;
+        if (last_step <= std::max(least_step, precision * std::abs(next))) return next;
         x = next;
     }
     return x;

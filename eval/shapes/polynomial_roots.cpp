@@ -55,7 +55,7 @@ constexpr double kOfExtremes = 0x1p-40, kOfRoots = 0x1p-51;
 
 /// The roots of f within -1 .. 1, from those of its derivative there.
 int roots_between(const Univariate& f, const double* extremes, int count, double precision, double* roots) {
-    constexpr double kLeastStep = 0x1p-300;   // for a root at 0, which no relative step is small enough for
+    constexpr double kLeastStep = 0x1p-110;   // for a root at 0, which no relative step is small enough for
     int found = 0;
     double low = -1;
     bool positive = f(low).first > 0;

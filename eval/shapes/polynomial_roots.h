@@ -13,7 +13,7 @@ inline constexpr int kMostRoots = 35;
 ///          Between two neighbouring roots of its derivative a polynomial has at most one root, with a change of sign; so the roots of the
 ///          derivative of order 2 lead to those of the one before, and so on, each by bracketed Newton steps. After C. Yuksel, "High-Performance Polynomial
 ///          Root Finding for Graphics", Proc. ACM Comput. Graph. Interact. Tech. 5 (2022).
-/// Error    a root is where the polynomial as computed changes its sign, or 2^-51 of it aside. None is lost but in pairs, where the polynomial
+/// Error    a root is where the polynomial as computed changes its sign, or aside by 2^-51 of it or 2^-100 of that bound. None is lost but in pairs, where the polynomial
 ///          between them is as small as its rounding; so the count is always even or odd as the signs at both ends say.
 int real_roots(std::span<const double> coefficients, double* roots);
 

@@ -14,15 +14,9 @@ namespace alidade::gltf {
 
 namespace {
 
-const Json& array(const Json& root, const char* name) {
-    static const Json none = Json::array();
-    const auto it = root.find(name);
-    return it == root.end() ? none : *it;
-}
-
 std::vector<bool> referenced_buffers(const Json& root) {
-    std::vector<bool> used(array(root, "buffers").size());
-    for (const Json& view : array(root, "bufferViews")) {
+    std::vector<bool> used(array_in(root, "buffers").size());
+    for (const Json& view : array_in(root, "bufferViews")) {
         const Json* compressed = meshopt_of(view);
         used[(compressed ? *compressed : view)["buffer"].get<size_t>()] = true;
     }
@@ -40,6 +34,7 @@ class BufferLoader {
         const std::string at = child("/buffers", index);
         const auto uri = buffer.find("uri");
         Bytes bytes;
+        if (index < sources_.unread.size() && sources_.unread[index]) return {};
         if (uri == buffer.end() && is_meshopt_fallback(buffer) && !referenced) return {};
         if (uri == buffer.end()) {
             if (index == 0 && sources_.bin) bytes = from_chunk(*sources_.bin, buffer["byteLength"].get<uint64_t>());
@@ -146,14 +141,14 @@ std::vector<Bytes> load_buffers(const Json& root, const Sources& sources, Report
     const std::vector<bool> referenced = referenced_buffers(root);
     BufferLoader loader(sources, report);
     std::vector<Bytes> buffers;
-    for (const Json& buffer : array(root, "buffers")) buffers.push_back(loader.load(buffer, buffers.size(), referenced[buffers.size()]));
+    for (const Json& buffer : array_in(root, "buffers")) buffers.push_back(loader.load(buffer, buffers.size(), referenced[buffers.size()]));
     return buffers;
 }
 
 std::vector<Image> load_images(const Json& root, const std::vector<Bytes>& buffers, const Sources& sources, Reporter& report) {
     ImageLoader loader(root, buffers, sources, report);
     std::vector<Image> images;
-    for (const Json& image : array(root, "images")) images.push_back(loader.load(image, images.size()));
+    for (const Json& image : array_in(root, "images")) images.push_back(loader.load(image, images.size()));
     return images;
 }
 

@@ -19,6 +19,7 @@ struct Sources {
     std::optional<std::span<const std::byte>> bin;   ///< the GLB's binary chunk
     std::string base_dir;                            ///< of the files that URIs name; empty: none may be read
     uint64_t max_file_bytes = 0;                     ///< of all files together
+    std::vector<bool> unread;                        ///< buffers that nobody asks for, and that are not read; empty: all are
 };
 
 /// The bytes of each buffer of the checked `root`, cut to byteLength. A buffer that nothing refers to may be without

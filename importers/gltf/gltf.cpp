@@ -13,6 +13,7 @@
 #include "importers/gltf/node_tree.h"
 #include "importers/gltf/ranges.h"
 #include "importers/gltf/schema.h"
+#include "importers/gltf/unshown.h"
 
 #include <filesystem>
 #include <fmt/format.h>
@@ -57,7 +58,7 @@ std::optional<Scene> import(std::span<const std::byte> bytes, const std::string&
     auto root = read_checked_json(*container, report);
     if (!root) return std::nullopt;
 
-    const Sources sources{is_glb(bytes), container->bin, base_dir, options.max_file_bytes};
+    const Sources sources{is_glb(bytes), container->bin, base_dir, options.max_file_bytes, options.shown_only ? leave_out_unshown(*root) : std::vector<bool>()};
     auto buffers = load_buffers(*root, sources, report);
     if (report.failed()) return std::nullopt;
     decompress_views(*root, buffers, report);

@@ -3,9 +3,10 @@
 #pragma once
 
 #include <cstddef>
-#include <nlohmann/json_fwd.hpp>
+#include <nlohmann/json.hpp>
 #include <string>
 #include <string_view>
+#include <type_traits>
 
 namespace alidade::gltf {
 
@@ -15,5 +16,21 @@ using Json = nlohmann::json;
 std::string child(const std::string& parent, std::string_view key);
 /// The pointer of element `index` of what `parent` points to.
 std::string child(const std::string& parent, size_t index);
+
+/// The array of that name, or an empty one. `J`: Json or const Json.
+template <class J> J& array_in(J& object, const char* name) {
+    using Value = std::remove_const_t<J>;
+    thread_local Value none;
+    const auto found = object.find(name);
+    return found == object.end() ? none = Value::array() : *found;
+}
+
+/// The extension of that name, or null.
+template <class J> J* extension_in(J& object, const char* name) {
+    const auto all = object.find("extensions");
+    if (all == object.end()) return nullptr;
+    const auto found = all->find(name);
+    return found == all->end() ? nullptr : &*found;
+}
 
 }  // namespace alidade::gltf

@@ -101,6 +101,10 @@ std::vector<std::vector<MeshPart>> convert_meshes(const Model& model, Scene& sce
     ReadBudget budget(model);
     for (size_t i = 0; i < model.meshes.size() && !report.failed(); ++i) {
         const tinygltf::Mesh& mesh = model.meshes[i];
+        if (mesh.primitives.empty()) {   // not shown, and left out
+            out.emplace_back();
+            continue;
+        }
         const std::string at = child("/meshes", i);
         check_weights(mesh, at, report);
         const auto [known, fresh] = read_before.try_emplace(geometry_key(mesh));

@@ -25,7 +25,7 @@ struct LeftOut {
     }
 };
 
-bool fits_float(const Vec3& p) { return is_finite(p) && max_abs(p) < 1e38; }
+bool fits_float(const Vec3& p) { return is_finite(p) && max_abs(p) <= double(std::numeric_limits<float>::max()); }
 
 uint32_t drop_repeated(std::span<Corner> corners, const ObjText& text) {
     const auto same = [&](const Corner& a, const Corner& b) { return text.positions[a.position] == text.positions[b.position]; };
@@ -67,7 +67,7 @@ void leave_out_broken_faces(ObjText& text, uint32_t file, Diagnostics& said) {
         face.count = drop_repeated(corners, text);
         if (face.count < 3) no_area.add(face);
     }
-    not_finite.tell(file, "with a vertex that is not finite or is beyond 1e38", said);
+    not_finite.tell(file, "with a vertex that is not finite or is beyond 3.4e38", said);
     no_area.tell(file, "with fewer than three different corners", said);
 }
 

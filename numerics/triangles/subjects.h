@@ -2,6 +2,7 @@
 /// The accelerators that rows of the suite ask, and the meshes that they are asked about.
 #pragma once
 
+#include "numerics/suite.h"
 #include "numerics/triangles/compare.h"
 
 #include <memory>
@@ -11,16 +12,25 @@
 
 namespace alidade::numerics {
 
+/// What rows ask about. To be set before rows begin.
+const NumericsAsked& asked();
+void ask(const NumericsAsked& what);
+/// The precision that a case draws, unless one alone is asked about.
+Precision precision_of(bool is_double);
+
 /// A row of the registry in a precision.
 struct Subject {
     const AcceleratorEntry* entry;
     Precision precision;
-    bool usual;   ///< what renders take when nobody asks for another
+    bool usual;   ///< the structure that renders take when nobody asks for another
+    Intersect intersect = asked().intersect;
 
     std::string text() const;
 };
-/// All but brute force, in float and in double.
+/// All but brute force, in the precisions and with the test that are asked about.
 std::span<const Subject> subjects();
+/// Those, and where the exact test is asked about the robust ones behind them: nothing may leak with either.
+std::span<const Subject> watertight_subjects();
 
 /// A structure over a mesh as it sees it.
 struct Built {

@@ -45,6 +45,26 @@ TEST(BuildStats, SayWhatWasBuilt) {
     }
 }
 
+/// Phases are parts of the build, one after the other, and leave out next to nothing of it.
+TEST(BuildStats, PhasesAddUpToTheBuild) {
+    const Mesh mesh = geodesic_sphere(60);
+    for (const AcceleratorEntry& entry : accelerators()) {
+        const auto accelerator = build(entry, mesh, {});
+        const BuildStats& s = accelerator->stats();
+        double sum = 0;
+        std::vector<std::string> names;
+        for (const BuildPhase& phase : s.phases) {
+            EXPECT_GE(phase.seconds, 0) << entry.name << ' ' << phase.name;
+            sum += phase.seconds, names.push_back(phase.name);
+        }
+        EXPECT_LE(sum, s.seconds) << entry.name;
+        EXPECT_GE(sum, 0.5 * s.seconds) << entry.name;
+        ASSERT_GE(names.size(), 2u) << entry.name;
+        EXPECT_EQ(names.front(), "sort out") << entry.name;
+        EXPECT_EQ(names.back(), "pack") << entry.name;
+    }
+}
+
 /// The caller may free or overwrite its arrays once the structure is built.
 TEST(Build, KeepsNothingOfTheCallersArrays) {
     for (const AcceleratorEntry& entry : accelerators()) {

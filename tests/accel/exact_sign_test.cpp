@@ -40,6 +40,24 @@ EdgeCase on_lattice(Draws& draws, double size) {
     return c;
 }
 
+/// Near an edge, each axis with a size of its own; some of them flat, as floats are, or far from the origin.
+EdgeCase stretched(Draws& draws, double size) {
+    EdgeCase c = near_edge(draws, 1);
+    for (int axis = 0; axis < 3; ++axis) {
+        const double own = draws.coin() ? 1 : std::exp2(int(draws.below(61)) - 30), far = draws.below(4) == 0 ? std::floor(draws.uniform(0, 1e6)) : 0;
+        const uint32_t kind = draws.below(4);
+        for (Vec3* point : {&c.o, &c.a, &c.b}) {
+            double& x = (*point)[axis];
+            if (kind == 0) x = 0;
+            if (kind == 1 && point != &c.o) x = double(float(x));
+            if (kind > 1) x += far;
+            x *= own * size;
+        }
+        c.d[axis] *= own;
+    }
+    return c;
+}
+
 /// Coordinates of any magnitude between 2^-150 and 2^150, each for itself.
 EdgeCase any_magnitude(Draws& draws, double) {
     const auto coordinate = [&] { return draws.below(4) == 0 ? 0.0 : draws.uniform(-1, 1) * std::exp2(draws.uniform(-150, 150)); };
@@ -66,7 +84,7 @@ struct EdgeClass {
 };
 
 TEST(ExactEdge, HasTheSignOfRationalArithmetic) {
-    for (const EdgeClass& kind : {EdgeClass{"near an edge", near_edge, 0.05}, {"lattice", on_lattice, 0.1}, {"any magnitude", any_magnitude, 0}}) {
+    for (const EdgeClass& kind : {EdgeClass{"near an edge", near_edge, 0.05}, {"lattice", on_lattice, 0.1}, {"stretched", stretched, 0.02}, {"any magnitude", any_magnitude, 0}}) {
         const size_t count = run_size(20000, 2000000);
         size_t zeros = 0;
         double worst = 0;

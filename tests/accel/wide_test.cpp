@@ -26,7 +26,7 @@ template <class R> R coordinate(Draws& draws) {
     }
 }
 
-template <class R> WideNode<R> random_node(const SlabRay<R>& ray, Draws& draws) {
+template <class R> WideNode<R> random_node(const WideRay<R>& ray, Draws& draws) {
     WideNode<R> node{};
     for (uint32_t i = 0; i < kWide; ++i) {
         const bool empty = draws.below(10) == 0;
@@ -48,30 +48,37 @@ Vec3 random_dir(Draws& draws) {
     return dir;
 }
 
+template <class R> LocalRay random_ray(Draws& draws) {
+    LocalRay ray;
+    for (int a = 0; a < 3; ++a) ray.origin[a] = double(coordinate<R>(draws));
+    ray.dir = random_dir(draws), ray.inverse = Vec3(1.0) / ray.dir, ray.reach = draws.coin() ? 4 : 1e30;
+    ray.tmin = draws.coin() ? -0x1p-200 : draws.uniform(-2, 2);
+    return ray;
+}
+
 TYPED_TEST(Wide, BoxesAreEnteredAsOneAtATime) {
     using R = TypeParam;
     size_t entered = 0, nans = 0;
     const size_t count = run_size(200000, 10000000);
     for (size_t n = 0; n < count; ++n) {
         Draws draws(RandomKey(31, 0, n, 0));
-        Vec3 origin;
-        for (int a = 0; a < 3; ++a) origin[a] = double(coordinate<R>(draws));
-        const SlabRay<R> ray(origin, random_dir(draws), draws.coin() ? 4 : 1e30);
+        const LocalRay local = random_ray<R>(draws);
+        const WideRay<R> ray(local);
         const WideNode<R> node = random_node<R>(ray, draws);
-        const R start = ray.start(draws.coin() ? 0 : draws.uniform(-2, 2)), limit = ray.limit(draws.coin() ? std::numeric_limits<double>::max() : draws.uniform(-1, 4));
+        const R limit = ray.limit(draws.coin() ? std::numeric_limits<double>::max() : draws.uniform(-1, 4));
         for (const Isa isa : available_isas()) {
             alignas(64) R entries[kWide];
-            const uint32_t bits = wide_box_test<R>(isa)(node, ray, start, limit, entries);
+            const uint32_t bits = wide_box_test<R>(isa)(node, local, limit, entries);
             for (uint32_t i = 0; i < kWide; ++i) {
                 BoundsT<R> box;
                 for (int a = 0; a < 3; ++a) box.min[a] = node.planes[2 * a][i], box.max[a] = node.planes[2 * a + 1][i];
-                const R want = ray.enter(box, start, limit);
+                const R want = ray.enter(box, limit);
                 ASSERT_EQ((bits >> i & 1) != 0, want <= limit) << name(isa) << ", seed 31, node " << n << ", box " << i;
                 if (!(want <= limit)) continue;
                 ASSERT_EQ(std::signbit(entries[i]), std::signbit(want)) << name(isa) << ", seed 31, node " << n << ", box " << i;
                 ASSERT_EQ(entries[i], want) << name(isa) << ", seed 31, node " << n << ", box " << i;
                 ++entered;
-                for (int a = 0; a < 3; ++a) nans += std::isnan(ray.enter_slab(a, box.min[a], box.max[a]));
+                for (int a = 0; a < 3; ++a) nans += std::isnan(((ray.negative(a) ? box.max[a] : box.min[a]) - ray.near_origin(a)) * ray.near_inverse(a));
             }
         }
     }

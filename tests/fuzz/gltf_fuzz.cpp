@@ -6,7 +6,11 @@
 #include <cstdint>
 
 extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size) {
-    const auto result = alidade::import_gltf_bytes({reinterpret_cast<const std::byte*>(data), size}, "fuzz", "", {});
-    if (result) alidade::validate(result->scene);
+    for (const bool shown_only : {false, true}) {
+        alidade::ImportOptions options;
+        options.shown_only = shown_only;
+        const auto result = alidade::import_gltf_bytes({reinterpret_cast<const std::byte*>(data), size}, "fuzz", "", options);
+        if (result) alidade::validate(result->scene);
+    }
     return 0;
 }

@@ -1,12 +1,17 @@
 // SPDX-License-Identifier: Apache-2.0
 /// Files from the world: scenes exported by Blender, and a collection of valid and broken ones, where they are present.
+#include "importers/gltf/gltf.h"
 #include "importers/importer.h"
 #include "scene/queries.h"
 #include "tests/importers/manifest.h"
 
 #include <filesystem>
 #include <fmt/format.h>
+#include <fstream>
 #include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+#include <span>
+#include <tuple>
 
 namespace alidade {
 namespace {
@@ -113,6 +118,76 @@ TEST(Collection, GoodFilesLoadAndBadOnesAreRefused) {
     }
     EXPECT_GE(good, 178u);
     EXPECT_GE(refused, 54u);
+}
+
+/// What nodes show, in order: where, and with which vertices.
+struct Shown {
+    Transform to_world;
+    std::vector<Vec3f> positions;
+    std::vector<Index3> triangles;
+    size_t uvs = 0, morphs = 0;
+    bool skinned = false;
+};
+std::vector<Shown> shown(const Scene& scene) {
+    std::vector<Shown> out;
+    visit_paths(scene, [&](const Visit& visit) {
+        const Node& node = scene.nodes[visit.node.index];
+        if (const auto* shape = std::get_if<ShapeId>(&node.what)) {
+            const Mesh& mesh = std::get<Mesh>(scene.shapes[shape->index].geometry);
+            out.push_back({visit.to_world, mesh.positions, mesh.triangles, mesh.uvs.size(), mesh.morphs.size(), node.skin.has_value()});
+        }
+        return true;
+    });
+    return out;
+}
+
+void expect_the_same_shown(const Scene& part, const Scene& whole, const std::string& file) {
+    const std::vector<Shown> want = shown(whole), got = shown(part);
+    ASSERT_EQ(got.size(), want.size()) << file;
+    for (size_t i = 0; i < got.size(); ++i) {
+        EXPECT_EQ(std::tie(got[i].positions, got[i].triangles, got[i].uvs, got[i].morphs, got[i].skinned), std::tie(want[i].positions, want[i].triangles, want[i].uvs, want[i].morphs, want[i].skinned)) << file;
+        EXPECT_EQ(got[i].to_world.linear, want[i].to_world.linear) << file;
+        EXPECT_EQ(got[i].to_world.translation, want[i].to_world.translation) << file;
+    }
+    EXPECT_EQ(part.animations.size(), whole.animations.size()) << file;
+}
+
+/// The text of the file with the first root alone in its scene; empty where there are not two.
+std::string with_one_root(const std::string& path) {
+    std::ifstream in(path, std::ios::binary);
+    auto document = nlohmann::json::parse(in, nullptr, false);
+    if (!document.is_object() || !document.contains("scenes")) return {};
+    auto& scene = document["scenes"][document.value("scene", size_t(0))];
+    if (!scene.contains("nodes") || scene["nodes"].size() < 2) return {};
+    scene["nodes"] = nlohmann::json::array({scene["nodes"][0]});
+    return document.dump();
+}
+
+/// Without what no node shows, every file shows what it shows with it: whole, and with most of it taken out of the scene.
+TEST(Collection, WhatIsNotShownMayStayUnread) {
+    const auto rows = gltf_test::gltf_manifest(kData);
+    if (rows.empty()) GTEST_SKIP() << "the collection is not here";
+    ImportOptions options;
+    options.shown_only = true;
+    size_t fewer = 0, compared = 0;
+    for (const auto& row : rows) {
+        const std::string path = kData + "/" + row.file;
+        const auto whole = import_scene(path), part = import_scene(path, options);
+        if (!whole) continue;
+        ASSERT_TRUE(part) << row.file << "\n" << part.error().text();
+        expect_the_same_shown(part->scene, whole->scene, row.file);
+        ++compared;
+        const std::string text = path.ends_with(".gltf") ? with_one_root(path) : "";
+        if (text.empty()) continue;
+        const auto bytes = std::as_bytes(std::span(text));
+        const std::string folder = std::filesystem::path(path).parent_path().string();
+        const auto all = import_gltf_bytes(bytes, row.file, folder, {}), one = import_gltf_bytes(bytes, row.file, folder, options);
+        ASSERT_TRUE(all && one) << row.file << "\n" << (one ? "" : one.error().text());
+        expect_the_same_shown(one->scene, all->scene, row.file);
+        fewer += one->scene.shapes.size() < all->scene.shapes.size();
+    }
+    EXPECT_GE(compared, 178u);
+    EXPECT_GE(fewer, 10u);
 }
 
 }  // namespace

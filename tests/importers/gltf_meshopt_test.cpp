@@ -113,6 +113,24 @@ TEST(Meshopt, EveryModeGivesTheSceneOfThePlainFile) {
     }
 }
 
+/// What is not shown may stay unread: its views then ask nothing of the buffer without data that they share with what is shown.
+TEST(Meshopt, WhatIsNotShownLeavesTheFallbackUnread) {
+    const Grid grid;
+    const View a{"ATTRIBUTES", "", 12, 81, encoded_vertices(grid.position_bytes(), 12)};
+    const View b{"TRIANGLES", "", 4, grid.indices.size(), encoded_indices(grid.indices, true)};
+    const std::string file = fmt::format(R"("scenes":[{{"nodes":[0]}}],"nodes":[{{"mesh":0}},{{"mesh":1}}],
+        "meshes":[{{"primitives":[{{"attributes":{{"POSITION":0}},"indices":1}}]}},{{"primitives":[{{"attributes":{{"POSITION":2}}}}]}}],
+        "accessors":[{{"bufferView":0,"componentType":5126,"count":81,"type":"VEC3"}},{{"bufferView":1,"componentType":5125,"count":{0},"type":"SCALAR"}},{{"bufferView":2,"componentType":5126,"count":81,"type":"VEC3"}}],
+        "bufferViews":[{{"buffer":1,"byteLength":972,{1}}},{{"buffer":1,"byteOffset":972,"byteLength":{2},{3}}},{{"buffer":1,"byteLength":972,{1}}}],
+        "buffers":[{4},{{"byteLength":{5},"extensions":{{"EXT_meshopt_compression":{{"fallback":true}}}}}}],
+        "extensionsUsed":["EXT_meshopt_compression"],"extensionsRequired":["EXT_meshopt_compression"])",
+        grid.indices.size(), extension(a, 0), 4 * grid.indices.size(), extension(b, a.data.size()), buffer_json(a.data + b.data), 972 + 4 * grid.indices.size());
+    ImportOptions shown;
+    shown.shown_only = true;
+    EXPECT_EQ(std::get<Mesh>(scene_of(file, shown).shapes.at(0).geometry).triangles.size(), 128u);
+    EXPECT_EQ(std::get<Mesh>(scene_of(file).shapes.at(0).geometry).triangles.size(), 128u);
+}
+
 // ---- filters ----
 
 /// A signed component of `bits`, normalised to [-1, 1].

@@ -83,7 +83,7 @@ TEST_F(ObjFiles, WhatIsLeftOutIsSaidOnce) {
         {"p 1\n", "a.obj:5:1: warning: p is not supported: left out"},
         {"curv2 1 2\n", "warning: curv2 is not supported"},
         {"frobnicate 3\n", "a.obj:5:1: warning: unknown statement \"frobnicate\""},
-        {"v nan 0 0\nf 1 2 4\n", "a.obj:6: warning: faces with a vertex that is not finite or is beyond 1e38 are left out: 1"},
+        {"v nan 0 0\nf 1 2 4\n", "a.obj:6: warning: faces with a vertex that is not finite or is beyond 3.4e38 are left out: 1"},
         {"v 1e300 0 0\nf 1 2 4\nf 2 4 3\n", "are left out: 2"},
         {"f 1 1 2\n", "a.obj:5: warning: faces with fewer than three different corners are left out: 1"},
         {"v 1 0 0\nf 2 4 3\n", "faces with fewer than three different corners are left out: 1"},

@@ -137,7 +137,7 @@ TEST(StressTable, SaysWhatWasMeasuredAndWhatWasNot) {
     StressFigures figures;
     figures.triangles = figures.placed_triangles = 1000;
     StressPeerFigures bvh;
-    bvh.name = "bvh", bvh.precision = "float", bvh.builds = 1, bvh.build_seconds = {0.002, 0.002, 0.002}, bvh.structure.bytes = 54000, bvh.structure.nodes = 123;
+    bvh.name = "bvh", bvh.precision = "float", bvh.builds = 1, bvh.build_seconds = {0.002, 0.002, 0.002}, bvh.structure.bytes = 54000, bvh.structure.phases = {{"divide", 0.003}, {"pack", 0.001}}, bvh.structure.nodes = 123;
     StressRayFigures rays;
     rays.rays = "primary", rays.count = 100, rays.hits = 25, rays.rounds = 3, rays.seconds = {1e-4, 0.9e-4, 1.3e-4}, rays.boxes = 12.25;
     bvh.rays = {rays};
@@ -145,7 +145,7 @@ TEST(StressTable, SaysWhatWasMeasuredAndWhatWasNot) {
     grid.name = "grid", grid.precision = "double", grid.left_out = "takes about 9 s: 3 s are left";
     figures.peers = {bvh, grid}, figures.checked = {{"primary", "float", 16}};
     const std::string table = stress_table(figures);
-    EXPECT_THAT(table, testing::ContainsRegex("bvh +float +0.002 +0.50 +54.0 +- +123 +- +-\n"));
+    EXPECT_THAT(table, testing::ContainsRegex("bvh +float +0.002 +0.50 +54.0 +- +123 +- +- +divide 75 %, pack 25 %\n"));
     EXPECT_THAT(table, testing::ContainsRegex("primary +bvh +float +1.000 +20 +25 +12.2 +- +- +0\n"));
     EXPECT_THAT(table, HasSubstr("left out: grid in double: takes about 9 s: 3 s are left"));
     EXPECT_THAT(table, HasSubstr("all agree; brute force was asked 16 primary rays"));

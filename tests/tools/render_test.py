@@ -30,7 +30,7 @@ class Render(InFolder):
         self.render("-o", "first.png")
         first = (self.folder / "first.png").read_bytes()
         for words in (["--threads", 1], ["--threads", 2], ["--tile", 8], ["--tile", 64], ["--accel", "brute"], ["--accel", "grid"], ["--accel", "octree"],
-                      ["--isa", "scalar"], ["--full-kernel"], ["--progress", "json"]):
+                      ["--isa", "scalar"], ["--full-kernel"], ["--lazy"], ["--progress", "json"]):
             self.render("-o", "other.png", *words)
             self.assertEqual((self.folder / "other.png").read_bytes(), first, words)
         self.render("-o", "other.png", "--seed", 1)

@@ -1,9 +1,13 @@
 # SPDX-License-Identifier: Apache-2.0
 """`alidade selftest` as its users meet it."""
 import json
+import signal
+import subprocess
+import tempfile
+import time
 import unittest
 
-from program import run
+from program import PROGRAM, run
 
 
 class Selftest(unittest.TestCase):
@@ -24,11 +28,55 @@ class Selftest(unittest.TestCase):
         self.assertEqual(done.returncode, 0, done.stderr)
         self.assertEqual([row["id"] for row in json.loads(done.stdout)["rows"]], ["T07"])
 
+    def test_structures_of_one_precision(self):
+        """What fails with the fast test names its precision, and is found again by the words that are told."""
+        for precision, other in (("float", "double"), ("double", "float")):
+            for row in ("T01", "T04", "T05", "T15"):
+                done = run("selftest", "--numerics", row, "--share", 0.02, "--intersect", "fast", "--precision", precision, "--json")
+                document = json.loads(done.stdout)
+                self.assertEqual((done.returncode, len(document["failures"])), (1, 1), row)
+                failure = document["failures"][0]
+                self.assertIn(f", {precision}, fast", failure["what"])
+                self.assertNotIn(f", {other}, ", failure["what"])
+                self.assertEqual(run(*failure["again"].split()[1:]).returncode, 1, failure["again"])
+
+    def test_a_run_that_was_killed_goes_on(self):
+        words = ["selftest", "--numerics", "T09", "T07", "--share", 12, "--threads", 2]
+        strip = lambda text: [{key: value for key, value in row.items() if key != "cpu seconds"} for row in json.loads(text)["rows"]]
+        start = time.monotonic()
+        want = strip(run(*words, "--json").stdout)
+        whole = time.monotonic() - start
+        with tempfile.TemporaryDirectory() as folder:
+            for kill in (signal.SIGTERM, signal.SIGKILL):
+                going = subprocess.Popen([PROGRAM, *map(str, words), "--state", folder], stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+                time.sleep(whole / 8)
+                going.send_signal(kill)
+                self.assertEqual(going.wait(), 2 if kill == signal.SIGTERM else -signal.SIGKILL)
+            done = run(*words, "--state", folder, "--json")
+            self.assertEqual(done.returncode, 0, done.stderr)
+            self.assertEqual(strip(done.stdout), want)
+            start = time.monotonic()
+            table = run("selftest", "--numerics", "--state", folder, "--told", "--markdown")
+            self.assertEqual(table.returncode, 0, table.stderr)
+            self.assertLess(time.monotonic() - start, 10, "nothing is asked again")
+            lines = table.stdout.splitlines()
+            self.assertEqual([line.split("|")[1].strip() for line in lines[4:6]], ["T07 sphere-far", "T09 quadric-cancel"])
+            self.assertRegex(lines[0], r"^[\d,]+ answers in [\d.e-]+ hours of one processor core, on [\d-]+; wrong: none\.$")
+            self.assertIn("| T09 quadric-cancel | distance in sizes | 1e1 to 1e6 |", table.stdout)
+            self.assertIn(" % of a whole run) | 0 |", table.stdout)
+            other = run("selftest", "--numerics", "T09", "--state", folder)
+            self.assertEqual(other.returncode, 1)
+            self.assertIn("another share", other.stderr)
+
     def test_wrong_words(self):
         done = run("selftest", "--numerics", "sphere-fra")
         self.assertEqual(done.returncode, 64)
         self.assertIn("did you mean 'sphere-far'?", done.stderr)
         self.assertEqual(run("selftest").returncode, 64)
+        self.assertEqual(run("selftest", "--numerics", "--told").returncode, 64)
+        gone = run("selftest", "--numerics", "--told", "--state", "/nowhere/at/all")
+        self.assertEqual(gone.returncode, 1)
+        self.assertIn("cannot read /nowhere/at/all", gone.stderr)
 
 
 if __name__ == "__main__":

@@ -46,6 +46,15 @@ class Figures(Stress):
                     self.assertRegex(said, rf"\n  {rays} +{accelerator} +{precision} +[\d.]+ +- +\d+ +[\d.]+ +[\d.]+ +[\d.]+ +0\n")
         self.assertRegex(said, r"\n  all agree; brute force was asked \d+ primary, \d+ shadow, \d+ diffuse, \d+ random rays\n")
 
+    def test_tests_of_triangles_stand_beside_each_other(self):
+        document = self.document("--generate", "scan:2000", *QUICK, "--precision", "float", "--accel", "bvh,grid", "--intersect", "fast,exact,robust")
+        structures = document["scenes"][0]["sizes"][0]["structures"]
+        self.assertEqual([one["accelerator"] for one in structures], ["bvh:fast", "bvh", "bvh:robust", "grid:fast", "grid", "grid:robust"])
+        hits = [[rays["hits"] for rays in one["rays"]] for one in structures]
+        for other in hits:
+            for got, want in zip(other, hits[1]):
+                self.assertLessEqual(abs(got - want), 2, "but for an edge")
+
     def test_the_docs_show_this_table(self):
         shown = DOCS.read_text().split("<!-- output -->\n")[1].split("<!-- end -->")[0]
         said = self.stress("--generate", "scan:2000", *QUICK, "--accel", "bvh,octree", "--precision", "float").stdout

@@ -107,6 +107,11 @@ class Words(InFolder):
 class Measurements(InFolder):
     WORDS = ("--size", "24x18", "--repeat", 2)
 
+    def test_tests_of_triangles_are_paid_for(self):
+        """With another than the exact one, accelerators may see different edges: they are not compared then."""
+        said = document(self.scene, *self.WORDS, "--vary", "intersect=exact,robust,fast", "--vary", "accel=bvh,grid", "--reference", "self:64")
+        self.assertEqual((said["free_axes"], said["not_free"], len(said["rows"])), (["accel"], [], 7), "six, and the default")
+
     def test_more_samples_are_more_accurate_and_accelerators_are_free(self):
         said = document(self.scene, *self.WORDS, "--vary", "spp=1,4,64", "--vary", "accel=bvh,grid", "--vary", "threads=1,2", "--reference", "self:512")
         self.assertEqual(said["schema"], 1)
@@ -153,6 +158,18 @@ class Measurements(InFolder):
             said = run(*words, *[word for rule in rules for word in ("--require", rule)])
             self.assertEqual(said.returncode, 2, said)
             self.assertIn(f"{rules[-1]}: NO SETTING MEETS IT", said.stdout)
+
+    def test_texture_reads_are_a_cost(self):
+        house = pathlib.Path(__file__).resolve().parents[2] / "assets" / "scenes" / "house.obj"
+        words = ("tradeoff", house, *self.WORDS, "--vary", "spp=1,4", "--csv", self.folder / "out.csv")
+        said = run(*words, "--require", "rmse<9 @ texture_reads<1e9")
+        self.assertEqual(said.returncode, 0, said)
+        self.assertIn("Mtexels", said.stdout)
+        reads = {row["set_spp"]: int(float(row["texture_reads"])) for row in csv.DictReader((self.folder / "out.csv").read_text().splitlines())}
+        self.assertGreater(reads["1"], 0)
+        self.assertAlmostEqual(reads["4"] / reads["1"], 4, delta=1)
+        self.assertEqual(run(*words, "--require", f"rmse<9 @ texture_reads<{reads['1']}").returncode, 2)
+        self.assertNotIn("Mtexels", run("tradeoff", self.scene, *self.WORDS, "--vary", "spp=1,4").stdout)
 
     def test_modes(self):
         vary = ("--vary", "spp=1,2,4", "--vary", "max-depth=1,2", *self.WORDS)
@@ -213,9 +230,14 @@ class Measurements(InFolder):
 
     @unittest.skipIf(shutil.which("valgrind") is None or SANITIZED, "needs valgrind")
     def test_instructions(self):
-        said = document(self.scene, "--size", "8x6", "--repeat", 1, "--vary", "spp=1,64", "--reference", "self:4", "--instructions", "--isa", "scalar")
-        rows = by(said["rows"], "spp")
-        self.assertGreater(rows[("64",)]["instructions"], rows[("1",)]["instructions"] + 63 * 48 * 100)
+        """Of a second run, the same within a hundredth."""
+        def instructions():
+            said = document(self.scene, "--size", "8x6", "--repeat", 1, "--vary", "spp=1,64", "--reference", "self:4", "--instructions", "--isa", "scalar")
+            return {spp: row["instructions"] for (spp,), row in by(said["rows"], "spp").items()}
+        first, second = instructions(), instructions()
+        self.assertGreater(first["64"], first["1"] + 63 * 48 * 100)
+        for spp, count in first.items():
+            self.assertAlmostEqual(second[spp] / count, 1, delta=0.01)
 
 
 class ClosedForms(unittest.TestCase):
@@ -239,6 +261,13 @@ class ClosedForms(unittest.TestCase):
         self.assertAlmostEqual(slope(list(zip(counts, error["random"]))), -0.5, delta=0.03)
         for ours, theirs in zip(error["sobol"], error["random"]):
             self.assertLessEqual(ours, theirs)
+
+    def test_a_pixel_and_a_light_that_go_together_are_sampled_together(self):
+        """Both discs in one pixel: which point of the light counts most goes with the place in the pixel, so that good samples of each alone are no better than chance."""
+        said = document("analytic:disc-disc", "--size", "1x1", "--repeat", 1, "--seeds", 64, "--threads", 0, "--spp", 64, "--vary", "sampler=random,sobol", "--vary", "spp=64,1024")
+        rows = by(said["rows"], "sampler", "spp")
+        for count, better in (("64", 1.3), ("1024", 3)):
+            self.assertLess(rows[("sobol", count)]["errors"]["rmse"] * better, rows[("random", count)]["errors"]["rmse"])
 
 
 class Resuming(InFolder):

@@ -10,8 +10,8 @@ from pictures import png_bytes, scene, write
 from program import PROGRAM, InFolder, run, triangle_gltf
 
 # Every option of the design's table that a verb has today.
-RENDER_OPTIONS = ("--output --size --region --camera --exposure --accel --integrator --spp --seed --max-depth --precision --isa --aov --time --environment "
-                  "--light-units --strict --subdivide --decimate --crease --sampler --light-samples --aperture --focus --full-kernel --threads --tile --stats --progress --json").split()
+RENDER_OPTIONS = ("--output --size --region --camera --exposure --accel --integrator --spp --seed --max-depth --precision --intersect --isa --aov --time --environment "
+                  "--light-units --strict --subdivide --decimate --crease --sampler --light-samples --aperture --focus --lazy --full-kernel --threads --tile --stats --progress --json").split()
 
 
 class Help(unittest.TestCase):
@@ -65,6 +65,7 @@ class Slips(InFolder):
             ("--accel", "kdtree", "not one of auto, brute"),
             ("--integrator", "pth", "not one of"),
             ("--precision", "half", "not one of float, double"),
+            ("--intersect", "quick", "not one of exact, robust, fast"),
             ("--isa", "mmx", "not one of best, scalar"),
             ("--aov", "depth,norml", "did you mean 'normal'?"),
             ("--spp", "0", "whole number from 1"),

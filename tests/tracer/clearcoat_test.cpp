@@ -141,5 +141,28 @@ TEST(Clearcoat, HasItsOwnNormal) {
     EXPECT_NEAR(rays[1].weight.x, schlick(0.8), 1e-9);
 }
 
+/// Seen from behind, glTF turns normals round, a coat's own as well.
+TEST(Clearcoat, HasItsOwnNormalOnTheBack) {
+    SceneBuilder b;
+    GltfPbr m = coated(b, b.pbr(Color(1), 1, 0), 1, 0);
+    m.clearcoat_normal = b.constant({0.5 + 0.5 * 0.6, 0.5, 0.5 + 0.5 * 0.8, 1});   // (0.6, 0, 0.8)
+    m.double_sided = true;
+    b.object(square(), b.material(m));
+    const auto scene = compiled(b.scene);
+    Ray ray;
+    ray.origin = {0.2, 0.1, -1};
+    ray.dir = {0, 0, 1};
+    Hit hit;
+    WorkCounters work;
+    ASSERT_TRUE(scene->top->intersect(ray, hit, work));
+    const ShadePoint p = shade_point(*scene, ray, hit);
+    ASSERT_FALSE(p.front);
+    Secondaries rays;
+    shade<kAllFeatures>(*scene, p, ray.dir).secondary(*scene, {}, rays);
+    ASSERT_EQ(rays.size(), 2u);
+    EXPECT_LT(length(rays[0].dir - Vec3(0, 0, -1)), 1e-12);
+    EXPECT_LT(length(rays[1].dir - Vec3(-2 * 0.8 * 0.6, 0, 1 - 2 * 0.8 * 0.8)), 1e-9);
+}
+
 }  // namespace
 }  // namespace alidade::test

@@ -1,13 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
 /// Renders one scene by one kernel, for kernel_cost_test.py to count its instructions:
 ///
-///   kernel_cost SCENE lean|full     SCENE: plain, or without-FEATURE: everything that the tracer knows but that
-///   kernel_cost list                the scenes
+///   kernel_cost SCENE lean|full     SCENE: plain, or without-FEATURE: everything that the tracer knows but that; plain-without-THING: plain, and less
+///   kernel_cost unused lean|full    plain, with everything that a scene can require below hidden nodes
+///   kernel_cost list                the scenes, each with its mask and what it does not require (scene/queries.h), separated by ';'
 ///
 /// Prints the mask of the scene and of the kernel, and all bits of the picture.
-#include "tests/tracer/scene_builder.h"
+#include "tests/tracer/unused_features.h"
 #include "tracer/compiled_scene.h"
 
+#include <algorithm>
 #include <bit>
 #include <cstdio>
 #include <cstring>
@@ -15,9 +17,14 @@
 namespace alidade::test {
 namespace {
 
+/// What a scene is without, beside features of the kernel.
+enum Thing : unsigned { kMeshes = 1, kShapes = 2, kPointLights = 4 };
+
 struct Case {
     const char* name;
     unsigned features;
+    unsigned without = 0;
+    bool unused = false;   ///< everything is there, and hidden
 };
 
 constexpr Case kCases[] = {
@@ -27,6 +34,10 @@ constexpr Case kCases[] = {
     {"without-transmission", kAllFeatures & ~kTransmission},
     {"without-mirrors", kAllFeatures & ~(kMirrors | kTransmission)},   // glass is a mirror too: its roughness is 0
     {"without-area-lights", kAllFeatures & ~kSampledLights},
+    {"plain-without-meshes", 0, kMeshes},
+    {"plain-without-shapes", 0, kShapes},
+    {"without-point-lights", kSampledLights, kPointLights},
+    {"unused", 0, 0, true},
 };
 
 Mesh bumpy_sphere(int n) {
@@ -51,20 +62,27 @@ SignalId checks(SceneBuilder& b) {
     return {uint32_t(b.scene.signals.size() - 1)};
 }
 
-Scene scene_with(unsigned features) {
+/// A mesh; or, where there may be none, a box.
+ShapeGeometry either(const Case& c, Mesh mesh) { return c.without & kMeshes ? ShapeGeometry(Box{{-1, -1, -1e-3}, {1, 1, 0}}) : ShapeGeometry(std::move(mesh)); }
+
+Scene scene_of(const Case& c) {
+    const unsigned features = c.features;
     SceneBuilder b;
     GltfPbr wall = b.pbr(Color(0.7, 0.7, 0.6));
     if (features & kTextures) wall.base_color = checks(b);
-    b.object(square(), b.material(wall), Transform::translate({0, 0.5, -2}) * Transform::scale(Vec3(4, 2.5, 1)));
-    b.object(Plane{{0, 1, 0}, -1}, b.material(b.pbr(Color(0.5, 0.6, 0.5))));
-    b.object(bumpy_sphere(24), b.material(b.pbr(Color(0.9, 0.6, 0.3), 0.5, features & kMirrors ? 0.1 : 1)), Transform::translate({-1.2, 0, 0}));
+    b.object(either(c, square()), b.material(wall), Transform::translate({0, 0.5, -2}) * Transform::scale(Vec3(4, 2.5, 1)));
+    if (!(c.without & kShapes)) b.object(Plane{{0, 1, 0}, -1}, b.material(b.pbr(Color(0.5, 0.6, 0.5))));
+    b.object(either(c, bumpy_sphere(24)), b.material(b.pbr(Color(0.9, 0.6, 0.3), 0.5, features & kMirrors ? 0.1 : 1)), Transform::translate({-1.2, 0, 0}));
     if (features & kTransmission) b.object(Sphere{{0.6, 0.2, 1}, 0.6}, b.material(b.glass(1.5)));
     GltfPbr pane = b.pbr(Color(0.2, 0.4, 0.9));
     if (features & kAlpha) pane.base_color = b.constant({0.2, 0.4, 0.9, 0.5}), pane.alpha_mode = AlphaMode::blend;
-    b.object(square(), b.material(pane), Transform::translate({1.2, 0.3, 0}) * Transform::scale(Vec3(0.7)));
-    b.light(PointLight(), Color(20), Transform::translate({2, 4, 3}));
+    b.object(either(c, square()), b.material(pane), Transform::translate({1.2, 0.3, 0}) * Transform::scale(Vec3(0.7)));
+    if (!(c.without & kPointLights)) b.light(PointLight(), Color(20), Transform::translate({2, 4, 3}));
     if (features & kSampledLights) b.light(AreaLight(), Color(20), Transform::translate({-2, 4, 3}) * Transform::rotate({1, 0, 0}, -0.9));
     b.camera({0.5, 1.2, 6}, {0, 0, 0}, 45);
+    if (c.unused)
+        for (const UnusedFeature& feature : unused_features())
+            if (!feature.as_a_whole) add_feature(b, feature);
     return b.scene;
 }
 
@@ -75,7 +93,7 @@ int render_case(const Case& c, bool full) {
     CompileOptions options;
     options.full_kernel = full;
     options.threads = 1;
-    const auto lean = compiled(scene_with(c.features)), scene = compiled(scene_with(c.features), options);
+    const auto lean = compiled(scene_of(c)), scene = compiled(scene_of(c), options);
     if (!lean || !scene) return 1;
     RenderOptions o;
     o.width = 40, o.height = 30, o.spp = 1, o.threads = 1;
@@ -86,9 +104,17 @@ int render_case(const Case& c, bool full) {
     return 0;
 }
 
+void list(const Case& c) {
+    std::printf("%s;%u", c.name, c.features);
+    const auto needed = requirements(scene_of(c));
+    for (int i = 0; i <= int(Requirement::functions); ++i)
+        if (std::none_of(needed.begin(), needed.end(), [i](const RequiredBy& r) { return int(r.what) == i; })) std::printf(";%s", name(Requirement(i)));
+    std::printf("\n");
+}
+
 int run(int argc, char** argv) {
     if (argc == 2 && std::strcmp(argv[1], "list") == 0) {
-        for (const Case& c : kCases) std::printf("%s %u\n", c.name, c.features);
+        for (const Case& c : kCases) list(c);
         return 0;
     }
     for (const Case& c : kCases)

@@ -2,6 +2,7 @@
 /// Lights and surfaces against closed forms.
 #include "tests/tracer/scene_builder.h"
 #include "tracer/lights.h"
+#include "tracer/segment.h"
 #include "tracer/shade.h"
 
 namespace alidade::test {
@@ -98,6 +99,50 @@ TEST(Surface, ReflectsNoMoreThanArrives) {
             if (roughness == 1 && metallic == 1) { EXPECT_NEAR(sum, 1 - v * std::log((1 + v) / v), 1e-4); }
         }
     }
+}
+
+/// POV-Ray's manual, "Interior": light fades by 1 / (1 + (x / d)^power) towards the colour, and from a power of 1000 on by Beer's law.
+TEST(Interior, FadesByPowersAndByBeersLaw) {
+    Interior in;
+    in.fade_distance = 2, in.fade_power = 1.5, in.fade_color = {0.5, 0.2, 0};
+    EXPECT_NEAR(pov_fade(in, 3).x, 0.5 + 0.5 / (1 + std::pow(1.5, 1.5)), 1e-15);
+    EXPECT_EQ(pov_fade(in, 0), Color(1));
+    in.fade_power = 999;
+    EXPECT_NEAR(pov_fade(in, 3).y, 0.2, 1e-15);
+    for (const double power : {1000.0, 1001.0, 1e6}) {
+        in.fade_power = power;
+        EXPECT_NEAR(pov_fade(in, 3).x, std::exp(-0.5 * 1.5), 1e-15) << power;
+        EXPECT_NEAR(pov_fade(in, 3).z, std::exp(-1.5), 1e-15) << power;
+    }
+    in.fade_distance = 0;
+    EXPECT_EQ(pov_fade(in, 3), Color(1));
+    in.fade_distance = 1e-12;   // of a scene that is as small
+    EXPECT_NEAR(pov_fade(in, 1e-12).z, std::exp(-1), 1e-15);
+}
+
+/// KHR_materials_transmission: metal lets nothing through, and of a mixture the dielectric part does.
+TEST(Surface, WhatIsMetalIsNotTransparent) {
+    const auto through = [](double metallic) {
+        SceneBuilder b;
+        GltfPbr m = b.pbr(Color(1), metallic, 0);
+        m.transmission = b.constant(Vec4(1));
+        b.object(square(), b.material(m));
+        const auto scene = compiled(b.scene);
+        Ray ray;
+        ray.origin = {0.3, 0.1, 1}, ray.dir = {0, 0, -1};
+        Hit hit;
+        WorkCounters work;
+        EXPECT_TRUE(scene->top->intersect(ray, hit, work));
+        Secondaries rays;
+        shade<kAllFeatures>(*scene, shade_point(*scene, ray, hit), ray.dir).secondary(*scene, {}, rays);
+        double weight = 0;
+        for (const Secondary& next : rays)
+            if (next.dir.z < 0) weight += next.weight.x;
+        return weight;
+    };
+    EXPECT_NEAR(through(0), 0.96, 1e-12) << "all but what is mirrored";
+    EXPECT_NEAR(through(0.5), 0.96 * 0.5, 1e-12);
+    EXPECT_EQ(through(1), 0);
 }
 
 /// KHR_materials_specular scales and colours what a dielectric mirrors: at normal incidence ((n-1)/(n+1))^2 times both.

@@ -6,6 +6,8 @@
 #include "tracer/sampler.h"
 #include "tracer/sky.h"
 
+#include <array>
+#include <functional>
 #include <set>
 
 namespace alidade::test {
@@ -72,6 +74,75 @@ TEST(Samplers, LowDiscrepancyBeatsChance) {
     };
     EXPECT_LT(error("sobol"), error("random") / 5);
     EXPECT_LT(error("stratified"), error("random") / 3);
+}
+
+/// Numbers that a sample's light depends on together, as a render asks for them: the place in the pixel, on a light, on the lens.
+/// `branch`: of the path, where the light is seen behind a mirror.
+std::array<double, 6> joint(const char* sampler, uint64_t pixel, uint32_t index, uint32_t count, uint64_t branch = 0) {
+    const SampleKey key(find_sampler(sampler)->pair, RandomKey(pixel, 0, 0), index, count);
+    const Vec2 in_pixel = key.pair(Coordinates::pixel, 0), on_light = (branch ? key.child(branch) : key).pair_of_light(1, 0, 1), on_lens = key.pair(Coordinates::lens, 2);
+    return {in_pixel.x, in_pixel.y, on_light.x, on_light.y, on_lens.x, on_lens.y};
+}
+
+/// Calls `each` with every way to cut `dimensions` axes into 2^k[i] parts, `cuts` = the sum of k.
+void for_all_shapes(size_t dimensions, int cuts, const std::function<void(const std::vector<int>&)>& each, std::vector<int> begun = {}) {
+    if (begun.size() + 1 == dimensions) {
+        begun.push_back(cuts);
+        return each(begun);
+    }
+    for (int k = 0; k <= cuts; ++k) {
+        std::vector<int> next = begun;
+        next.push_back(k);
+        for_all_shapes(dimensions, cuts - k, each, next);
+    }
+}
+
+/// 2^m points are a (t, m, s)-net: each box of volume 2^(t - m) has 2^t of them. Each pair of coordinates alone has t = 0, for any m; of all together bench/sample_orders.py tells it.
+TEST(Samplers, SobolCoordinatesAreOneNet) {
+    const std::vector<size_t> pixel{0, 1}, light{2, 3}, lens{4, 5}, with_light{0, 1, 2, 3}, with_lens{0, 1, 4, 5}, all{0, 1, 2, 3, 4, 5};
+    struct Net {
+        std::vector<size_t> coordinates;
+        int t, m;
+    };
+    const std::vector<Net> nets = {{pixel, 0, 4}, {light, 0, 4}, {lens, 0, 4}, {pixel, 0, 9}, {light, 0, 9}, {lens, 0, 9}, {with_light, 1, 4}, {with_light, 1, 6}, {with_light, 2, 8},
+                                                                         {with_light, 3, 11}, {with_lens, 1, 3}, {with_lens, 2, 6}, {with_lens, 3, 11}, {all, 1, 2}, {all, 3, 6}, {all, 4, 10}};
+    for (const Net& net : nets) {
+        const auto& coordinates = net.coordinates;
+        const int t = net.t, m = net.m;
+        for (const uint64_t branch : {0, 5})
+            for (uint32_t count : {1u << m, 3u << m}) {   // the first of more are a net, too
+                std::vector<std::array<double, 6>> points;
+                for (uint32_t i = 0; i < (1u << m); ++i) points.push_back(joint("sobol", 3, i, count, branch));
+                for_all_shapes(coordinates.size(), m - t, [&](const std::vector<int>& cuts) {
+                    std::vector<int> inside(size_t(1) << (m - t));
+                    for (const auto& p : points) {
+                        size_t cell = 0;
+                        for (size_t d = 0; d < coordinates.size(); ++d) cell = (cell << cuts[d]) | size_t(std::ldexp(p[coordinates[d]], cuts[d]));
+                        ++inside[cell];
+                    }
+                    for (const int n : inside) ASSERT_EQ(n, 1 << t) << "2^" << m << " points of " << count << ", coordinates " << testing::PrintToString(coordinates) << ", cut " << testing::PrintToString(cuts);
+                });
+            }
+    }
+}
+
+/// Light that goes with the distance of two places, as of near surfaces: samples spread over each place alone are no better than chance.
+TEST(Samplers, PixelLightAndLensAreSpreadTogether) {
+    const auto error = [](const char* sampler, size_t other) {
+        constexpr uint32_t kCount = 1024;
+        double sum = 0, squares = 0;
+        for (uint64_t pixel = 0; pixel < 200; ++pixel) {
+            double mean = 0;
+            for (uint32_t i = 0; i < kCount; ++i) {
+                const auto p = joint(sampler, pixel, i, kCount);
+                mean += std::exp(-8 * (std::pow(p[0] - p[other], 2) + std::pow(p[1] - p[other + 1], 2))) / kCount;
+            }
+            sum += mean / 200, squares += mean * mean / 200;
+        }
+        return std::sqrt(squares - sum * sum);
+    };
+    EXPECT_LT(error("sobol", 2), error("random", 2) / 3) << "a light";
+    EXPECT_LT(error("sobol", 4), error("random", 4) / 1.5) << "the lens";
 }
 
 PlacedLight area_light(AreaLight area, const Transform& t, double radiance) {

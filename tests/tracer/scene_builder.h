@@ -26,10 +26,10 @@ struct SceneBuilder {
         return m;
     }
 
-    /// A perfectly diffuse surface: an index of refraction of 1 has no mirror lobe where the light and the eye are on one line.
+    /// A perfectly diffuse surface.
     GltfPbr lambert(const Color& base) {
         GltfPbr m = pbr(base);
-        m.ior = 1;
+        m.specular = constant(Vec4(0));
         return m;
     }
 

@@ -1,10 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
 /// Texture lookups against hand-made tables: wrap modes, filters, encodings, coordinate transforms, tangent frames.
+#include "eval/patterns/picture.h"
+#include "eval/texture_reads.h"
 #include "tests/tracer/on_plane.h"
 #include "tests/tracer/scene_builder.h"
 #include "tracer/shade_point.h"
+#include "tracer/sky.h"
 #include "tracer/surface.h"
 #include "tracer/textures.h"
+
+#include <functional>
 
 namespace alidade::test {
 namespace {
@@ -91,6 +96,59 @@ TEST(Textures, EncodingAndTransform) {
     s.srgb = false;
     s.uv_transform = Mat3(-1, 0, 0, 0, 1, 0, 1, 0, 1);   // u' = 1 - u
     EXPECT_EQ(Lookup(s).at(0.25), 1);
+}
+
+uint64_t reads_of(const std::function<void()>& work) {
+    const uint64_t before = texture_reads;
+    work();
+    return texture_reads - before;
+}
+
+/// What is counted are texels, so that a filter shows; what lies beside a picture is no texel.
+TEST(TextureReads, AreTexels) {
+    ImageSignal s;
+    Lookup linear(s);
+    EXPECT_EQ(reads_of([&] { linear.at(0.3); }), 4u);
+    s.filter = Filter::nearest;
+    Lookup nearest(s);
+    EXPECT_EQ(reads_of([&] { nearest.at(0.3); }), 1u);
+    s.wrap_u = Wrap::once;
+    Lookup once(s);
+    EXPECT_EQ(reads_of([&] { once.at(1.5); }), 0u);
+    const Image image{"step", "", pgm(2, 2, {0, 255, 255, 0}), {}};
+    for (const auto& [filter, texels] : {std::pair{PictureFilter::none, 1u}, {PictureFilter::bilinear, 4u}, {PictureFilter::bicubic, 16u}}) {
+        PatternPicture how;
+        how.filter = filter;
+        const auto picture = SpacePicture::make(how, image, {});
+        ASSERT_TRUE(picture);
+        EXPECT_EQ(reads_of([&] { picture->color({0.3, 0.3, 0}); }), texels);
+        EXPECT_EQ(reads_of([&] { picture->rise({0.3, 0.3, 0}); }), 3 * texels) << "three heights are a slope";
+    }
+    const Sky sky(Picture(2, 1, {"R", "G", "B"}), 1);
+    EXPECT_EQ(reads_of([&] { sky.radiance({0, 1, 0}); }), 1u);
+}
+
+/// A square before the camera: a lookup of four texels for each sample that hits it, however many threads there are. Without a texture, none.
+TEST(TextureReads, OfAPictureAreThoseOfItsSamples) {
+    for (const bool textured : {true, false}) {
+        SceneBuilder b;
+        GltfPbr m = b.lambert(Color(1));
+        if (textured) {
+            b.scene.images.push_back({"step", "", pgm(2, 1, {0, 255}), {}});
+            b.scene.signals.push_back({ImageSignal(), {}});
+            m.base_color = {uint32_t(b.scene.signals.size() - 1)};
+        }
+        b.object(square(), b.material(m));
+        b.light(PointLight(), Color(5), Transform::translate({0, 0, 3}));
+        b.camera({0, 0, 5}, {0, 0, 0}, 10);
+        for (const int threads : {1, 2}) {
+            RenderOptions o = centre_rays(40);
+            o.spp = 3, o.threads = threads;
+            const Film film = rendered(b.scene, o);
+            EXPECT_EQ(film.stats.camera_rays, 4800u);
+            EXPECT_EQ(film.stats.texture_reads, textured ? 4 * film.stats.camera_rays : 0);
+        }
+    }
 }
 
 /// The tangent frame of a square whose u grows to the right and v downwards is (right, up), mirrored or not, turned or not.

@@ -35,7 +35,8 @@ Json to_json(const StressPeerFigures& p) {
     if (!p.left_out.empty()) return out["left_out"] = p.left_out, out;
     const StressStructure& s = p.structure;
     out.update({{"builds", p.builds}, {"build_seconds", to_json(p.build_seconds)}, {"bytes", s.bytes}, {"peak_bytes", maybe(p.peak_bytes)}, {"nodes", maybe(s.nodes)}, {"leaves", maybe(s.leaves)},
-                {"references", maybe(s.references)}, {"removed", maybe(s.removed)}, {"depth", maybe(s.depth)}, {"sah_cost", maybe(s.sah_cost)}, {"rays", Json::array()}});
+                {"references", maybe(s.references)}, {"removed", maybe(s.removed)}, {"depth", maybe(s.depth)}, {"sah_cost", maybe(s.sah_cost)}, {"phases", Json::array()}, {"rays", Json::array()}});
+    for (const BuildPhase& phase : s.phases) out["phases"].push_back({{"name", phase.name}, {"seconds", phase.seconds}});
     for (const StressRayFigures& rays : p.rays) out["rays"].push_back(to_json(rays));
     return out;
 }
@@ -75,9 +76,9 @@ Json to_json(const StressSeries& series) {
 template <class T> std::string cell(const std::optional<T>& value) { return value ? fmt::format("{}", *value) : ""; }
 
 constexpr const char* kCsvHead =
-    "scene,seed,asked,triangles,placed_triangles,accelerator,precision,build_seconds,bytes,peak_bytes,nodes,depth,sah_cost,rays,question,count,hits,rounds,rays_per_second,round_seconds_low,"
+    "scene,seed,asked,triangles,placed_triangles,accelerator,precision,build_seconds,phases,bytes,peak_bytes,nodes,depth,sah_cost,rays,question,count,hits,rounds,rays_per_second,round_seconds_low,"
     "round_seconds_high,boxes,triangles_a_ray,decided,hash,unlike,left_out\n";
-constexpr int kCsvColumns = 27;
+constexpr int kCsvColumns = 28;
 
 std::string csv_line(const std::vector<std::string>& cells) { return fmt::format("{}{}\n", fmt::join(cells, ","), std::string(size_t(kCsvColumns) - cells.size(), ',')); }
 
@@ -100,7 +101,9 @@ std::string csv_peer(std::vector<std::string> cells, const StressPeerFigures& p)
     cells.insert(cells.end(), {csv_cell(p.name), p.precision});
     if (!p.left_out.empty()) return csv_left_out(cells, p.left_out);
     const StressStructure& s = p.structure;
-    cells.insert(cells.end(), {fmt::format("{}", p.build_seconds.median), fmt::format("{}", s.bytes), cell(p.peak_bytes), cell(s.nodes), cell(s.depth), cell(s.sah_cost)});
+    std::string phases;
+    for (const BuildPhase& phase : s.phases) phases += fmt::format("{}{} {}", phases.empty() ? "" : "; ", phase.name, phase.seconds);
+    cells.insert(cells.end(), {fmt::format("{}", p.build_seconds.median), phases, fmt::format("{}", s.bytes), cell(p.peak_bytes), cell(s.nodes), cell(s.depth), cell(s.sah_cost)});
     std::string out;
     for (const StressRayFigures& rays : p.rays) {
         auto head = cells;

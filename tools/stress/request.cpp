@@ -58,6 +58,10 @@ void add_what(CLI::App& app, StressRequest& request, std::vector<std::string>& g
         request.precisions.clear();
         for (const size_t i : chosen) request.precisions.push_back(Precision(i));
     }, "of mesh vertices and nodes: float, double (default: both)");
+    add(app, "--intersect", "A,B", [](const std::string& word) { return list_of(word, names_of(intersects())); }, [&request](const std::vector<size_t>& chosen) {
+        request.tests.clear();
+        for (const size_t i : chosen) request.tests.push_back(intersects()[i].value);
+    }, fmt::format("tests of triangles: {} (default: exact); bvh:fast is a BVH with `fast`", fmt::join(names_of(intersects()), ", ")));
     add_choice(app, "--against", {"embree"}, [&request](size_t) { request.embree = true; }, "another ray tracer beside ours, if this was built with it");
 }
 
@@ -103,7 +107,7 @@ std::string why_not(const StressRequest& request, const std::vector<std::string>
     if (!request.scene.scene.empty() && !generate.empty()) return "a file and --generate: give one of them";
     if (request.scene.scene.empty() && generate.empty()) return "a file or --generate KIND:N is missing, such as --generate scan:1e5";
     if (!request.scene.scene.empty() && request.growth) return "--growth needs --generate: a file has one size";
-    if (request.accelerators.empty() || request.precisions.empty()) return "there is nothing to measure";
+    if (request.accelerators.empty() || request.precisions.empty() || request.tests.empty()) return "there is nothing to measure";
     size_t scenes = 0;
     for (const StressSource& source : request.sources) scenes += source.sizes.size();
     if (scenes > 1 && (!request.rays.empty() || !request.dump_rays.empty())) return "--rays and --dump-rays are for one scene of one size";

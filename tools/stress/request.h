@@ -28,6 +28,7 @@ struct StressRequest {
     std::vector<StressSource> sources;
     std::vector<const AcceleratorEntry*> accelerators;
     std::vector<Precision> precisions;
+    std::vector<Intersect> tests{Intersect::exact};
     bool embree = false, growth = false;
     size_t side = 128;                      ///< primary rays are side x side
     int rounds = 5, threads = 1;            ///< threads: of the builds

@@ -26,7 +26,7 @@ class SeriesRun {
         : request_(request), stop_(stop), progress_(progress), told_(told) {
         out_.bytes = request.bytes.value_or(available_memory() ? 0.8 * double(available_memory()) : kInf);
         for (const AcceleratorEntry* entry : request.accelerators)
-            for (auto& peer : make_peers({entry, 1}, request.precisions, request.threads)) peers_.push_back(std::move(peer));
+            for (auto& peer : make_peers({entry, 1}, request.precisions, request.threads, request.tests)) peers_.push_back(std::move(peer));
         if (request.embree)
             for (auto& peer : make_embree_peers()) peers_.push_back(std::move(peer));
     }

@@ -2,10 +2,10 @@
 #include "tools/tradeoff/experiment.h"
 
 #include "core/fingerprint.h"
+#include "tools/analytic.h"
 #include "tools/compare/program.h"
 #include "tools/identity.h"
 #include "tools/load.h"
-#include "tools/tradeoff/analytic.h"
 #include "tools/tradeoff/thumbnails.h"
 
 #include <fmt/format.h>
@@ -50,7 +50,7 @@ std::map<std::string, double> counts_of(const RenderStats& s) {
     const auto number = [](uint64_t n) { return double(n); };
     return {{"rays", number(s.camera_rays + s.shadow_rays + s.secondary_rays)}, {"camera_rays", number(s.camera_rays)}, {"shadow_rays", number(s.shadow_rays)},
             {"secondary_rays", number(s.secondary_rays)}, {"boxes", number(s.work.boxes)}, {"filtered", number(s.work.filtered)},
-            {"primitives", number(s.work.primitives)}, {"exact", number(s.work.exact)}};
+            {"primitives", number(s.work.primitives)}, {"exact", number(s.work.exact)}, {"texture_reads", number(s.texture_reads)}};
 }
 
 Json as_json(const Row& row) {
@@ -222,7 +222,7 @@ Value<bool> count_instructions(const Job& job, Row& row, Store& store) {
         return true;
     }
     const ScratchFolder scratch;
-    Words words{"valgrind", "--tool=callgrind", "--callgrind-out-file=" + scratch.path() + "/counts", own_program(), "render", std::filesystem::absolute(job.scene).string(), "-o", scratch.path() + "/out.pfm"};
+    Words words{"valgrind", "--tool=callgrind", "--callgrind-out-file=" + scratch.path() + "/counts", own_program(), "render", is_analytic(job.scene) ? job.scene : std::filesystem::absolute(job.scene).string(), "-o", scratch.path() + "/out.pfm"};
     for (const std::string& word : as_words(row.options)) words.push_back(word);
     const auto run = run_program(words, std::filesystem::current_path().string(), 60 * job.timeout);
     if (!run) return tl::unexpected(run.error());

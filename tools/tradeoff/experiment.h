@@ -3,12 +3,12 @@
 #pragma once
 
 #include "tools/progress.h"
+#include "tools/store.h"
 #include "tools/tradeoff/axes.h"
 #include "tools/tradeoff/errors.h"
 #include "tools/tradeoff/external.h"
 #include "tools/tradeoff/renderer.h"
 #include "tools/tradeoff/statistics.h"
-#include "tools/tradeoff/store.h"
 
 #include <set>
 

@@ -100,11 +100,12 @@ function drawText() {
 }
 
 function drawTable() {
-  for (const head of ['', 'CPU s', '±', 'Mrays', ...Object.keys(rows[0].errors), 'setting']) make(byId('heads'), 'th', head);
+  const counts = rows.some(row => row.counts.texture_reads > 0) ? {Mrays: 'rays', Mtexels: 'texture_reads'} : {Mrays: 'rays'};
+  for (const head of ['', 'CPU s', '±', ...Object.keys(counts), ...Object.keys(rows[0].errors), 'setting']) make(byId('heads'), 'th', head);
   rows.map((row, i) => i).sort((a, b) => rows[a].cpu_seconds - rows[b].cpu_seconds).forEach(i => {
     const row = rows[i], line = make(byId('rows'), 'tr', null, {'data-row': i});
-    const rays = row.counts.rays === undefined ? null : row.counts.rays / 1e6;
-    for (const cell of [row.front ? '*' : '', number(row.cpu_seconds), number(row.cpu_seconds_mad), number(rays), ...Object.keys(rows[0].errors).map(name => number(row.errors[name]))]) make(line, 'td', cell);
+    const millions = Object.values(counts).map(name => number(row.counts[name] === undefined ? null : row.counts[name] / 1e6));
+    for (const cell of [row.front ? '*' : '', number(row.cpu_seconds), number(row.cpu_seconds_mad), ...millions, ...Object.keys(rows[0].errors).map(name => number(row.errors[name]))]) make(line, 'td', cell);
     make(line, 'td', row.name + (row.default && row.name !== 'default' ? ' (default)' : ''));
     line.addEventListener('mouseenter', () => choose(i));
   });

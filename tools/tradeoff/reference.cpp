@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 /// What settings are measured against.
-#include "tools/tradeoff/analytic.h"
+#include "tools/analytic.h"
 #include "tools/tradeoff/experiment.h"
 
 #include "core/image.h"
@@ -21,7 +21,7 @@ struct Best {
 constexpr Best kBest[] = {
     {"max-depth", Best::Is::largest}, {"light-samples", Best::Is::largest}, {"decimate", Best::Is::largest}, {"subdivide", Best::Is::largest},
     {"precision", Best::Is::double_}, {"adaptive", Best::Is::absent},       {"threads", Best::Is::absent},   {"spp", Best::Is::absent},
-    {"seed", Best::Is::absent},
+    {"seed", Best::Is::absent},     {"intersect", Best::Is::absent},
 };
 
 /// POV-Ray's own antialiasing at its finest: 49 samples in each pixel.

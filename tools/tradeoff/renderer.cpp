@@ -2,11 +2,10 @@
 #include "tools/tradeoff/renderer.h"
 
 #include "tools/load.h"
-#include "tools/tradeoff/analytic.h"
-#include "tools/verbs.h"
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <ctime>
 
 namespace alidade::tradeoff {
@@ -15,14 +14,6 @@ namespace {
 constexpr size_t kMostScenes = 16;   // that are kept
 
 double cpu_now() { return double(std::clock()) / CLOCKS_PER_SEC; }
-
-Value<Scene> made(const std::string& name) {
-    if (const AnalyticScene* row = find_analytic(name)) return row->scene();
-    std::vector<std::string> names;
-    for (const AnalyticScene& row : analytic_scenes()) names.push_back(fmt::format("analytic:{}", row.name));
-    const std::string near = nearest(name, names);
-    return tl::unexpected(fmt::format("there is no scene '{}'{}; there are {}", name, near.empty() ? "" : fmt::format(", did you mean '{}'?", near), fmt::join(names, ", ")));
-}
 
 Picture colors_of(const Picture& film) {
     Picture out(film.width, film.height, {"R", "G", "B"});
@@ -39,17 +30,12 @@ void Renderer::say(const Diagnostics& said) {
 
 Value<std::shared_ptr<const Scene>> Renderer::scene(const Request& request, const std::string& reading) {
     if (const auto found = scenes_.find(reading); found != scenes_.end()) return found->second;
-    std::shared_ptr<const Scene> scene;
-    if (is_analytic(request.scene)) {
-        auto own = made(request.scene);
-        if (!own) return tl::unexpected(own.error());
-        scene = std::make_shared<const Scene>(std::move(*own));
-    } else {
-        Loaded loaded = load(request);
-        say(loaded.said);
-        if (!loaded.scene) return tl::unexpected(std::string());
-        scene = std::make_shared<const Scene>(std::move(*loaded.scene));
-    }
+    Request shown = request;
+    shown.import.shown_only = true;
+    Loaded loaded = load(shown);
+    say(loaded.said);
+    if (!loaded.scene) return tl::unexpected(std::string());
+    const auto scene = std::make_shared<const Scene>(std::move(*loaded.scene));
     if (scenes_.size() < kMostScenes) scenes_[reading] = scene;
     return scene;
 }

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
 /// Axes to rows.
-#include "tools/tradeoff/analytic.h"
 #include "tools/tradeoff/experiment.h"
 
 #include "tools/report/report.h"
@@ -58,7 +57,7 @@ Value<Row> own_row(const Job& job, const Setting& setting) {
     row.request = *request;
     Words words{"alidade", "render", job.scene};
     for (const std::string& word : as_words(row.options)) words.push_back(word);
-    if (!is_analytic(job.scene)) row.command = shell_line(words);   // which `render` could not read
+    row.command = shell_line(words);
     return row;
 }
 

@@ -28,11 +28,21 @@ std::string aligned(const std::vector<Line>& lines) {
     return out;
 }
 
+/// Is there a texture that anything reads?
+bool reads_textures(const Experiment& e) {
+    return std::any_of(e.rows.begin(), e.rows.end(), [](const Row& row) { return row.counts.contains("texture_reads") && row.counts.at("texture_reads") > 0; });
+}
+
+std::string millions(const Row& row, const char* count) {
+    const auto found = row.counts.find(count);
+    return found == row.counts.end() ? "-" : fmt::format("{:.4g}", found->second / 1e6);
+}
+
 Line line_of(const Experiment& e, const Verdicts& v, size_t i) {
     const Row& row = e.rows[i];
     const Cost time = row.time();
-    const auto rays = row.counts.find("rays");
-    Line line{v.front[i] ? "*" : "", fmt::format("{:.4g}", time.median), fmt::format("{:.2g}", time.deviation), rays == row.counts.end() ? "-" : fmt::format("{:.4g}", rays->second / 1e6)};
+    Line line{v.front[i] ? "*" : "", fmt::format("{:.4g}", time.median), fmt::format("{:.2g}", time.deviation), millions(row, "rays")};
+    if (reads_textures(e)) line.push_back(millions(row, "texture_reads"));
     const auto error = [&](const char* name) { return row.errors.contains(name) ? fmt::format("{:.4g}", row.error(name)) : "-"; };
     const std::string mark = v.uncertain[i] ? "~" : "";   // before the error that decides it
     line.push_back((v.metric == "rmse" ? mark : "") + error("rmse"));
@@ -52,7 +62,9 @@ Line line_of(const Experiment& e, const Verdicts& v, size_t i) {
 }
 
 Line head_of(const Experiment& e, const Verdicts& v) {
-    Line head{"", "CPU s", "+-", "Mrays", "rmse"};
+    Line head{"", "CPU s", "+-", "Mrays"};
+    if (reads_textures(e)) head.emplace_back("Mtexels");
+    head.emplace_back("rmse");
     if (v.metric != "rmse" && v.metric != "flip" && v.metric != "over4") head.push_back(v.metric);
     head.insert(head.end(), {"flip", ">4/255 %"});
     if (e.job.seeds > 1) head.insert(head.end(), {"bias^2", "variance"});

@@ -61,7 +61,7 @@ bool holds(const MetricRule& rule, double value) {
 }
 
 std::vector<std::string> cost_names() {
-    return {"time", "instructions", "rays", "camera_rays", "shadow_rays", "secondary_rays", "boxes", "filtered", "primitives", "exact"};
+    return {"time", "instructions", "rays", "camera_rays", "shadow_rays", "secondary_rays", "boxes", "filtered", "primitives", "exact", "texture_reads"};
 }
 
 /// The name before the sign, in place of one that `known` rules take.
@@ -92,7 +92,8 @@ Met met(const Experiment& e, const Requirement& requirement) {
 /// The options that may change the picture, in an order of their own: settings have the varied ones last.
 std::string paid_part(const Row& row) {
     Setting paid = row.options;
-    std::erase_if(paid, [](const Choice& choice) { return must_be_free(choice.name); });
+    const bool structures_agree = row.request.compile.intersect == Intersect::exact;   // others see the boxes and cells that led to a triangle
+    std::erase_if(paid, [&](const Choice& choice) { return must_be_free(choice.name) && (structures_agree || choice.name != "accel"); });
     std::stable_sort(paid.begin(), paid.end(), [](const Choice& a, const Choice& b) { return a.name < b.name; });
     return label(paid);
 }
@@ -138,7 +139,7 @@ void check_free_axes(const Experiment& e, Verdicts& v) {
 }  // namespace
 
 bool must_be_free(const std::string& option) {
-    static const std::set<std::string> names{"accel", "isa", "threads", "tile", "full-kernel"};
+    static const std::set<std::string> names{"accel", "isa", "threads", "tile", "lazy", "full-kernel"};
     return names.contains(option);
 }
 

@@ -6,7 +6,7 @@ namespace alidade {
 namespace {
 
 template <unsigned F> struct Cast {
-    static Color radiance(Tracing& tracing, const Ray& ray, const RayState& state, FirstHit& first) {
+    static Color radiance(Tracing& tracing, const Ray& ray, RayState& state, FirstHit& first) {
         const CompiledScene& scene = tracing.scene;
         Color sum(0);
         double through = 1;   // of alpha

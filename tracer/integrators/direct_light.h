@@ -68,7 +68,7 @@ template <unsigned F> class DirectLight {
     template <class One> Color sampled(uint64_t dimension, One one) const {
         Color sum(0);
         const uint32_t count = uint32_t(tracing_.light_samples);
-        for (uint32_t k = 0; k < count; ++k) sum += one(state_.key.pair(dimension, k, count));
+        for (uint32_t k = 0; k < count; ++k) sum += one(state_.key.pair_of_light(dimension, k, count));
         return sum / double(count);
     }
 
@@ -82,7 +82,7 @@ template <unsigned F> class DirectLight {
 
     Color from_light(const PlacedLight& light, const Vec2& square, size_t i) const {
         const Illumination arriving = illuminate(light, point_.position, square);
-        if (light.light.shadow_grid) return from_grid(i, arriving);
+        if (light.light.shadow_grid) return light_from_grid(tracing_, point_, surface_, state_, i, arriving, shadows_ == Shadows::cast);
         if (is_black(arriving.irradiance)) return Color(0);
         const Color scattered = surface_.scatter(arriving.direction, !light.light.shadowless) * arriving.irradiance;
         if (is_black(scattered)) return scattered;
@@ -93,18 +93,6 @@ template <unsigned F> class DirectLight {
 
     // Out of line, as above.
     [[gnu::noinline]] bool shines(size_t i) const { return tracing_.scene.lit_by[tracing_.scene.instances[point_.instance].light_set][i]; }
-    [[gnu::noinline]] Color from_grid(size_t i, const Illumination& arriving) const {
-        const PlacedLight& light = tracing_.scene.lights[i];
-        const bool shadows = shadows_ == Shadows::cast && !light.light.shadowless;
-        if (light.light.shadow_grid->illuminates) {
-            const Color scattered = scattered_from_grid(light, point_, surface_, arriving);
-            return shadows && !is_black(scattered) ? scattered * through_grid(tracing_, point_, state_, i, arriving, Color(1)) : scattered;
-        }
-        if (is_black(arriving.irradiance)) return Color(0);
-        const Color scattered = surface_.scatter(arriving.direction, !light.light.shadowless);
-        if (!shadows || is_black(scattered)) return scattered * arriving.irradiance;
-        return scattered * through_grid(tracing_, point_, state_, i, arriving, arriving.irradiance);
-    }
 
     Color from_sky(const Vec2& square) const {
         const Sky::Sample sky = tracing_.scene.sky->sample(surface_.normal(), square);

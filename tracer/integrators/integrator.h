@@ -61,8 +61,8 @@ struct Tracing {
     std::vector<PendingRay> pending{};   ///< scratch of an integrator: empty between camera rays
 };
 
-/// Radiance along a camera ray; also fills in `first`, if layers ask for that. Pure: the same for the same ray and key.
-using Radiance = Color (*)(Tracing& tracing, const Ray& ray, const RayState& state, FirstHit& first);
+/// Radiance along a camera ray; also fills in `first`, if layers ask for that. The same for the same ray and key. `state` goes with the ray, and is not put back.
+using Radiance = Color (*)(Tracing& tracing, const Ray& ray, RayState& state, FirstHit& first);
 
 struct Integrator {
     IntegratorEntry entry;

@@ -59,6 +59,9 @@ std::optional<Bounds> GridPoints::box(const Vec3& p, const Illumination& arrivin
     return Bounds{centre - half, centre + half};
 }
 
+namespace {
+
+/// The mean over the grid of what comes through to `point`, of the light `full`, from `tracing.scene.lights[index]`.
 Color through_grid(Tracing& tracing, const ShadePoint& point, const RayState& state, size_t index, const Illumination& arriving, const Color& full) {
     constexpr uint64_t kGridBranch = uint64_t(1) << 41;   // behind the branches of rays
     const PlacedLight& light = tracing.scene.lights[index];
@@ -79,6 +82,7 @@ Color through_grid(Tracing& tracing, const ShadePoint& point, const RayState& st
     })();
 }
 
+/// What the surface sends on to the eye, shadows aside, of the light of a grid that illuminates: the plain mean of what comes from its points.
 Color scattered_from_grid(const PlacedLight& light, const ShadePoint& point, const Surface& surface, const Illumination& arriving) {
     const ShadowGrid& grid = *light.light.shadow_grid;
     const GridPoints points(light, arriving.direction);
@@ -90,6 +94,21 @@ Color scattered_from_grid(const PlacedLight& light, const ShadePoint& point, con
             sum += from_point.irradiance * surface.scatter(from_point.direction, !light.light.shadowless);
         }
     return sum / (double(grid.size1) * grid.size2);
+}
+
+}  // namespace
+
+Color light_from_grid(Tracing& tracing, const ShadePoint& point, const Surface& surface, const RayState& state, size_t index, const Illumination& arriving, bool shadows) {
+    const PlacedLight& light = tracing.scene.lights[index];
+    shadows = shadows && !light.light.shadowless;
+    if (light.light.shadow_grid->illuminates) {
+        const Color scattered = scattered_from_grid(light, point, surface, arriving);
+        return shadows && !is_black(scattered) ? scattered * through_grid(tracing, point, state, index, arriving, Color(1)) : scattered;
+    }
+    if (is_black(arriving.irradiance)) return Color(0);
+    const Color scattered = surface.scatter(arriving.direction, !light.light.shadowless);
+    if (!shadows || is_black(scattered)) return scattered * arriving.irradiance;
+    return scattered * through_grid(tracing, point, state, index, arriving, arriving.irradiance);
 }
 
 }  // namespace alidade

@@ -67,10 +67,7 @@ template <class Value> class GridMean {
     Value value_;
 };
 
-/// The mean over the grid of what comes through to `point`, of the light `full`, from `tracing.scene.lights[index]`, which has a grid; `arriving` comes from its centre.
-Color through_grid(Tracing& tracing, const ShadePoint& point, const RayState& state, size_t index, const Illumination& arriving, const Color& full);
-
-/// What the surface sends on to the eye, shadows aside, of the light of a grid that illuminates: the plain mean of what comes from its points.
-Color scattered_from_grid(const PlacedLight& light, const ShadePoint& point, const Surface& surface, const Illumination& arriving);
+/// The light of `tracing.scene.lights[index]`, which has a grid, that the surface sends on to the eye; `arriving` comes from the grid's centre.
+Color light_from_grid(Tracing& tracing, const ShadePoint& point, const Surface& surface, const RayState& state, size_t index, const Illumination& arriving, bool shadows);
 
 }  // namespace alidade

@@ -19,46 +19,60 @@ Mask mask_of(RayKind kind) {
     return kMaskCamera;
 }
 
+// Out of line: scenes without fog or rainbow pay for a comparison alone.
+[[gnu::noinline]] void pass_haze(Tracing& tracing, const Ray& ray, double distance, RayState& state, Color& sum) {
+    const Haze on_the_way = haze(tracing.scene, ray.origin, normalized(ray.dir), distance);
+    sum += state.weight * on_the_way.added;
+    state.weight *= on_the_way.kept;
+}
+
 /// Rays that are still to be followed wait in a list, not on the call stack: no depth limit that a scene asks for can overflow it. Each knows the part
 /// of its light that arrives at the eye (RayState::weight), so the order in which they are followed does not matter.
 template <unsigned F> struct Whitted {
+    static constexpr bool kFollows = (F & (kTransmission | kMirrors)) != 0;   // else a camera ray is all there is
+
     Tracing& tracing;
     FirstHit& first;
     Color sum{0};
     double length_so_far = 0;   // of the camera ray and its straight continuations through alpha
 
-    static Color radiance(Tracing& tracing, const Ray& ray, const RayState& state, FirstHit& first) {
-        PendingRay next{ray, state};
-        if (tracing.scene.scene.atmosphere.is_hazy()) next.state.inside = start_inside(tracing.scene, ray.origin);
-        return everything_from(tracing, next, first);
+    static Color radiance(Tracing& tracing, const Ray& ray, RayState& state, FirstHit& first) {
+        if (tracing.scene.scene.atmosphere.is_hazy()) state.inside = start_inside(tracing.scene, ray.origin);
+        Whitted whitted{tracing, first};
+        whitted.trace(ray, state);
+        if constexpr (kFollows) {
+            if (!tracing.pending.empty()) whitted.follow_all(0);
+        }
+        return whitted.sum;
     }
 
-    static Color everything_from(Tracing& tracing, PendingRay next, FirstHit& first) {
-        Whitted whitted{tracing, first};
-        const size_t others = tracing.pending.size();
-        for (;;) {
-            if (next.exponent == 1) whitted.trace(next.ray, next.state);
-            else whitted.add_power(next);
-            if (tracing.pending.size() == others) return whitted.sum;
-            next = tracing.pending.back();
+    /// Out of line: a ray that nothing follows pays for a comparison alone. `others` wait for somebody else.
+    [[gnu::noinline]] void follow_all(size_t others) {
+        while (tracing.pending.size() != others) {
+            PendingRay next = tracing.pending.back();
             tracing.pending.pop_back();
+            if (next.exponent == 1) trace(next.ray, next.state);
+            else add_power(next);
         }
     }
 
     /// What arrives along the ray and all that follow from it, to the power of the reflection.
     [[gnu::noinline]] void add_power(const PendingRay& reflected) {
-        PendingRay alone = reflected;
-        alone.state.weight = Color(1), alone.exponent = 1;
-        sum += reflected.state.weight * glm::pow(glm::max(everything_from(tracing, alone, first), Color(0)), Color(reflected.exponent));
+        Whitted whitted{tracing, first};
+        const size_t others = tracing.pending.size();
+        tracing.pending.push_back({reflected.ray, reflected.state});
+        tracing.pending.back().state.weight = Color(1);
+        whitted.follow_all(others);
+        sum += reflected.state.weight * glm::pow(glm::max(whitted.sum, Color(0)), Color(reflected.exponent));
     }
 
-    /// Goes on straight through alpha, however many layers; mirrors and glass are followed by new rays.
-    void trace(const Ray& start, RayState& state) {
+    /// Goes on straight through alpha, however many layers; mirrors and glass are followed by new rays. Inline: camera rays have a copy of their own, as if nothing could follow.
+    [[gnu::always_inline]] inline void trace(const Ray& start, RayState& state) {
         Ray ray = start;
         for (;;) {
             Hit hit;
             const bool found = tracing.scene.top->intersect(ray, hit, tracing.stats.work);
-            if (tracing.scene.scene.atmosphere.is_hazy() && fog_reaches(tracing.scene, state.inside)) pass_haze(ray, found ? hit.t * length(ray.dir) : kInf, state);
+            if (tracing.scene.scene.atmosphere.is_hazy() && fog_reaches(tracing.scene, state.inside)) pass_haze(tracing, ray, found ? hit.t * length(ray.dir) : kInf, state, sum);
             if (!found) {
                 sum += state.weight * tracing.scene.sky->radiance(normalized(ray.dir));
                 return;
@@ -70,7 +84,7 @@ template <unsigned F> struct Whitted {
             state.weight *= transmittance(tracing.scene, state.inside, distance);
             if (state.kind == RayKind::camera) see(point, surface, distance);
             sum += state.weight * local_light<F>(tracing, point, surface, state, Shadows::cast);
-            if constexpr ((F & (kTransmission | kMirrors)) != 0) {
+            if constexpr (kFollows) {
                 if (surface.mirrors_or_refracts()) follow(point, surface, state);
             }
             if ((F & kAlpha) == 0 || surface.coverage() >= 1) return;
@@ -80,13 +94,6 @@ template <unsigned F> struct Whitted {
             ray.mask = start.mask;
             ray.time = start.time;
         }
-    }
-
-    // Out of line: scenes without fog or rainbow pay for a comparison alone.
-    [[gnu::noinline]] void pass_haze(const Ray& ray, double distance, RayState& state) {
-        const Haze on_the_way = haze(tracing.scene, ray.origin, normalized(ray.dir), distance);
-        sum += state.weight * on_the_way.added;
-        state.weight *= on_the_way.kept;
     }
 
     /// A surface on the camera ray itself.

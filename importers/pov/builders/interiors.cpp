@@ -26,6 +26,7 @@ InteriorId add_interior(Build& build, const Block& block) {
     Interior in;
     in.from = build.position(block.place);
     read_interior(build, block, in);
+    if (!(in.fade_distance > 1e-10)) in.fade_distance = 0;   // POV-Ray takes less for none
     if (!(in.ior > 0)) build.p.fail(block.place, "the index of refraction must be greater than 0");
     build.scene.interiors.push_back(in);
     return {uint32_t(build.scene.interiors.size() - 1)};

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 /// What `tradeoff` is made of: axes, statistics, fronts, and the closed forms themselves.
 #include "core/random.h"
-#include "tools/tradeoff/analytic.h"
+#include "tools/analytic.h"
 #include "tools/tradeoff/axes.h"
 #include "tools/tradeoff/errors.h"
 #include "tools/tradeoff/external.h"
 #include "tools/tradeoff/statistics.h"
-#include "tools/tradeoff/store.h"
+#include "tools/store.h"
 #include "tools/tradeoff/verdict.h"
 
 #include <filesystem>

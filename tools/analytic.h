@@ -4,6 +4,7 @@
 
 #include "core/image.h"
 #include "scene/scene.h"
+#include "tools/values.h"
 
 #include <span>
 
@@ -27,6 +28,8 @@ std::span<const AnalyticScene> analytic_scenes();
 /// "analytic:furnace" -> its row; null for other names.
 const AnalyticScene* find_analytic(std::string_view scene);
 bool is_analytic(std::string_view scene);
+/// The scene "analytic:NAME"; an error is one sentence.
+Value<Scene> analytic_scene(const std::string& name);
 
 /// The mean of what is seen in each pixel: of 16 x 16 points, of 256 x 256 where a pixel has an edge in it.
 Picture analytic_picture(const AnalyticScene& scene, int width, int height);

@@ -7,6 +7,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include <iosfwd>
 #include <map>
 
 namespace alidade::tradeoff {
@@ -17,6 +18,8 @@ class Store {
     Store() = default;
     /// In `folder`, which is made if it is not there. `head` says what the measurements are of: a folder of other ones is refused.
     static Value<Store> open(const std::string& folder, const Json& head);
+    /// What a folder holds, of whatever; what is kept then is kept in memory alone.
+    static Value<Store> read(const std::string& folder);
 
     const Json* find(const std::string& key) const;
     /// An error: it cannot be written.
@@ -25,6 +28,9 @@ class Store {
     const std::string& folder() const { return folder_; }
 
   private:
+    /// Is the last line cut off?
+    bool take(std::istream& lines);
+
     std::string folder_;
     std::map<std::string, Json> known_;
 };

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "tools/tradeoff/analytic.h"
+#include "tools/analytic.h"
 
 #include "core/parallel.h"
+#include "tools/verbs.h"
 
 #include <cmath>
+#include <fmt/format.h>
 
 namespace alidade::tradeoff {
 namespace {
@@ -19,12 +21,12 @@ struct Maker {
         return SignalId{uint32_t(scene.signals.size() - 1)};
     }
 
-    /// A perfectly diffuse surface: an index of refraction of 1 has no mirror image.
+    /// A perfectly diffuse surface.
     GltfPbr diffuse(const Color& albedo) {
         GltfPbr surface;
         surface.base_color = constant(Vec4(albedo, 1));
         surface.metallic = constant(Vec4(0));
-        surface.ior = 1;
+        surface.specular = constant(Vec4(0));
         return surface;
     }
 
@@ -228,6 +230,14 @@ const AnalyticScene* find_analytic(std::string_view scene) {
     for (const AnalyticScene& row : kScenes)
         if (is_analytic(scene) && scene.substr(kPrefix.size()) == row.name) return &row;
     return nullptr;
+}
+
+Value<Scene> analytic_scene(const std::string& name) {
+    if (const AnalyticScene* row = find_analytic(name)) return row->scene();
+    std::vector<std::string> names;
+    for (const AnalyticScene& row : kScenes) names.push_back(fmt::format("{}{}", kPrefix, row.name));
+    const std::string near = nearest(name, names);
+    return tl::unexpected(fmt::format("there is no scene '{}'{}; there are {}", name, near.empty() ? "" : fmt::format(", did you mean '{}'?", near), fmt::join(names, ", ")));
 }
 
 Picture analytic_picture(const AnalyticScene& scene, int width, int height) {

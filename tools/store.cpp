@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "tools/tradeoff/store.h"
+#include "tools/store.h"
 
 #include <fcntl.h>
 #include <fmt/format.h>
@@ -30,6 +30,23 @@ std::string difference(const Json& a, const Json& b) {
 
 }  // namespace
 
+bool Store::take(std::istream& lines) {
+    bool cut = false;
+    for (std::string line; std::getline(lines, line); cut = lines.eof()) {
+        const Json entry = Json::parse(line, nullptr, false);
+        if (entry.is_object() && entry.contains("key") && entry["key"].is_string() && entry.contains("value")) known_[entry["key"].get<std::string>()] = entry["value"];
+    }
+    return cut;
+}
+
+Value<Store> Store::read(const std::string& folder) {
+    std::ifstream lines(file_in(folder));
+    if (!lines) return tl::unexpected(fmt::format("cannot read {}", file_in(folder)));
+    Store store;
+    store.take(lines);
+    return store;
+}
+
 Value<Store> Store::open(const std::string& folder, const Json& head) {
     Store store;
     store.folder_ = folder;
@@ -37,11 +54,7 @@ Value<Store> Store::open(const std::string& folder, const Json& head) {
     std::filesystem::create_directories(folder, error);
     if (error) return tl::unexpected(fmt::format("cannot make the folder {}: {}", folder, error.message()));
     std::ifstream lines(file_in(folder));
-    bool cut = false;
-    for (std::string line; std::getline(lines, line); cut = lines.eof()) {
-        const Json entry = Json::parse(line, nullptr, false);
-        if (entry.is_object() && entry.contains("key") && entry["key"].is_string() && entry.contains("value")) store.known_[entry["key"].get<std::string>()] = entry["value"];
-    }
+    const bool cut = store.take(lines);
     if (cut && !append(file_in(folder), "\n")) return tl::unexpected(fmt::format("cannot write {}", file_in(folder)));
     if (const Json* known = store.find("head"); known && *known != head)
         return tl::unexpected(fmt::format("{} holds measurements of something else (another {}): take another folder, or remove it", folder, difference(head, *known)));

@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: Apache-2.0
+/// The box tests of Intersect::robust and fast: nothing is padded but the ray's origin, once a ray, or nothing at all.
+#pragma once
+
+#include "accel/bvh/wide.h"
+
+namespace alidade {
+
+/// The ray's origin as planes that it enters (`near`) or leaves are compared with it. Watertight: all roundings, those of the triangles too, are in its pad, so that ends of slabs need none. Fast: rounded, no more.
+template <class R, TriangleTest test> R lean_origin(const SlabRay<R>& slab, const LocalRay& ray, int axis, bool near) {
+    if constexpr (test == TriangleTest::fast) return R(0.5) * (slab.near_origin(axis) + slab.far_origin(axis));
+    const R pad = watertight_pad<R>(ray), outward = slab.negative(axis) == near ? -pad : pad;
+    return (near ? slab.near_origin(axis) : slab.far_origin(axis)) + outward;
+}
+
+/// One box after the other, the oracle of the vector versions.
+template <class R, TriangleTest test> class LeanBoxes {
+  public:
+    explicit LeanBoxes(const LocalRay& ray) : slab_(slab_of<R>(ray)), start_(slab_.start(ray.tmin)) {
+        for (int a = 0; a < 3; ++a) near_origin_[a] = lean_origin<R, test>(slab_, ray, a, true), far_origin_[a] = lean_origin<R, test>(slab_, ray, a, false);
+    }
+
+    /// Entries are counted from where the ray begins, so that none is negative: rounding that difference keeps the order.
+    R limit(double t) const { return slab_.limit(t) - start_; }
+
+    uint32_t enter(const WideNode<R>& node, R limit, R* entries) const {
+        uint32_t bits = 0;
+        for (uint32_t i = 0; i < kWide; ++i) {
+            R near = start_, far = std::numeric_limits<R>::max();
+            for (int a = 0; a < 3; ++a) {
+                const bool negative = slab_.negative(a);
+                const R enter = (node.planes[2 * a + negative][i] - near_origin_[a]) * slab_.inverse(a), leave = (node.planes[2 * a + !negative][i] - far_origin_[a]) * slab_.inverse(a);
+                SlabRay<R>::narrow(enter, leave, near, far);
+            }
+            entries[i] = near - start_;
+            if (near <= far && entries[i] <= limit) bits |= 1u << i;
+        }
+        return bits;
+    }
+
+  private:
+    SlabRay<R> slab_;
+    R start_, near_origin_[3], far_origin_[3];
+};
+
+template <class R, TriangleTest test> struct LeanMachine {
+    using Boxes = LeanBoxes<R, test>;
+    static uint32_t filter(const auto& leaf, const TriangleBlock<R>& block, const auto& ray) { return leaf.filter(block, ray); }
+};
+
+}  // namespace alidade
