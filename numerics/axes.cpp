@@ -104,11 +104,13 @@ void closed_form(uint64_t number, Draws& draws, NumericsTally& tally) {
     const auto what = [&] { return fmt::format("{}, {}; {}: {} and {} crossings", ops.name, axes.text(), text(ray), a.count, b.count); };
     tally.decide(a.count == b.count, what);
     if (a.count != b.count) return;
-    tally.falls_short(!axes.only_mirrors());
     for (size_t i = 0; i < size_t(a.count); ++i) {
-        if (axes.only_mirrors()) tally.decide(a.at[i].t == b.at[i].t, what);
         const double cosine = std::abs(dot(ops.normal_at(shape, ray.at(a.at[i].t), a.at[i].part), ray.dir));
-        tally.measure(std::abs(a.at[i].t - b.at[i].t) * cosine / ulp(std::max(std::abs(a.at[i].t), length(ray.origin))), 1, what);
+        const double error = std::abs(a.at[i].t - b.at[i].t) * cosine / ulp(std::max(std::abs(a.at[i].t), length(ray.origin)));
+        if (axes.only_mirrors()) tally.decide(a.at[i].t == b.at[i].t, what);
+        tally.falls_short(!axes.only_mirrors() && error <= 10);
+        tally.measure(error, 1, what);
+        tally.falls_short(false);
     }
 }
 
@@ -163,12 +165,13 @@ void triangles(uint64_t number, Draws& draws, NumericsTally& tally) {
         WorkCounters work;
         a->intersect(ray, x, work), b->intersect(axes.ray(ray), y, work);
         const auto what = [&] { return fmt::format("{}, {}, {}; {}: t {} and {}, triangles {} and {}", entry.name, precision == Precision::float_ ? "float" : "double", axes.text(), text(ray), x.t, y.t, x.primitive, y.primitive); };
-        tally.falls_short(false);
         tally.decide(x.primitive == y.primitive, what);
         if (!x.valid() || !y.valid()) continue;
+        const double error = x.t == y.t ? 0 : std::abs(x.t - y.t) / ulp(x.t);
         if (axes.only_mirrors()) tally.decide(x.t == y.t, what);
-        tally.falls_short(!axes.only_mirrors());
-        tally.measure(x.t == y.t ? 0 : std::abs(x.t - y.t) / ulp(x.t), 1, what);
+        tally.falls_short(!axes.only_mirrors() && error <= 2);
+        tally.measure(error, 1, what);
+        tally.falls_short(false);
     }
 }
 
@@ -178,7 +181,7 @@ Check axes_permute() {
     return [](uint64_t number, NumericsTally& tally) {
         Draws draws(RandomKey(14, 0, number));
         if (number % 4 == 0) triangles(number / 4, draws, tally);
-        else closed_form(number, draws, tally);
+        else closed_form(number - number / 4 - 1, draws, tally);
     };
 }
 

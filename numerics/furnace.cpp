@@ -305,7 +305,7 @@ double deviation(const FurnaceCase& c, uint64_t number, const Albedo& want, doub
         }
     }
     brightest = max_component(e.mean - 3.5 * e.error);
-    return max_component(e.error) <= enough ? worst : kNaN;
+    return max_component(e.error) <= enough && want.error <= enough / 4 ? worst : kNaN;   // unknown is wrong
 }
 
 }  // namespace

@@ -36,7 +36,7 @@ std::vector<size_t> turns() {
 void check(const Built& built, const Ray& ray, uint64_t number, NumericsTally& tally) {
     WorkCounters work;
     bool hits = first_hit(*built.accelerator, ray).valid();
-    if (number % 8 == 0) hits = hits && built.accelerator->occluded(ray, work);
+    if (number / 2 % 8 == 0) hits = hits && built.accelerator->occluded(ray, work);
     tally.decide(hits, [&] { return built.text(ray); });
 }
 

@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <filesystem>
 #include <fstream>
 #include <numeric>
@@ -121,7 +122,7 @@ std::string difference(const std::vector<Corners>& want, const std::vector<Corne
     for (size_t i = 0; i < want.size(); ++i) {
         const auto a = positions(want[i]), b = positions(got[i]);
         for (size_t k = 0; k < 9; ++k)
-            if (a[k] != b[k]) return fmt::format("{} became {}", a[k], b[k]);
+            if (std::bit_cast<uint32_t>(a[k]) != std::bit_cast<uint32_t>(b[k])) return fmt::format("{} became {}", a[k], b[k]);
         for (size_t k = 0; k < 3; ++k)
             if (const Vec3 n = want[i][k].normal, m = got[i][k].normal; !(length(n - m) < 3e-7)) return fmt::format("the normal <{}, {}, {}> became <{}, {}, {}>", n.x, n.y, n.z, m.x, m.y, m.z);
     }

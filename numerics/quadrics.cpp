@@ -58,8 +58,8 @@ double normal_error(const Kind& k, const ShapeOps& ops, const Ray& ray, const Cr
     const ExactVec p = ExactVec(ray.origin) + ExactVec(ray.dir) * t;
     const ExactVec n(exact(k.xx) * p.x, exact(k.yy) * p.y + exact(k.y) / 2, exact(k.zz) * p.z);
     const ExactVec m(ops.normal_at(k.shape, ray.at(at.t), at.part));
-    const Exact sine = length(cross(n, m)) / (length(n) * length(m));
-    return sine.get_d();
+    const Exact chord = length(n * (1 / length(n)) - m * (1 / length(m)));
+    return chord.get_d();
 }
 
 }  // namespace

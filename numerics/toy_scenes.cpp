@@ -187,8 +187,9 @@ Scene toy_shapes(std::vector<PlacedToy> shapes) {
     return scene;
 }
 
-Picture toy_picture(const Scene& scene, const CompileOptions& compile_options, RenderOptions options) {
+Picture toy_picture(const Scene& scene, CompileOptions compile_options, RenderOptions options) {
     Diagnostics said;
+    if (compile_options.threads == 0) compile_options.threads = 1;
     const auto compiled = compile(scene, compile_options, said);
     if (!compiled) return {};
     options.width = 40, options.height = 30, options.spp = 1;

@@ -27,6 +27,6 @@ struct PlacedToy {
 Scene toy_shapes(std::vector<PlacedToy> shapes);
 
 /// 40 x 30, through the centres of pixels. Empty if it cannot be rendered.
-Picture toy_picture(const Scene& scene, const CompileOptions& compile_options = {}, RenderOptions options = {});
+Picture toy_picture(const Scene& scene, CompileOptions compile_options = {}, RenderOptions options = {});
 
 }  // namespace alidade::numerics

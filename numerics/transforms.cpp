@@ -30,11 +30,15 @@ struct ExactMap {
         both.shift = outer.vector(shift) + outer.shift;
         return both;
     }
-    /// Of the normal there, up to its length: by the cofactors, which are the inverse transpose times the determinant.
-    ExactVec normal(const ExactVec& n) const { return cross(columns[1], columns[2]) * n.x + cross(columns[2], columns[0]) * n.y + cross(columns[0], columns[1]) * n.z; }
+    Exact determinant() const { return dot(columns[0], cross(columns[1], columns[2])); }
+    /// Of the outward normal there, up to its length: by the cofactors, which are the inverse transpose times the determinant.
+    ExactVec normal(const ExactVec& n) const {
+        const ExactVec mapped = cross(columns[1], columns[2]) * n.x + cross(columns[2], columns[0]) * n.y + cross(columns[0], columns[1]) * n.z;
+        return determinant() < 0 ? mapped * Exact(-1) : mapped;
+    }
     /// The vector that is mapped to `v`.
     ExactVec back(const ExactVec& v) const {
-        const Exact d = dot(columns[0], cross(columns[1], columns[2]));
+        const Exact d = determinant();
         return {dot(cross(columns[1], columns[2]), v) / d, dot(cross(columns[2], columns[0]), v) / d, dot(cross(columns[0], columns[1]), v) / d};
     }
 };
@@ -129,11 +133,10 @@ void hit_and_normal(uint64_t kind, Draws& draws, NumericsTally& tally) {
     if (!found) return;
     const ShadePoint point = shade_point(*p.scene, ray, hit);
     const ExactVec n = exact.normal(at), got(point.geometric_normal);
-    tally.measure(to_double(length(cross(n, got)) / (length(n) * length(got))), 1e-6, what);
+    tally.measure(to_double(length(n * (1 / length(n)) - got * (1 / length(got)))), 1e-6, what);
     // How far the sphere is from the point, to the first order, against what the point knows of that.
     const ExactVec q = exact.back(ExactVec(point.position) - exact.shift);
-    const Exact volume = abs(dot(exact.columns[0], cross(exact.columns[1], exact.columns[2])));
-    tally.decide(to_double(abs(dot(q, q) - 1) / 2 * volume / length(exact.normal(q))) <= point.error, what);
+    tally.decide(to_double(abs(dot(q, q) - 1) / 2 * abs(exact.determinant()) / length(exact.normal(q))) <= point.error, what);
 }
 
 /// What has no inverse is told; nothing is NaN.

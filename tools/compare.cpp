@@ -3,6 +3,7 @@
 #include "tools/compare/compare_report.h"
 #include "tools/compare/kept_pictures.h"
 #include "tools/compare/program.h"
+#include "tools/option_words.h"
 #include "tools/options.h"
 #include "tools/values.h"
 
@@ -59,7 +60,7 @@ void add_words(CLI::App& app, CompareWords& words) {
            if (!size) throw CLI::ValidationError("--size", size.error());
            job.width = size->width, job.height = size->height;
        }, "of the picture (320x240; a list may say its own)")->type_name("WxH");
-    app.add_option("--timeout", job.timeout, "seconds that a program has (600)")->type_name("SECONDS")->check(CLI::Range(0.001, 1e7));
+    add_number(app, "--timeout", "SECONDS", 0.001, [&job](double value) { job.timeout = value; }, "seconds that a program has (600)", 1e7);
     app.add_option("--cache", job.cache, fmt::format("the folder of the other programs' pictures, which are kept ({})", default_cache()))->type_name("DIR");
     app.add_option("--corpus", words.corpus.list, "compares a list of scenes: a CSV file with a column `path`, or a path a line")->type_name("LIST");
     app.add_option("--scenes", words.corpus.scenes, "the folder that the list's paths begin from (its own)")->type_name("DIR");

@@ -23,8 +23,8 @@ template <class T> void add_integer(CLI::App& app, const char* option, T& target
     add(app, option, "N", [low, high](const std::string& word) { return parse_integer(word, low, high); }, [&target](int64_t n) { target = T(n); }, doc);
 }
 
-template <class Store> void add_number(CLI::App& app, const char* option, const char* kind, double low, Store store, const std::string& doc) {
-    add(app, option, kind, [low](const std::string& word) { return parse_number(word, low); }, store, doc);
+template <class Store> void add_number(CLI::App& app, const char* option, const char* kind, double low, Store store, const std::string& doc, double high = kInf) {
+    add(app, option, kind, [low, high](const std::string& word) { return parse_number(word, low, high); }, store, doc);
 }
 
 template <class Rows> std::vector<std::string> names_of(const Rows& rows) {

@@ -20,6 +20,7 @@
 
 #include <algorithm>
 #include <ctime>
+#include <limits>
 #include <sys/resource.h>
 
 namespace alidade {
@@ -46,7 +47,7 @@ Json peers_json(const NumericsRow& row) {
 /// As the table tells it; whole: for programs.
 Json row_json(const NumericsDone& done, bool whole) {
     const auto& [row, wanted, seconds, tally, begun, day] = done;
-    return {{"id", row->id}, {"name", row->name}, {"asked", tally.asked()}, {"wrong", tally.wrong()}, {"worst", number_or_null(tally.worst())}, {"cases", tally.cases()}, {"cpu seconds", std::round(seconds * 10) / 10}, {"goal", row->goal}, {"of others", whole ? peers_json(*row) : Json(peers_text(row->id))}};
+    return {{"id", row->id}, {"name", row->name}, {"asked", tally.asked()}, {"wrong", tally.wrong()}, {"excused", tally.excused()}, {"worst", number_or_null(tally.worst())}, {"cases", tally.cases()}, {"cpu seconds", std::round(seconds * 10) / 10}, {"goal", row->goal}, {"of others", whole ? peers_json(*row) : Json(peers_text(row->id))}};
 }
 
 std::vector<const NumericsRow*> chosen(const SelftestWords& words, std::string& unknown) {
@@ -54,8 +55,9 @@ std::vector<const NumericsRow*> chosen(const SelftestWords& words, std::string& 
     if (words.rows.empty())
         for (const NumericsRow& row : numerics_suite()) rows.push_back(&row);
     for (const std::string& word : words.rows) {
-        if (const NumericsRow* row = find_numerics(word)) rows.push_back(row);
-        else unknown = word;
+        const NumericsRow* row = find_numerics(word);
+        if (!row) unknown = word;
+        else if (std::find(rows.begin(), rows.end(), row) == rows.end()) rows.push_back(row);
     }
     return rows;
 }
@@ -90,6 +92,10 @@ class Suite {
     }
 
     bool knows(const NumericsRow& row) const { return store_.find(row.id); }
+    bool can_read(const NumericsRow& row) const {
+        NumericsDone done{&row, 0, 0, {}};
+        return from_json(*store_.find(row.id), done);
+    }
 
     NumericsDone run(const NumericsRow& row) {
         const NumericsDone before = known(row);
@@ -155,7 +161,7 @@ Value<tradeoff::Store> state_of(const SelftestWords& words) {
 /// What is told is of what the state asked about.
 void take_head(const tradeoff::Store& store, SelftestWords& words) {
     const Json* head = store.find("head");
-    if (!words.told || !head) return;
+    if (!words.told || !head || !head->is_object()) return;
     for (const IntersectEntry& entry : intersects())
         if (head->value("intersect", std::string()) == entry.name) words.asked.intersect = entry.value;
     for (const Precision precision : {Precision::float_, Precision::double_})
@@ -178,6 +184,7 @@ int run_rows(SelftestWords words, const std::vector<const NumericsRow*>& rows) {
             if (!words.rows.empty()) return fail(fmt::format("{} holds nothing of {}", words.state, row->id));
             continue;
         }
+        if (words.told && !suite.can_read(*row)) return fail(fmt::format("{}: what is kept of {} cannot be read", words.state, row->id));
         if (words.only) done.push_back({row, 1, 0, run_numerics(*row, *words.only, 1), today(), today()});
         else done.push_back(words.told ? suite.known(*row) : suite.run(*row));
         as_known = as_known && (done.back().tally.wrong() == 0 || done.back().as_known());
@@ -198,8 +205,8 @@ int run_selftest(const Verb& verb, const Words& given) {
     app.add_option("ROW", words.rows, "rows by id or name (all)");
     app.add_flag("--numerics", words.numerics, "the numerical suite, the only one there is");
     app.add_flag("--full", words.full, "as many cases as the goals are stated for: hours");
-    app.add_option("--share", words.share, "a part of the cases, or more of them (1)")->type_name("X")->check(CLI::Range(1e-9, 1e6));
-    auto* only = app.add_option("--case", words.only, "this case alone, as a failure names it")->type_name("N");
+    add_number(app, "--share", "X", 1e-9, [&words](double value) { words.share = value; }, "a part of the cases, or more of them (1)", 1e6);
+    auto* only = add(app, "--case", "N", [](const std::string& word) { return parse_integer(word, 0, std::numeric_limits<int64_t>::max()); }, [&words](int64_t number) { words.only = uint64_t(number); }, "this case alone, as a failure names it");
     app.add_option("--threads", words.threads, "threads (0: as many as the machine has); what is found does not depend on them")->type_name("N")->check(CLI::Range(0, 1024));
     app.add_option("--state", words.state, "a folder in which it is written how far the run is: one that was ended goes on from there")->type_name("FOLDER")->excludes(only);
     auto* told = app.add_flag("--told", words.told, "asks nothing: tells what --state holds, of any program, whole or not");

@@ -102,16 +102,18 @@ bool from_json(const Json& json, NumericsDone& done) {
     try {
         NumericsFound found;
         const auto number = [](const Json& text) { return std::strtod(text.get_ref<const std::string&>().c_str(), nullptr); };
+        const auto count = [&json](const char* key) { return json.at(key).is_number_unsigned() ? json.at(key).get<uint64_t>() : throw Json::other_error::create(500, key, &json); };
         done.begun = json.at("begun").get<std::string>(), done.day = json.at("day").get<std::string>();
-        done.wanted = json.at("wanted").get<uint64_t>(), done.cpu_seconds = json.at("cpu seconds").get<double>();
-        found.cases = json.at("cases").get<uint64_t>(), found.asked = json.at("asked").get<uint64_t>(), found.wrong = json.at("wrong").get<uint64_t>(), found.excused = json.at("excused").get<uint64_t>();
-        found.first_wrong = json.at("first wrong").get<uint64_t>(), found.worst_case = json.at("worst case").get<uint64_t>();
+        done.wanted = count("wanted"), done.cpu_seconds = json.at("cpu seconds").get<double>();
+        found.cases = count("cases"), found.asked = count("asked"), found.wrong = count("wrong"), found.excused = count("excused");
+        found.first_wrong = count("first wrong"), found.worst_case = count("worst case");
         found.worst = number(json.at("worst")), found.why = json.at("why").get<std::string>();
         for (const Json& b : json.at("bands")) {
             const int scale = b.at(0).get<int>();
             if (scale < 0 || scale > int(NumericsScale::gap)) return false;
             found.bands.push_back({NumericsScale(scale), b.at(1).get<int>(), b.at(2).get<uint64_t>(), b.at(3).get<uint64_t>(), number(b.at(4))});
         }
+        if (found.cases > done.wanted || found.excused > found.wrong || found.wrong > found.asked) return false;
         done.tally = NumericsTally(std::move(found));
         return true;
     } catch (const Json::exception&) {

@@ -5,6 +5,7 @@
 #include "numerics/suite.h"
 #include "tools/json.h"
 
+#include <cmath>
 #include <string>
 #include <vector>
 
@@ -18,8 +19,11 @@ struct NumericsDone {
     NumericsTally tally;
     std::string begun{}, day{};   ///< "2026-11-23", UTC: when the first and the last of it was asked
 
-    /// Is what it missed told, and no more than that?
-    bool as_known() const { return *row->falls_short && tally.wrong() == tally.excused() && tally.wrong() * 1000 <= tally.asked(); }
+    /// Is what it missed told, and no more than that: one answer of 1000, and what chance adds to a short run?
+    bool as_known() const {
+        const double most = double(tally.asked()) / 1000;
+        return *row->falls_short && tally.wrong() == tally.excused() && double(tally.wrong()) <= most + 4 * std::sqrt(most);
+    }
 };
 
 /// How much it was, and two Markdown tables: the rows; and what holds at which size, offset, distance and angle.

@@ -59,6 +59,7 @@ Value<Store> Store::open(const std::string& folder, const Json& head) {
     if (const Json* known = store.find("head"); known && *known != head)
         return tl::unexpected(fmt::format("{} holds measurements of something else (another {}): take another folder, or remove it", folder, difference(head, *known)));
     if (store.find("head")) return store;
+    if (!store.known_.empty()) return tl::unexpected(fmt::format("{} does not say of what its measurements are: take another folder", folder));
     if (const auto kept = store.keep("head", head); !kept) return tl::unexpected(kept.error());
     return store;
 }

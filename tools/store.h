@@ -22,6 +22,16 @@ class Store {
     static Value<Store> read(const std::string& folder);
 
     const Json* find(const std::string& key) const;
+    /// Hands what is known of `key` to `reader`. What it cannot read (Json::exception) counts as not measured. Was it read?
+    template <class Reader> bool read(const std::string& key, Reader&& reader) const {
+        const Json* known = find(key);
+        if (!known) return false;
+        try {
+            return reader(*known), true;
+        } catch (const Json::exception&) {
+            return false;
+        }
+    }
     /// An error: it cannot be written.
     Value<bool> keep(const std::string& key, Json value);
     /// "" in memory.

@@ -46,7 +46,7 @@ void add_measuring_words(CLI::App& app, TradeoffWords& words) {
     app.add_option("--repeat", words.job.repeat, "rounds in which each setting is timed once, in random order (default 5)")->type_name("N")->check(CLI::Range(1, 1000));
     app.add_option("--seeds", words.job.seeds, "pictures of each setting, 8 or more, for bias and variance (default 1: neither)")->type_name("N")->check(CLI::Range(1, 100000));
     app.add_flag("--instructions", words.job.instructions, "counts them, by valgrind");
-    app.add_option("--timeout", words.job.timeout, "seconds that another program has (default 600)")->type_name("SECONDS")->check(CLI::Range(0.001, 1e7));
+    add_number(app, "--timeout", "SECONDS", 0.001, [&words](double value) { words.job.timeout = value; }, "seconds that another program has (default 600)", 1e7);
     app.add_option("--out", words.job.out, "a folder for everything; what is measured there already is not measured again")->type_name("DIR");
     app.add_option("--csv", words.csv, "writes a line for each setting")->type_name("FILE");
     app.add_option("--report", words.report, "writes one self-contained page with the plot")->type_name("FILE.html");

@@ -54,6 +54,9 @@ class Numerics(unittest.TestCase):
     def test_every_row_was_run(self):
         rows = json.loads(run("selftest", "--numerics", "--told", "--state", ROOT / "bench/results/numerics", "--json").stdout)["rows"]
         self.assertEqual([row["id"] for row in rows], [f"T{i:02}" for i in range(1, 27)])
+        for row in rows:
+            self.assertGreater(row["asked"], 0, row["id"])
+            self.assertEqual(row["wrong"], row["excused"], row["id"])
 
 
 class Intersect(unittest.TestCase):

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """`alidade selftest` as its users meet it."""
 import json
+import pathlib
 import signal
 import subprocess
 import tempfile
@@ -18,10 +19,11 @@ class Selftest(unittest.TestCase):
         known = [failure["row"] for failure in document["failures"] if failure["known"]]
         self.assertLessEqual(len(known), 2, "so many rows may fall short, if that is told")
         self.assertEqual([failure for failure in document["failures"] if not failure["known"]], [])
-        self.assertGreater(len(document["rows"]), 3)
+        self.assertEqual(len(document["rows"]), 26)
         for row in document["rows"]:
             self.assertGreater(row["asked"], 2, row["id"])
-            self.assertLessEqual(row["wrong"], row["asked"] / 1000 if row["id"] in known else 0, row["id"])
+            self.assertEqual(row["wrong"], row["excused"], row["id"])
+            self.assertLessEqual(row["wrong"], row["asked"] / 500 if row["id"] in known else 0, row["id"])
 
     def test_one_case_is_asked_again(self):
         done = run("selftest", "--numerics", "sphere-far", "--case", 11382, "--json")
@@ -77,6 +79,33 @@ class Selftest(unittest.TestCase):
         gone = run("selftest", "--numerics", "--told", "--state", "/nowhere/at/all")
         self.assertEqual(gone.returncode, 1)
         self.assertIn("cannot read /nowhere/at/all", gone.stderr)
+        for words in (["--share", "nan"], ["--share", "inf"], ["--share", "1e300"], ["--share", "0"], ["--case", "-1"], ["--case", "99999999999999999999999"], ["--case", "1.5"]):
+            done = run("selftest", "--numerics", "T07", *words)
+            self.assertEqual(done.returncode, 64, words)
+            self.assertIn(words[1], done.stderr)
+
+    def test_a_state_that_cannot_be_true_is_no_result(self):
+        line = {"begun": "", "day": "", "wanted": 9, "cpu seconds": 1, "cases": 9, "asked": 9, "wrong": 0, "excused": 0, "first wrong": 0, "worst case": 0, "worst": "0x0p+0", "why": "", "bands": []}
+        for broken in ({"cases": 10}, {"wrong": 10}, {"excused": 1}, {"asked": -1}, {"worst": 0}, {"bands": [[99, 0, 0, 0, "0"]]}, {"cases": "nine"}):
+            with tempfile.TemporaryDirectory() as folder:
+                path = pathlib.Path(folder, "measured.jsonl")
+                path.write_text(json.dumps({"key": "T07", "value": line | broken}) + "\n")
+                told = run("selftest", "--numerics", "--told", "--state", folder)
+                self.assertEqual(told.returncode, 1, broken)
+                self.assertIn("what is kept of T07 cannot be read", told.stderr)
+                other = run("selftest", "--numerics", "T07", "--share", 0.01, "--state", folder)
+                self.assertEqual(other.returncode, 1, "of what it is is not said")
+                self.assertIn("does not say of what its measurements are", other.stderr)
+                path.write_text("")
+                self.assertEqual(run("selftest", "--numerics", "T07", "--share", 0.01, "--state", folder).returncode, 0)
+                with path.open("a") as file:
+                    file.write(json.dumps({"key": "T07", "value": line | broken}) + "\n")
+                again = run("selftest", "--numerics", "T07", "--share", 0.01, "--state", folder, "--json")
+                self.assertEqual(json.loads(again.stdout)["rows"][0]["cases"], 400, "asked anew")
+
+    def test_a_row_is_told_once(self):
+        rows = json.loads(run("selftest", "--numerics", "T07", "sphere-far", "T07", "--share", 0.01, "--json").stdout)["rows"]
+        self.assertEqual([row["id"] for row in rows], ["T07"])
 
 
 if __name__ == "__main__":

@@ -97,6 +97,10 @@ class Words(InFolder):
         (self.folder / "a.pfm").write_bytes(pfm_bytes([[(1, 1, 1)] * 3] * 3))
         self.expect_error("3 x 3 pixels, not 8 x 6", self.scene, "--external", f"cp {self.folder}/a.pfm {{out.pfm}}")
         self.expect_error("did not end in 0.2 s", self.scene, "--external", "sh -c 'sleep 20' {out}", "--timeout", "0.2")
+        for wrong in ("nan", "inf", "0", "1e9"):
+            said = run("tradeoff", self.scene, "--vary", "spp=1,2", "--timeout", wrong)
+            self.assertEqual(said.returncode, 64)
+            self.assertIn(wrong, said.stderr)
 
     def test_a_scene_without_anything(self):
         (self.folder / "empty.pov").write_text("#declare Nothing = 1;\n")
@@ -298,6 +302,20 @@ class Resuming(InFolder):
         self.assertEqual(json.loads((self.folder / "out" / "results.json").read_text()), first)
         for name in ("results.csv", "tradeoff.html"):
             self.assertTrue((self.folder / "out" / name).exists())
+
+    def test_what_cannot_be_read_is_measured_again(self):
+        words = ("tradeoff", self.scene, "--size", "8x6", "--vary", "spp=1,2", "--repeat", 1, "--out", self.folder / "out", "--reference", "self:4")
+        self.assertEqual(run(*words).returncode, 0)
+        rows = json.loads((self.folder / "out" / "results.json").read_text())["rows"]
+        keys, path = self.keys(), self.folder / "out" / "measured.jsonl"
+        for value in ({}, None, 3, [], "", {"errors": {"rmse": "0"}, "cpu": "1", "what": 3}):
+            with path.open("a") as file:
+                for key in keys:
+                    if key != "head":
+                        file.write(json.dumps({"key": key, "value": value}) + "\n")
+            said = run(*words)
+            self.assertEqual(said.returncode, 0, f"{value}: {said.stderr}")
+            self.assertEqual([row["errors"] for row in json.loads((self.folder / "out" / "results.json").read_text())["rows"]], [row["errors"] for row in rows])
 
     def test_another_experiment_is_refused(self):
         words = ("tradeoff", self.scene, "--size", "8x6", "--vary", "spp=1,2", "--repeat", 1, "--out", self.folder / "out", "--reference", "self:4")

@@ -61,12 +61,15 @@ Json as_json(const Row& row) {
     return out;
 }
 
+/// All of it or, with an exception, nothing.
 void take_json(const Json& known, Row& row) {
-    for (const auto& [name, value] : known["errors"].items()) row.errors[name] = value.is_null() ? kInf : value.get<double>();
-    row.counts = known["counts"].get<std::map<std::string, double>>();
-    row.non_finite = known["non_finite"].get<size_t>(), row.fingerprint = known["fingerprint"].get<uint64_t>();
-    row.thumbnail = known["thumbnail"].get<std::string>(), row.flip = known["flip"].get<std::string>();
-    if (known.contains("noise")) row.noise = Noise{known["noise"]["bias2"].get<double>(), known["noise"]["variance"].get<double>()};
+    Row taken = row;
+    for (const auto& [name, value] : known.at("errors").items()) taken.errors[name] = value.is_null() ? kInf : value.get<double>();
+    taken.counts = known.at("counts").get<std::map<std::string, double>>();
+    taken.non_finite = known.at("non_finite").get<size_t>(), taken.fingerprint = known.at("fingerprint").get<uint64_t>();
+    taken.thumbnail = known.at("thumbnail").get<std::string>(), taken.flip = known.at("flip").get<std::string>();
+    if (known.contains("noise")) taken.noise = Noise{known.at("noise").at("bias2").get<double>(), known.at("noise").at("variance").get<double>()};
+    row = std::move(taken);
 }
 
 /// Stands for what a file holds: "" for no file. One that cannot be read is told of by who needs it.
@@ -85,10 +88,7 @@ class Measuring {
     Value<bool> pictures() {
         for (size_t i = 0; i < e_.rows.size(); ++i) {
             const std::string key = "picture " + key_of(e_.rows[i]);
-            if (const Json* known = store_.find(key)) {
-                take_json(*known, e_.rows[i]);
-                continue;
-            }
+            if (store_.read(key, [&](const Json& known) { take_json(known, e_.rows[i]); })) continue;
             const double start = seconds_now();
             if (auto done = picture_of(e_.rows[i]); !done) return done;
             if (auto kept = store_.keep(key, as_json(e_.rows[i])); !kept) return kept;
@@ -158,12 +158,10 @@ class Measuring {
 
     Value<bool> time_of(Row& row, int round, size_t number) {
         const std::string key = fmt::format("round {} {}", round, key_of(row));
-        if (const Json* known = store_.find(key)) {
-            row.seconds.push_back((*known)["cpu"].get<double>()), row.build_seconds.push_back((*known)["build"].get<double>());
-            return true;
-        }
-        const double start = seconds_now();
         double cpu = 0, build = 0;
+        if (store_.read(key, [&](const Json& known) { cpu = known.at("cpu").get<double>(), build = known.at("build").get<double>(); })) return row.seconds.push_back(cpu), row.build_seconds.push_back(build), true;
+        const double start = seconds_now();
+        cpu = build = 0;
         if (row.external >= 0) {
             const auto run = run_external(job_.externals[size_t(row.external)], row.setting, external_job());
             if (!run) return tl::unexpected(run.error());
@@ -217,10 +215,7 @@ Value<Json> head_of(const Job& job, const std::vector<Row>& rows, Renderer& rend
 /// Callgrind's count of a whole process that renders: reading, building and writing are part of it.
 Value<bool> count_instructions(const Job& job, Row& row, Store& store) {
     const std::string key = "instructions " + row.command;
-    if (const Json* known = store.find(key)) {
-        row.instructions = known->get<double>();
-        return true;
-    }
+    if (store.read(key, [&](const Json& known) { row.instructions = known.get<double>(); })) return true;
     const ScratchFolder scratch;
     Words words{"valgrind", "--tool=callgrind", "--callgrind-out-file=" + scratch.path() + "/counts", own_program(), "render", is_analytic(job.scene) ? job.scene : std::filesystem::absolute(job.scene).string(), "-o", scratch.path() + "/out.pfm"};
     for (const std::string& word : as_words(row.options)) words.push_back(word);

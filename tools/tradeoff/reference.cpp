@@ -173,13 +173,13 @@ Value<std::string> reference_name(const Job& job, const std::vector<Row>& rows) 
 
 Value<Reference> make_reference(const Job& job, const std::vector<Row>& rows, Renderer& renderer, Store& store, bool clip) {
     const RenderOptions& render = rows[0].request.render;
-    if (const Json* known = store.find("reference")) {
-        if (auto file = read_linear(kept_in(store))) {
-            Reference out{(*known)["what"].get<std::string>(), std::move(file->picture), {}, (*known)["display"].get<bool>()};
-            for (const auto& [name, value] : (*known)["own"].items()) out.own[name] = value.get<double>();
-            return out;
-        }
-    }
+    Reference before;
+    const auto take = [&before](const Json& known) {
+        before.what = known.at("what").get<std::string>(), before.display = known.at("display").get<bool>();
+        for (const auto& [name, value] : known.at("own").items()) before.own[name] = value.get<double>();
+    };
+    if (store.read("reference", take))
+        if (auto file = read_linear(kept_in(store))) return before.picture = std::move(file->picture), before;
     auto out = made(job, rows, renderer, clip);
     if (!out) return out;
     if (out->picture.width != render.width || out->picture.height != render.height)
