@@ -16,8 +16,8 @@ void parallel_for(size_t count, int threads, const std::function<void(size_t)>& 
         for (size_t i = 0; i < count; ++i) body(i);
         return;
     }
-    // More threads than the machine has are asked for by tests; TBB would warn and give fewer.
-    const tbb::global_control allowed(tbb::global_control::max_allowed_parallelism, size_t(std::max(threads, hardware_threads())));
+    // More threads than the machine has are asked for by tests; TBB would warn and give fewer. Of several such limits it takes the least: one for all, then.
+    static const tbb::global_control allowed(tbb::global_control::max_allowed_parallelism, 1024);
     tbb::task_arena arena(threads);
     arena.execute([&] {
         tbb::parallel_for(tbb::blocked_range<size_t>(0, count, 1), [&](const auto& range) {

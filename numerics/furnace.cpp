@@ -309,8 +309,8 @@ double deviation(const FurnaceCase& c, uint64_t number, const Albedo& want, doub
     Estimate e;
     double worst = kInf;
     int samples = 64;
-    for (int again = 0; again < 2 && !(worst <= 3.5); ++again, samples = std::min(16 * samples, 1 << 20)) {
-        while (e = measured(scene, samples, number + (uint64_t(again) << 32)), max_component(e.error) > enough && samples < 1 << 18) samples *= 4;
+    for (int again = 0; again < 2 && !(worst <= 3.5); ++again, samples = std::min(16 * samples, 1 << 22)) {
+        while (e = measured(scene, samples, number + (uint64_t(again) << 32)), max_component(e.error) > enough && samples < 1 << 22) samples *= 4;
         worst = 0;
         for (int k = 0; k < 3; ++k) {
             const double off = std::abs(e.mean[k] - want.value[k]) / (e.error[k] + want.error + kRounding);
