@@ -11,6 +11,7 @@ target_compile_options(alidade_flags INTERFACE -ffp-contract=off)
 if(ALIDADE_SANITIZE)
   target_compile_options(alidade_flags INTERFACE -fsanitize=${ALIDADE_SANITIZE} -fno-sanitize-recover=all -fno-omit-frame-pointer)
   target_link_options(alidade_flags INTERFACE -fsanitize=${ALIDADE_SANITIZE})
+  target_sources(alidade_flags INTERFACE $<$<STREQUAL:$<TARGET_PROPERTY:TYPE>,EXECUTABLE>:${PROJECT_SOURCE_DIR}/cmake/sanitizer_options.cpp>)
 endif()
 
 # What most files include is read once: cmake/precompiled.h, compiled with the first folder, and again for the tests with GoogleTest. It must mean
