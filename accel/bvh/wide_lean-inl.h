@@ -9,6 +9,7 @@
 
 #include "accel/bvh/wide_lean.h"
 #include "accel/bvh/wide_traverse-inl.h"
+#include "accel/isa_table.h"
 #include "accel/triangles/moller_trumbore-inl.h"
 #include "accel/triangles/watertight-inl.h"
 
@@ -71,4 +72,10 @@ template <class R, TriangleTest test> constexpr WideTraversals<R, test> lean_tra
 }  // namespace alidade::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
 
+#endif
+
+#if HWY_ONCE
+namespace alidade {
+template <class R, TriangleTest test> constexpr IsaRow<WideTraversals<R, test>> kLeanTraversals[] = {ALIDADE_ISA_ROWS((HWY_NAMESPACE::traversals_of<LeanMachine<R, test>, R, test>()), lean_traversals<R, test>())};
+}
 #endif
