@@ -34,15 +34,24 @@ inline Vec3 corrected(const Mat3& to_world, const Mat3& to_local, const Vec3& sh
     return near + to_local * Vec3(rest.v[0].value(), rest.v[1].value(), rest.v[2].value());
 }
 
+/// How far a transformed ray may be from the exact image of `ray` at t, in local space: gamma_5 of each product and sum in the transform.
+inline double mapped_error(const PlacedNorms& norms, const Ray& ray, double t) {
+    return gamma_bound(5) * (norms.to_local * (length(ray.origin) + std::abs(t) * length(ray.dir)) + norms.local_shift);
+}
+
+/// The same of a corrected one, `local`: its own roundings, and what the correction leaves, a relative error of the second order.
+inline double corrected_error(const PlacedNorms& norms, const Ray& ray, const Ray& local, double t) {
+    const double mapped = mapped_error(norms, ray, t), left = gamma_bound(5) * norms.to_world * norms.to_local;
+    return gamma_bound(2) * (length(local.origin) + std::abs(t) * length(local.dir)) + std::min(1.0, left * left / gamma_bound(5)) * mapped;
+}
+
 /// How far the true surface may be from `position`, a hit that was found with a transformed ray, in the space of the ray; `own` is the bound of the shape's
-/// own space.
+/// own space, `local` how far the transformed ray may be off in it.
 ///
-/// The local ray is the exact image of the ray up to gamma_4 of each product and sum in the transform; mapped back, that and the hit's own bound
-/// grow by at most the norm of to_world. Ray::at() adds gamma_3.
-inline double placed_error(const PlacedNorms& norms, const ErrorBound& own, const Ray& ray, double t, const Vec3& position) {
+/// Mapped back, both grow by at most the norm of to_world. Ray::at() adds gamma_3.
+inline double placed_error(const PlacedNorms& norms, const ErrorBound& own, double local, const Ray& ray, double t, const Vec3& position) {
     const double reach = length(ray.origin) + std::abs(t) * length(ray.dir);
-    const double local_size = norms.to_local * reach + norms.local_shift;
-    return norms.to_world * (own.along_normal + gamma_bound(5) * local_size) + gamma_bound(5) * (reach + length(position));
+    return norms.to_world * (own.along_normal + local) + gamma_bound(5) * (reach + length(position));
 }
 
 }  // namespace alidade

@@ -131,7 +131,8 @@ class SolidQuery::Leaves final : public CsgLeaves {
         const PlacedShape& placed = query_.shapes_[hit.instance];
         const FoundSurface found = query_.surface(ray, hit);
         const ErrorBound own = placed.ops ? placed.ops->error(query_.scene_.shapes[placed.shape.index].geometry, placed.to_local.ray(ray), hit.t, hit.part) : hit.error;
-        return {placed_error({placed.to_world, placed.to_local}, own, ray, hit.t, found.point), std::abs(dot(found.normal, ray.dir)) / length(ray.dir)};
+        const PlacedNorms norms(placed.to_world, placed.to_local);
+        return {placed_error(norms, own, mapped_error(norms, ray, hit.t), ray, hit.t, found.point), std::abs(dot(found.normal, ray.dir)) / length(ray.dir)};
     }
 
   private:

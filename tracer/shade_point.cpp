@@ -48,7 +48,8 @@ double world_error(const CompiledScene& scene, const Ray& ray, const Hit& hit, c
     const Instance& instance = scene.instances[hit.instance];
     const Geometry& geometry = scene.geometries[instance.geometry];
     const ErrorBound own = geometry.mesh ? hit.error : geometry.ops->error(*geometry.source, instance.local(ray), hit.t, hit.part);
-    return placed_error(instance.norms, own, ray, hit.t, position);
+    const double mapped = instance.inexact ? corrected_error(instance.norms, ray, instance.local(ray), hit.t) : mapped_error(instance.norms, ray, hit.t);
+    return placed_error(instance.norms, own, mapped, ray, hit.t, position);
 }
 
 Vec3 geometric_normal(const CompiledScene& scene, const Ray& ray, const Hit& hit) {
