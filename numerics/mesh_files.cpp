@@ -59,13 +59,16 @@ float coordinate(Draws& draws, uint32_t kind) {
     }
 }
 
-/// A fan, thin as a needle or not, now and then with more vertices than 16 bits can number, and with normals that may be as short as they can be.
+/// A fan none of whose triangles has two corners at one place (OBJ leaves those out, with a warning), thin as a needle or not, now and then with more vertices than 16 bits can number, and with normals that may be as short as they can be.
 Mesh extreme_mesh(Draws& draws) {
     Mesh mesh;
     const uint32_t kind = draws.below(5), count = draws.below(64) == 0 ? 66000 : 3 + draws.below(20);
     for (uint32_t i = 0; i < count; ++i) {
-        const float x = coordinate(draws, kind), y = coordinate(draws, kind), z = coordinate(draws, kind);
-        mesh.positions.emplace_back(x, y, z);
+        Vec3f p;
+        do
+            for (int k = 0; k < 3; ++k) p[k] = coordinate(draws, kind);
+        while (i > 0 && (p == mesh.positions.front() || p == mesh.positions.back()));
+        mesh.positions.push_back(p);
     }
     for (uint32_t i = 2; i < count; ++i) mesh.triangles.emplace_back(0, i - 1, i);
     if (draws.coin())
