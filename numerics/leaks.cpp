@@ -15,7 +15,7 @@ namespace alidade::numerics {
 
 namespace {
 
-constexpr uint64_t kBlock = 256;   // rays one after the other for the same subject and mesh
+constexpr uint64_t kBlock = 4096;   // rays one after the other for the same subject and mesh: so many that its memory is read once for all of them
 
 /// Numbers of subjects: 100 times the usual structure, with each test of triangles, 10 times each of the others with the test that is asked about, and once with the robust one beside it.
 /// The goal is stated for ten times as many rays of the usual structure as of others.
