@@ -20,7 +20,7 @@ ROOT = pathlib.Path(__file__).resolve().parents[1]
 PROGRAM = os.environ.get("ALIDADE_PROGRAM", str(ROOT / "build/release/tools/alidade"))
 OUT = ROOT / "docs" / "tradeoff"
 POVRAY = "povray +I{scene} +L{folder} +W{width} +H{height} +AM{am} +A{aa} +R4 -J +WT1 -D +O{out}"
-INK = {"Alidade, level": "#0b57b0", "Alidade, bailout": "#5b3fb0", "POV-Ray, level": "#9a4a00", "POV-Ray, bailout": "#2d7d46", "Alidade": "#0b57b0", "POV-Ray, method 1": "#9a4a00", "POV-Ray, method 2": "#2d7d46", "float": "#0b57b0", "double": "#9a4a00", "random": "#9a4a00", "sobol": "#0b57b0", "BVH": "#0b57b0", "grid": "#2d7d46", "octree": "#9a4a00"}
+INK = {"Alidade, polynomial": "#0b57b0", "POV-Ray, polynomial": "#5b3fb0", "POV-Ray, accuracy": "#9a4a00", "POV-Ray, gradient": "#2d7d46", "Alidade, level": "#0b57b0", "Alidade, bailout": "#5b3fb0", "POV-Ray, level": "#9a4a00", "POV-Ray, bailout": "#2d7d46", "Alidade": "#0b57b0", "POV-Ray, method 1": "#9a4a00", "POV-Ray, method 2": "#2d7d46", "float": "#0b57b0", "double": "#9a4a00", "random": "#9a4a00", "sobol": "#0b57b0", "BVH": "#0b57b0", "grid": "#2d7d46", "octree": "#9a4a00"}
 
 
 def tradeoff(*words, scene):
@@ -59,6 +59,23 @@ def depth():
     return "CPU seconds", "RMSE", found
 
 
+def implicit():
+    """One surface as a polynomial and, in POV-Ray, as an isosurface; against POV-Ray's polynomial, whose roots Sturm's theorem isolates."""
+    words = " +Ibench/scenes/heart.pov +W160 +H120 -A -J +WT1 -D"
+    with tempfile.TemporaryDirectory() as folder:
+        reference = pathlib.Path(folder) / "reference.png"
+        subprocess.run(["povray", *words.split(), f"+O{reference}", "Declare=Sturm=1"], check=True, cwd=ROOT, stderr=subprocess.DEVNULL)
+        found = []
+        words = words.replace("bench/scenes/heart.pov", "{scene} +L{folder}") + " +O{out}"
+        for axis, values, other in (("accuracy", "0.1,0.03,0.01,0.001,0.0001", "Gradient=60"), ("gradient", "20,25,30,40,60,100", "Accuracy=0.001")):
+            rows = tradeoff("--size", "160x120", "--vary", f"{axis}={values}", "--external", f"povray{words} Declare=Polynomial=0 Declare={axis.title()}={{{axis}}} Declare={other}", "--reference", reference, "--repeat", 3, scene="bench/scenes/heart.pov")
+            found += points(rows, lambda row: f"POV-Ray, {axis}" if axis in row["setting"] else None, lambda row: row["setting"][axis], error="over4")
+        both = f"{words} Declare=Sturm={{sturm}}"
+        rows = tradeoff("--size", "160x120", "--vary", "sturm=0", "--external", "povray" + both, "--external", f"{PROGRAM} povray{both}", "--reference", reference, "--repeat", 3, scene="bench/scenes/heart.pov")
+        found += points(rows, lambda row: ("POV-Ray" if row["program"] == "povray" else "Alidade") + ", polynomial" if "sturm" in row["setting"] else None, lambda row: "", error="over4")
+    return "CPU seconds", "share of pixels that differ by more than 4/255", found
+
+
 def accelerators():
     rows = tradeoff("--size", "160x120", "--vary", "accel=bvh,grid,octree", "--vary", "spp=1,4,16", "--reference", "self:128", "--repeat", 3, scene="assets/scenes/hero.glb")
     names = {"bvh": "BVH", "grid": "grid", "octree": "octree"}
@@ -93,7 +110,7 @@ def precision():
     return "time of a ray, over that of fast in float", "wrong answers of a million, mean of T01 to T06", found
 
 
-EXPERIMENTS = {"precision": precision, "antialiasing": antialiasing, "depth": depth, "accelerators": accelerators, "decimation": decimation, "samples": samples}
+EXPERIMENTS = {"precision": precision, "antialiasing": antialiasing, "depth": depth, "implicit": implicit, "accelerators": accelerators, "decimation": decimation, "samples": samples}
 
 
 class Axis:
