@@ -46,6 +46,18 @@ class StressRun {
         std::vector<StressHit> hits;
     };
 
+    /// What the rounds of a peer took for a set of rays.
+    struct Rounds {
+        std::vector<double> seconds;   // CPU time of each
+        EventCounts events;            // of all
+
+        bool empty() const { return seconds.empty(); }
+        void add(double took, const EventCounts& counted) {
+            for (size_t e = 0; e < kEvents; ++e) events[e] = empty() ? counted[e] : counted[e] && events[e] ? std::optional(*counted[e] + *events[e]) : std::nullopt;
+            seconds.push_back(took);
+        }
+    };
+
     bool stopped() {
         if (options_.stop && *options_.stop) out_.interrupted = true;
         return out_.interrupted;
@@ -100,39 +112,39 @@ class StressRun {
 
     void measure(size_t s) {
         const RaySet& set = sets_[s];
-        std::vector<std::vector<double>> seconds(peers_.size());
+        std::vector<Rounds> rounds(peers_.size());
         references_.clear();
         const double start = wall_seconds();
         for (const bool exact : {true, false})   // the exact ones first: the others are compared with them
             for (size_t i = 0; i < peers_.size(); ++i)
-                if (built(i) && peers_[i]->exact == exact) first_round(i, set, seconds[i]);
+                if (built(i) && peers_[i]->exact == exact) first_round(i, set, rounds[i]);
         double round_takes = wall_seconds() - start;
         check_sample(set);
         for (int round = 1; round < options_.rounds; ++round) {
             if (stopped() || double(sets_.size() - s) * round_takes * 1.2 > budget_.left()) break;
             const double again = wall_seconds();
             for (size_t i = 0; i < peers_.size(); ++i) {
-                if (seconds[i].empty()) continue;
-                if (const auto took = trace(i, set)) seconds[i].push_back(*took);
+                if (!rounds[i].empty()) trace(i, set, rounds[i]);
             }
             round_takes = wall_seconds() - again;
         }
         for (size_t i = 0; i < peers_.size(); ++i) {
             did(double(set.rays.size()) * options_.rounds);
-            if (seconds[i].empty()) continue;
+            if (rounds[i].empty()) continue;
             StressRayFigures& figures = out_.peers[i].rays.back();
-            figures.rounds = int(seconds[i].size()), figures.seconds = spread_of(seconds[i]);
+            figures.rounds = int(rounds[i].seconds.size()), figures.seconds = spread_of(rounds[i].seconds);
+            for (size_t e = 0; e < kEvents; ++e)
+                if (rounds[i].events[e]) figures.events[e] = *rounds[i].events[e] / (double(set.rays.size()) * figures.rounds);
         }
     }
 
-    void first_round(size_t i, const RaySet& set, std::vector<double>& seconds) {
+    void first_round(size_t i, const RaySet& set, Rounds& rounds) {
         StressRayFigures figures;
         figures.rays = set.name, figures.question = set.question, figures.count = set.rays.size();
         const auto before = peers_[i]->work();
         figures.left_out = stopped() ? "interrupted" : set.rays.empty() ? "there are none" : budget_.admit_round(paces_[i], primitives(), set.rays.size());
         if (figures.left_out.empty()) {
-            if (const auto took = trace(i, set)) {
-                seconds.push_back(*took);
+            if (trace(i, set, rounds)) {
                 count(figures, before, peers_[i]->work());
                 compare(i, set, figures);
             } else {
@@ -142,21 +154,25 @@ class StressRun {
         out_.peers[i].rays.push_back(std::move(figures));
     }
 
-    /// All rays of a set, into got_: the CPU time, or nothing if it was broken off.
-    std::optional<double> trace(size_t i, const RaySet& set) {
+    /// All rays of a set, into got_. False if it was broken off: then it is no round.
+    bool trace(size_t i, const RaySet& set, Rounds& rounds) {
         const std::span<const StressRay> rays = set.rays;
         got_.resize(rays.size()), any_.resize(set.question == Question::any ? rays.size() : 0);
         double seconds = 0;
         for (size_t first = 0; first < rays.size(); first += kBatch) {
-            if (stopped() || budget_.left() < 0) return std::nullopt;
+            if (stopped() || budget_.left() < 0) return false;
             const size_t count = std::min(kBatch, rays.size() - first);
+            if (first == 0) counters_.start();
+            else counters_.resume();
             const double start = thread_seconds();
             if (set.question == Question::any) peers_[i]->any(rays.subspan(first, count), std::span(any_).subspan(first, count));
             else peers_[i]->closest(rays.subspan(first, count), std::span(got_).subspan(first, count));
             seconds += thread_seconds() - start;
+            counters_.stop();
         }
         for (size_t k = 0; k < any_.size(); ++k) got_[k] = any_hit(any_[k] != 0);
-        return seconds;
+        rounds.add(seconds, counters_.counts());
+        return true;
     }
 
     void count(StressRayFigures& figures, const std::optional<WorkCounters>& before, const std::optional<WorkCounters>& after) const {
@@ -234,6 +250,7 @@ class StressRun {
     std::map<std::string, Reference> references_;    // by precision, for the present set
     std::vector<StressHit> got_;
     std::vector<uint8_t> any_;
+    EventCounters counters_;
 };
 
 std::string text(const StressHit& hit, Question question) {

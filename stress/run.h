@@ -2,6 +2,7 @@
 /// Accelerators side by side on one scene: what they cost to build and to ask, and whether they say the same.
 #pragma once
 
+#include "stress/hardware.h"
 #include "stress/measure.h"
 #include "stress/peer.h"
 
@@ -34,6 +35,7 @@ struct StressRayFigures {
     int rounds = 0;
     Spread seconds;            ///< CPU time of a round
     std::optional<double> boxes, triangles, decided;   ///< of a ray: box tests or steps, triangles looked at, and decided in double
+    EventCounts events;        ///< of a ray, the mean of all rounds: what the processor counted
     uint64_t hash = 0;         ///< of all answers: exact peers of one precision have the same
     size_t unlike = 0;         ///< rays whose answer is not that of the first exact peer of the precision
 };

@@ -53,8 +53,20 @@ std::string structures(const StressFigures& figures) {
     return rows.size() > 1 ? aligned(rows, 2) : "";
 }
 
+/// The events that were counted for anything.
+std::vector<size_t> events_of(const StressFigures& figures) {
+    std::vector<size_t> out;
+    for (size_t e = 0; e < kEvents; ++e) {
+        const auto has = [&](const StressPeerFigures& peer) { return std::any_of(peer.rays.begin(), peer.rays.end(), [&](const StressRayFigures& r) { return r.events[e].has_value(); }); };
+        if (std::any_of(figures.peers.begin(), figures.peers.end(), has)) out.push_back(e);
+    }
+    return out;
+}
+
 std::string speeds(const StressFigures& figures) {
     std::vector<Row> rows{{"rays", "accelerator", "precision", "Mray/s", "+-%", "hit%", "boxes", "triangles", "decided", "unlike"}};
+    const std::vector<size_t> events = events_of(figures);
+    for (const size_t e : events) rows.front().push_back(kHardwareEvents[e].name);
     size_t sets = 0;
     for (const StressPeerFigures& peer : figures.peers) sets = std::max(sets, peer.rays.size());
     for (size_t s = 0; s < sets; ++s) {
@@ -63,6 +75,7 @@ std::string speeds(const StressFigures& figures) {
             const StressRayFigures& r = peer.rays[s];
             rows.push_back({r.rays, peer.name, peer.precision, fmt::format("{:.3f}", 1e-6 * double(r.count) / r.seconds.median), spread_text(r.seconds, r.rounds),
                             fmt::format("{:.0f}", 100 * double(r.hits) / double(r.count)), text(r.boxes, "{:.1f}"), text(r.triangles, "{:.1f}"), text(r.decided, "{:.2f}"), fmt::format("{}", r.unlike)});
+            for (const size_t e : events) rows.back().push_back(text(r.events[e], "{:.4g}"));
         }
     }
     return rows.size() > 1 ? aligned(rows, 3) : "";

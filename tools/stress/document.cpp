@@ -23,11 +23,17 @@ Json machine() {
 
 Json to_json(const Spread& spread) { return {{"median", spread.median}, {"low", spread.low}, {"high", spread.high}}; }
 
+Json to_json(const EventCounts& events) {
+    Json out = Json::object();
+    for (size_t e = 0; e < kEvents; ++e) out[kHardwareEvents[e].name] = maybe(events[e]);
+    return out;
+}
+
 Json to_json(const StressRayFigures& r) {
     if (!r.left_out.empty()) return {{"rays", r.rays}, {"left_out", r.left_out}};
     return {{"rays", r.rays}, {"question", r.question == Question::any ? "any" : "closest"}, {"count", r.count}, {"hits", r.hits}, {"rounds", r.rounds},
             {"rays_per_second", double(r.count) / r.seconds.median}, {"round_seconds", to_json(r.seconds)}, {"boxes", maybe(r.boxes)}, {"triangles", maybe(r.triangles)},
-            {"decided", maybe(r.decided)}, {"hash", fmt::format("{:016x}", r.hash)}, {"unlike", r.unlike}};
+            {"decided", maybe(r.decided)}, {"counted", to_json(r.events)}, {"hash", fmt::format("{:016x}", r.hash)}, {"unlike", r.unlike}};
 }
 
 Json to_json(const StressPeerFigures& p) {
@@ -77,8 +83,8 @@ template <class T> std::string cell(const std::optional<T>& value) { return valu
 
 constexpr const char* kCsvHead =
     "scene,seed,asked,triangles,placed_triangles,accelerator,precision,build_seconds,phases,bytes,peak_bytes,nodes,depth,sah_cost,rays,question,count,hits,rounds,rays_per_second,round_seconds_low,"
-    "round_seconds_high,boxes,triangles_a_ray,decided,hash,unlike,left_out\n";
-constexpr int kCsvColumns = 28;
+    "round_seconds_high,boxes,triangles_a_ray,decided,instructions,cycles,cache_misses,branch_misses,hash,unlike,left_out\n";
+constexpr int kCsvColumns = 32;
 
 std::string csv_line(const std::vector<std::string>& cells) { return fmt::format("{}{}\n", fmt::join(cells, ","), std::string(size_t(kCsvColumns) - cells.size(), ',')); }
 
@@ -92,7 +98,7 @@ std::string csv_left_out(std::vector<std::string> cells, const std::string& why)
 std::vector<std::string> csv_rays(std::vector<std::string> cells, const StressRayFigures& r) {
     for (std::string& each : std::vector<std::string>{csv_cell(r.rays), r.question == Question::any ? "any" : "closest", fmt::format("{}", r.count), fmt::format("{}", r.hits), fmt::format("{}", r.rounds),
              fmt::format("{}", double(r.count) / r.seconds.median), fmt::format("{}", r.seconds.low), fmt::format("{}", r.seconds.high), cell(r.boxes), cell(r.triangles), cell(r.decided),
-             fmt::format("{:016x}", r.hash), fmt::format("{}", r.unlike)})
+             cell(r.events[0]), cell(r.events[1]), cell(r.events[2]), cell(r.events[3]), fmt::format("{:016x}", r.hash), fmt::format("{}", r.unlike)})
         cells.push_back(std::move(each));
     return cells;
 }

@@ -164,6 +164,8 @@ const STRUCTURE = [['accelerator', (one) => one.accelerator, true], ['precision'
   ['nodes', (one) => one.nodes], ['depth', (one) => one.depth], ['SAH cost', (one) => one.sah_cost]];
 const RAYS = [['rays', (one) => one.rays, true], ['accelerator', (one) => one.peer.accelerator, true], ['precision', (one) => one.peer.precision, true], ['rays/s', (one) => one.rays_per_second],
   ['hit', (one) => one.hits / one.count], ['boxes', (one) => one.boxes], ['triangles', (one) => one.triangles], ['decided', (one) => one.decided], ['unlike', (one) => one.unlike], ['hash', (one) => one.hash, true]];
+// What the processor counted of a ray: columns where it did.
+const EVENTS = ['instructions', 'cycles', 'cache_misses', 'branch_misses'].map((name) => [name.replace('_', ' '), (one) => one.counted[name]]);
 const GROWTH = [['accelerator', (one) => one.accelerator, true], ['precision', (one) => one.precision, true], ['cost', (one) => one.cost, true], ['exponent', (one) => one.exponent],
   ['standard error', (one) => one.error], ['sizes', (one) => one.points]];
 
@@ -186,7 +188,7 @@ function sizePart(size) {
   const rays = built.flatMap((one) => one.rays.filter((each) => each.left_out === undefined).map((each) => ({...each, peer: one})));
   const order = [...new Set(rays.map((one) => one.rays))];
   rays.sort((a, b) => order.indexOf(a.rays) - order.indexOf(b.rays));
-  return of('div', {}, verdict(size), omissions(size), built.length ? table('Structures', STRUCTURE, built, null) : null, rays.length ? table('Rays', RAYS, rays, null) : null);
+  return of('div', {}, verdict(size), omissions(size), built.length ? table('Structures', STRUCTURE, built, null) : null, rays.length ? table('Rays', RAYS.concat(EVENTS.filter(([, value]) => rays.some((one) => value(one) !== null))), rays, null) : null);
 }
 
 function sizeTitle(size) {
