@@ -25,16 +25,20 @@ constexpr Isa kCompiled[] = {
 
 }  // namespace
 
+/// What Highway's targets ask of the processor, and of the system. Not by Highway's own library: to load it takes longer than a small picture, since it measures the clock.
 bool machine_has(Isa isa) {
-    static const int64_t targets = hwy::SupportedTargets();   // asks the processor, which takes long on a virtual machine
+#ifdef __x86_64__
     switch (isa) {
         case Isa::best:
         case Isa::scalar: return true;
-        case Isa::sse4: return (targets & HWY_SSE4) != 0;
-        case Isa::avx2: return (targets & HWY_AVX2) != 0;
-        case Isa::avx512: return (targets & HWY_AVX3) != 0;
+        case Isa::sse4: return __builtin_cpu_supports("sse4.1") && __builtin_cpu_supports("sse4.2") && __builtin_cpu_supports("pclmul") && __builtin_cpu_supports("aes");
+        case Isa::avx2: return machine_has(Isa::sse4) && __builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma") && __builtin_cpu_supports("bmi") && __builtin_cpu_supports("bmi2");
+        case Isa::avx512:
+            return machine_has(Isa::avx2) && __builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512vl") && __builtin_cpu_supports("avx512dq") && __builtin_cpu_supports("avx512bw") &&
+                   __builtin_cpu_supports("avx512cd");
     }
-    return false;
+#endif
+    return isa == Isa::best || isa == Isa::scalar;
 }
 
 std::span<const Isa> available_isas() {

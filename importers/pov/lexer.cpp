@@ -10,6 +10,7 @@ namespace alidade::pov {
 namespace {
 
 constexpr size_t kLongestName = 200;
+constexpr size_t kUsualTokens = 1 << 16;   // more than a standard include has bytes: the room is made once
 
 constexpr double kPowersOfTen[] = {1, 1e1, 1e2, 1e3, 1e4, 1e5, 1e6, 1e7, 1e8, 1e9, 1e10, 1e11, 1e12, 1e13, 1e14, 1e15};
 
@@ -47,7 +48,7 @@ class Lexer {
     TokenList run(size_t max_tokens) {
         list_.tokens.swap(room_);
         list_.tokens.clear();
-        list_.tokens.reserve(std::min(text_.size(), max_tokens) + 2);    // the most there can be: growing would hold large lists twice
+        list_.tokens.reserve(std::max(std::min(text_.size(), max_tokens) + 2, kUsualTokens));    // the most there can be: growing would hold large lists twice
         while (skip_blanks() && at_ < text_.size()) {
             if (list_.tokens.size() + list_.vectors.size() >= max_tokens) {
                 bad(at_, fmt::format("the file has more than {} tokens", max_tokens));
@@ -100,14 +101,16 @@ class Lexer {
     bool skip_comment() {
         const size_t opened = at_;
         int depth = 0;
-        for (; at_ < text_.size(); ++at_) {
-            if (peek() == '/' && peek(1) == '*') {
-                ++depth, ++at_;
-            } else if (peek() == '*' && peek(1) == '/') {
-                ++at_;
-                if (--depth == 0) return true;
+        size_t taken = at_;   // what is before it belongs to a mark already
+        for (size_t slash = at_; (slash = text_.find('/', slash)) != text_.npos; ++slash) {   // one stands in both marks
+            if (slash > taken && text_[slash - 1] == '*') {
+                taken = slash + 1;
+                if (--depth == 0) return at_ = slash, true;
+            } else if (slash + 1 < text_.size() && text_[slash + 1] == '*') {
+                ++depth, taken = slash + 2;
             }
         }
+        at_ = text_.size();
         bad(opened, "the comment is not closed");
         return false;
     }

@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cctype>
 #include <fstream>
-#include <map>
 
 namespace alidade::pov {
 
@@ -38,12 +37,20 @@ SourceFinder::SourceFinder(fs::path scene_folder, std::vector<std::string> inclu
     folders_.emplace_back(kStandardIncludes);
 }
 
+fs::path SourceFinder::resolved(const fs::path& path, std::error_code& failed) const {
+    if (fs::is_symlink(fs::symlink_status(path, failed)) || !path.has_filename()) return fs::weakly_canonical(path, failed);
+    const auto [known, fresh] = resolved_.try_emplace(path.parent_path().string());
+    if (fresh) known->second = fs::weakly_canonical(path.parent_path(), failed);
+    if (failed) return resolved_.erase(known), fs::path();
+    return known->second / path.filename();
+}
+
 bool SourceFinder::allowed(const fs::path& path) const {
     std::error_code failed;
     if (roots_.empty())
         for (const fs::path& folder : folders_)
             if (fs::path root = fs::weakly_canonical(folder, failed); !failed) roots_.push_back(std::move(root));
-    const fs::path real = fs::weakly_canonical(path, failed);
+    const fs::path real = resolved(path, failed);
     if (failed) return false;
     return std::any_of(roots_.begin(), roots_.end(), [&](const fs::path& root) {
         const auto [end, _] = std::mismatch(root.begin(), root.end(), real.begin(), real.end());

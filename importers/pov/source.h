@@ -5,6 +5,7 @@
 #include "core/diagnostics.h"
 
 #include <filesystem>
+#include <map>
 #include <memory>
 #include <optional>
 
@@ -53,8 +54,12 @@ class SourceFinder {
     /// Does `path`, with links and ".." resolved, lie below one of the folders?
     bool allowed(const std::filesystem::path& path) const;
 
+    /// `path`, an existing file, with links and ".." resolved.
+    std::filesystem::path resolved(const std::filesystem::path& path, std::error_code& failed) const;
+
     std::vector<std::filesystem::path> folders_;
     mutable std::vector<std::filesystem::path> roots_;   ///< the same with links and ".." resolved; made when first asked
+    mutable std::map<std::string, std::filesystem::path> resolved_;   ///< folders, likewise: most files lie in few of them
 };
 
 /// The name of a standard include that declares `name` (a value or a macro); empty if none does. Reads them all: for messages.

@@ -4,6 +4,8 @@
 #include "numerics/triangles/rays.h"
 #include "tests/accel/run_size.h"
 
+#include "hwy/targets.h"
+
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -16,6 +18,14 @@ namespace {
 TEST(Isa, ScalarIsFirstAndAlwaysThere) {
     ASSERT_FALSE(available_isas().empty());
     EXPECT_EQ(available_isas().front(), Isa::scalar);
+}
+
+/// Highway's own library is the oracle; the program does not load it.
+TEST(Isa, AreThoseThatHighwayFinds) {
+    const int64_t found = hwy::SupportedTargets();
+    EXPECT_EQ(machine_has(Isa::sse4), (found & HWY_SSE4) != 0);
+    EXPECT_EQ(machine_has(Isa::avx2), (found & HWY_AVX2) != 0);
+    EXPECT_EQ(machine_has(Isa::avx512), (found & HWY_AVX3) != 0);
 }
 
 TEST(Isa, AllGiveTheHitsOfScalarCode) {
