@@ -7,7 +7,7 @@
 namespace alidade {
 
 /// Cut triangles may make references at most this many times as many as there are triangles; each cell has its share of that.
-inline constexpr double kTriangleGrowth = 3;
+inline constexpr double kTriangleGrowth = 4;
 
 /// What a node costs beside a block of triangles, when it is asked whether halving a cell pays.
 inline constexpr double kHalvingCost = 0.1;
