@@ -15,15 +15,11 @@ constexpr double kCrowded = 1.0 / 16;
 constexpr size_t kFew = 1000;    // primitives, below which it does not matter
 constexpr size_t kProbes = 256;
 
-/// Nanoseconds of a ray by its work, by which structures are compared: measured beside each other on the made scenes (docs/stress.md), good to some 20 %.
-struct Price {
-    double box, primitive;
-    double of(const WorkCounters& work) const { return box * double(work.boxes) + primitive * double(work.filtered); }
-};
-constexpr Price kBvh{6, 2}, kOctree{30, 1.6};
+/// Nanoseconds of a box and of a triangle, in either: both are walked by the same code. Measured on the made scenes (docs/stress.md), good to some 20 %.
+constexpr double kBox = 6, kTriangle = 2;
 
 /// Of random rays through the bounds: nobody knows the scene's yet. No clock is asked, so that the choice is always the same.
-double price_of(const Accelerator& accelerator, const Price& price) {
+double price_of(const Accelerator& accelerator) {
     WorkCounters work;
     for (size_t i = 0; i < kProbes; ++i) {
         Draws draws(RandomKey(1, 0, i, 0));
@@ -33,7 +29,7 @@ double price_of(const Accelerator& accelerator, const Price& price) {
         Hit hit;
         accelerator.intersect(ray, hit, work);
     }
-    return price.of(work);
+    return kBox * double(work.boxes) + kTriangle * double(work.filtered);
 }
 
 }  // namespace
@@ -46,7 +42,7 @@ std::unique_ptr<Accelerator> over_triangles_auto(const TriangleView& mesh, const
         return bvh;
     }
     auto octree = find_accelerator("octree")->over_triangles(mesh, options);
-    const double ratio = price_of(*octree, kOctree) / price_of(*bvh, kBvh);
+    const double ratio = price_of(*octree) / price_of(*bvh);
     auto& best = ratio < 1 ? octree : bvh;
     const auto percent = [](double part) { return std::to_string(std::lround(100 * part)) + " %"; };
     best->why = std::string(ratio < 1 ? "octree" : "bvh") + ": boxes do not separate the triangles (a ray meets " + percent(stats.sah_cost / double(stats.primitives)) + "), and by " +

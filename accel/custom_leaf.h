@@ -6,6 +6,8 @@
 #include "accel/leaf.h"
 #include "accel/shaft.h"
 
+#include <array>
+
 namespace alidade {
 
 class PrimitiveSetSource {
@@ -39,21 +41,27 @@ class CustomLeaf {
     struct Probe {
         Probe(const CustomLeaf&, const Ray& r, const LocalRay&, uint32_t) : ray(r) {}   // the instance of a hit is the set's own affair
         const Ray& ray;
+        mutable std::array<uint32_t, 32> asked = filled_with(kNoId);   ///< at its number's place, the last id that was: cells of a grid or an octree share primitives, and to ask one again changes nothing
     };
 
     CustomLeaf(const Source& source, const std::vector<uint32_t>& order, const AccelOptions&) : set_(source.set()), ids_(order) {}
 
     bool closest(const Probe& probe, uint32_t first, uint32_t count, Hit& hit, WorkCounters& work) const {
-        work.filtered += count;
-        return set_->intersect(ids(first, count), probe.ray, hit, work);
+        bool found = false;
+        for_each_new(probe, first, count, work, [&](std::span<const uint32_t> ids) {
+            found |= set_->intersect(ids, probe.ray, hit, work);
+            return false;
+        });
+        return found;
     }
     bool any(const Probe& probe, uint32_t first, uint32_t count, WorkCounters& work) const {
-        work.filtered += count;
-        return set_->occluded(ids(first, count), probe.ray, work);
+        return for_each_new(probe, first, count, work, [&](std::span<const uint32_t> ids) { return set_->occluded(ids, probe.ray, work); });
     }
     void all(const Probe& probe, uint32_t first, uint32_t count, std::vector<Hit>& hits, WorkCounters& work) const {
-        work.filtered += count;
-        set_->all_hits(ids(first, count), probe.ray, hits, work);
+        for_each_new(probe, first, count, work, [&](std::span<const uint32_t> ids) {
+            set_->all_hits(ids, probe.ray, hits, work);
+            return false;
+        });
     }
     /// Appends those in the range whose bounds the shaft meets; false if there are then more than `most`.
     bool candidates(const Shaft& shaft, uint32_t first, uint32_t count, size_t most, std::vector<uint32_t>& out) const {
@@ -64,6 +72,29 @@ class CustomLeaf {
     size_t bytes() const { return ids_.capacity() * sizeof(uint32_t); }
 
   private:
+    static constexpr std::array<uint32_t, 32> filled_with(uint32_t value) {
+        std::array<uint32_t, 32> all{};
+        all.fill(value);
+        return all;
+    }
+
+    /// Shows `ask` the ids of the range that were not asked lately, as many at once as follow each other, until it returns true; then returns true.
+    template <class F> bool for_each_new(const Probe& probe, uint32_t first, uint32_t count, WorkCounters& work, F&& ask) const {
+        const uint32_t end = first + count;
+        for (uint32_t place = first; place < end;) {
+            const uint32_t start = place;
+            for (; place < end; ++place) {
+                uint32_t& last = probe.asked[ids_[place] % probe.asked.size()];
+                if (last == ids_[place]) break;
+                last = ids_[place];
+            }
+            work.filtered += place - start;
+            if (place > start && ask(ids(start, place - start))) return true;
+            while (place < end && probe.asked[ids_[place] % probe.asked.size()] == ids_[place]) ++place;
+        }
+        return false;
+    }
+
     std::span<const uint32_t> ids(uint32_t first, uint32_t count) const { return std::span(ids_).subspan(first, count); }
 
     std::shared_ptr<const PrimitiveSet> set_;

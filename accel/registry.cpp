@@ -18,7 +18,7 @@ static constexpr AcceleratorEntry kTable[] = {
     {"bvh", "tree of boxes, split by the surface area heuristic over bins; over triangles eight children a node, and cut by planes where that pays", over_triangles<Bvh>, over_set<Bvh>},
     {"hlbvh", "a tree of boxes that is built about twice as fast: sorted along a Morton curve, the surface area heuristic only above; not cut by planes", over_triangles<FastBvh>, over_set<FastBvh>},
     {"grid", "grid of cells, walked one by one; crowded cells are grids of their own", over_triangles<Grid>, over_set<Grid>},
-    {"octree", "cells halved along their long axes, deeper where more primitives are", over_triangles<Octree>, over_set<Octree>},
+    {"octree", "cells halved along their long axes, deeper where more primitives are; over triangles eight cells a node, tested at once", over_triangles<Octree>, over_set<Octree>},
 };
 
 std::span<const AcceleratorEntry> accelerators() { return kTable; }

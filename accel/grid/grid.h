@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 /// Grid of grids: cells that hold many primitives are lattices of their own, around what is in them.
 ///
-/// Cells     a counting sort of references into one array, one index a cell: Lagae, Dutre, "Compact, Fast and Robust Grids for Ray Tracing", 2008.
+/// Cells     a counting sort of references into one array: Lagae, Dutre, "Compact, Fast and Robust Grids for Ray Tracing", 2008; but the references of each cell begin a block.
 /// Levels    Kalojanov, Billeter, Slusallek, "Two-Level Grids for Ray Tracing on GPUs", 2011; here to any depth, and a lattice spans only the primitives
 ///           in its cell, so that a teapot in a stadium is found in one step.
 #pragma once
@@ -12,8 +12,8 @@
 
 namespace alidade {
 
-/// Cells with fewer references are not divided further, nor are any at the last level.
-inline constexpr size_t kGridLeaf = 32;
+/// Cells with fewer blocks of references are not divided further, nor are any at the last level.
+inline constexpr size_t kGridLeaf = 6;
 inline constexpr uint32_t kGridDepth = 8;
 
 /// References of all levels are at most this many times the primitives; a cell's lattice has its share of what is left.
@@ -25,7 +25,7 @@ template <class Leaf> class Grid {
         if (input.ids.empty()) return;
         PhaseClock clock(stats);
         const size_t before = input.order.size();
-        const GridPlanner planner(input.source, input.ids, input.bounds);
+        const GridPlanner planner(input.source, input.ids, input.bounds, Leaf::kBlock);
         std::vector<Task> tasks;
         tasks.push_back({0, 1, planner.plan(kInf), kGridGrowth * double(input.ids.size())});
         clock.ended("plan");
@@ -36,23 +36,29 @@ template <class Leaf> class Grid {
             add_part(task, input, tasks, stats);
         }
         stats.leaves += input.order.size() > before ? 0 : 1;
-        parts_.shrink_to_fit(), starts_.shrink_to_fit();
+        parts_.shrink_to_fit(), cells_.shrink_to_fit();
         clock.ended("divide");
     }
 
     template <class Query> void traverse(const LocalRay& ray, Query& query, WorkCounters& work) const {
         if (!parts_.empty()) search(parts_.front(), Search<Query>{GridRay(ray), query, work}, ray.tmin, ray.tmax);
     }
-    size_t bytes() const { return starts_.capacity() * sizeof(uint32_t) + parts_.capacity() * sizeof(Part); }
+    size_t bytes() const { return cells_.capacity() * sizeof(Cell) + parts_.capacity() * sizeof(Part); }
 
   private:
     using Source = typename Leaf::Source;
-    static constexpr uint32_t kDivided = 1u << 31;
 
+    struct Cell {
+        static constexpr uint32_t kDivided = ~uint32_t(0);
+        uint32_t first = 0;   ///< place of its references, from the start of a block on; or its part
+        uint32_t count = 0;   ///< of references, or kDivided
+
+        bool empty() const { return count == 0; }
+        bool divided() const { return count == kDivided; }
+    };
     struct Part {
         Lattice lattice;
-        size_t cells = 0;     ///< its first in starts_; one more than it has follow each other there
-        uint32_t place = 0;   ///< where the references of the cell would stand that it divides
+        size_t cells = 0;   ///< its first in cells_
     };
     struct Task {
         uint32_t part, depth;
@@ -67,36 +73,36 @@ template <class Leaf> class Grid {
 
     void add_part(const Task& task, BuildInput<Source>& input, std::vector<Task>& tasks, BuildStats& stats) {
         const Lattice& lattice = task.plan.lattice;
-        parts_[task.part].lattice = lattice, parts_[task.part].cells = starts_.size();
+        parts_[task.part].lattice = lattice, parts_[task.part].cells = cells_.size();
         const double area = input.bounds.half_area(), share = lattice.cell_share() * (area > 0 ? lattice.box().half_area() / area : 1);
         double work = double(lattice.cells());
         for (size_t c = 0; c < lattice.cells(); ++c) {
             const std::span<const uint32_t> ids = task.plan.cell(c);
             if (divide(task, c, input, tasks)) {
-                starts_.push_back(kDivided | uint32_t(parts_.size() - 1)), ++work;
+                cells_.push_back({uint32_t(parts_.size() - 1), Cell::kDivided}), ++work;
                 continue;
             }
-            starts_.push_back(uint32_t(input.order.size()));
+            cells_.push_back({uint32_t(input.order.size()), uint32_t(ids.size())});
             input.order.insert(input.order.end(), ids.begin(), ids.end());
+            input.order.resize((input.order.size() + Leaf::kBlock - 1) / Leaf::kBlock * Leaf::kBlock, kPadding);
             work += double(ids.size()), stats.leaves += !ids.empty();
         }
-        starts_.push_back(uint32_t(input.order.size()));
         stats.nodes += lattice.cells(), stats.depth = std::max(stats.depth, size_t(task.depth)), stats.sah_cost += share * work;
     }
 
     /// Makes a part of a cell, if that is expected to pay: the box around its primitives is tested, and walked through by the rays that hit it.
     bool divide(const Task& task, size_t cell, const BuildInput<Source>& input, std::vector<Task>& tasks) {
         const std::span<const uint32_t> ids = task.plan.cell(cell);
-        if (ids.size() < kGridLeaf || task.depth == kGridDepth) return false;
+        if (ids.size() < kGridLeaf * Leaf::kBlock || task.depth == kGridDepth) return false;
         const Bounds within = task.plan.lattice.padded_cell(task.plan.lattice.index(cell));
-        const GridPlanner planner(input.source, ids, within);
+        const GridPlanner planner(input.source, ids, within, Leaf::kBlock);
         if (planner.bounds().empty()) return false;
         const double area = within.half_area(), share = area > 0 ? planner.bounds().half_area() / area : 1;
         const double budget = task.budget * double(ids.size()) / double(task.plan.ids.size());
         GridPlan plan = planner.plan(budget);
-        if (1 + share * plan.cost() >= double(ids.size()) || double(plan.ids.size()) > budget) return false;
+        if (kEntrySteps + share * plan.cost(Leaf::kBlock) >= kBlockSteps * double(GridPlan::blocks_of(ids.size(), Leaf::kBlock)) || double(plan.ids.size()) > budget) return false;
         tasks.push_back({uint32_t(parts_.size()), task.depth + 1, std::move(plan), budget});
-        parts_.emplace_back().place = uint32_t(input.order.size());
+        parts_.emplace_back();
         return true;
     }
 
@@ -104,22 +110,26 @@ template <class Leaf> class Grid {
     template <class Query> bool search(const Part& part, const Search<Query>& to, double from, double until) const {
         if (!part.lattice.can_walk(to.ray)) return search_halves(part, part.lattice.all(), to, from, until);
         LatticeWalk walk(part.lattice, to.ray, from);
+        const Cell* const cells = &cells_[part.cells];
+        double limit = std::min(until, to.query.limit());
+        uint64_t walked = 0;
+        bool stopped = false;
         do {
-            ++to.work.boxes;
-            const size_t cell = part.cells + walk.cell();
-            if (divided(cell) ? search_cell(cell, to, walk.entered(), std::min(until, walk.left())) : show(cell, to.query)) return true;
-        } while (walk.advance(std::min(until, to.query.limit())));
-        return false;
+            ++walked;
+            const Cell cell = cells[walk.cell()];
+            if (cell.empty()) continue;
+            stopped = show(cell, to, walk.entered(), std::min(until, walk.left()));
+            limit = std::min(until, to.query.limit());
+        } while (!stopped && walk.advance(limit));
+        to.work.boxes += walked;
+        return stopped;
     }
 
     /// The same where cells are smaller than the rounding of a walk, as they are from very far away: a cell is reached by halving the lattice.
     template <class Query> bool search_halves(const Part& part, const CellRange& range, const Search<Query>& to, double from, double until) const {
         ++to.work.boxes;
         if (to.ray.slab().enter(part.lattice.box_of(range), from, std::min(until, to.query.limit())) == kInf) return false;
-        if (range.low == range.high) {
-            const size_t cell = part.cells + part.lattice.number(range.low);
-            return divided(cell) ? search_cell(cell, to, from, until) : show(cell, to.query);
-        }
+        if (range.low == range.high) return show(cells_[part.cells + part.lattice.number(range.low)], to, from, until);
         int axis = 0;
         for (int a = 1; a < 3; ++a) {
             if (range.high[size_t(a)] - range.low[size_t(a)] > range.high[size_t(axis)] - range.low[size_t(axis)]) axis = a;
@@ -131,25 +141,21 @@ template <class Leaf> class Grid {
         return search_halves(part, near, to, from, until) || search_halves(part, far, to, from, until);
     }
 
-    /// The lattice in a divided cell, which the ray is in from one t to another, each as the walk around computed it.
-    template <class Query> bool search_cell(size_t cell, const Search<Query>& to, double from, double until) const {
-        const Part& part = parts_[starts_[cell] & ~kDivided];
+    /// A cell that the ray is in from one t to another, each as the walk around computed it.
+    template <class Query> bool show(const Cell& cell, const Search<Query>& to, double from, double until) const {
+        if (cell.divided()) return search_part(parts_[cell.first], to, from, until);
+        return !cell.empty() && to.query.visit(cell.first, cell.count);
+    }
+
+    template <class Query> bool search_part(const Part& part, const Search<Query>& to, double from, double until) const {
         ++to.work.boxes;
         const double start = padded_down(from), end = padded_up(until);
         const double entry = to.ray.slab().enter(part.lattice.box(), start, std::min(end, padded_up(to.query.limit())));
         return entry < kInf && search(part, to, std::max(padded_down(entry), start), end);
     }
 
-    template <class Query> bool show(size_t cell, Query& query) const {
-        const uint32_t start = starts_[cell], count = place(starts_[cell + 1]) - start;
-        return count && query.visit(start, count);
-    }
-
-    bool divided(size_t cell) const { return starts_[cell] & kDivided; }
-    uint32_t place(uint32_t start) const { return start & kDivided ? parts_[start & ~kDivided].place : start; }
-
-    std::vector<Part> parts_;        ///< the first is the whole
-    std::vector<uint32_t> starts_;   ///< for each cell, where its references begin, or kDivided and its part; the next one's begin where they end
+    std::vector<Part> parts_;   ///< the first is the whole
+    std::vector<Cell> cells_;
 };
 
 }  // namespace alidade

@@ -7,6 +7,8 @@ Lattice::Lattice(const Bounds& box, const CellIndex& cells) : box_(box), cells_(
     for (int a = 0; a < 3; ++a) {
         size_[a] = (box.max[a] - box.min[a]) / cells[size_t(a)];
         inverse_size_[a] = cells[size_t(a)] > 1 ? 1 / size_[a] : 0;
+        const double magnitude = std::max(std::abs(box.min[a]), std::abs(box.max[a]));
+        reach_[a] = cells[size_t(a)] > 1 ? 0.5 * kCellPad * size_[a] / (64 * kUnitRoundoff<double>) - magnitude : kInf;
     }
 }
 
@@ -47,14 +49,6 @@ double Lattice::cell_share() const {
     return area > 0 ? std::min(1.0, cell / area) : 1;
 }
 
-bool Lattice::can_walk(const GridRay& ray) const {
-    for (int a = 0; a < 3; ++a) {
-        const double magnitude = std::abs(ray.ray.origin[a]) + std::max(std::abs(box_.min[a]), std::abs(box_.max[a]));
-        if (cells_[size_t(a)] > 1 && 64 * kUnitRoundoff<double> * magnitude > 0.5 * kCellPad * size_[a]) return false;
-    }
-    return true;
-}
-
 CellIndex grid_resolution(const Bounds& box, const Vec3& typical, double count) {
     const Vec3 extent = box.extent() / typical;
     CellIndex cells{1, 1, 1};
@@ -79,13 +73,6 @@ CellIndex grid_resolution(const Bounds& box, const Vec3& typical, double count) 
         }
     }
     return cells;
-}
-
-LatticeWalk::LatticeWalk(const Lattice& lattice, const GridRay& ray, double start) : lattice_(lattice), ray_(ray), entered_(start) {
-    for (int a = 0; a < 3; ++a) {
-        at_[size_t(a)] = lattice.cell(a, ray.ray.origin[a] + start * ray.ray.dir[a]);
-        next_[a] = crossing(a);
-    }
 }
 
 }  // namespace alidade

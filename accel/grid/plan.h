@@ -7,8 +7,11 @@
 
 namespace alidade {
 
-/// Cells wanted for each primitive, and the most references for each: the resolution is halved until that suffices.
-inline constexpr double kCellsPerPrimitive = 4, kReferencesPerPrimitive = 12;
+/// Cells wanted for each block that the primitives fill, and the most references for each primitive: the resolution is halved until that suffices.
+inline constexpr double kCellsPerBlock = 3, kReferencesPerPrimitive = 12;
+
+/// What a block of references costs a ray in steps from one cell to the next, and what the box of a lattice in a cell and the start of a walk there do.
+inline constexpr double kBlockSteps = 2, kEntrySteps = 24;
 
 struct GridPlan {
     Lattice lattice;
@@ -16,15 +19,20 @@ struct GridPlan {
     std::vector<uint32_t> ids;
 
     std::span<const uint32_t> cell(size_t number) const { return std::span(ids).subspan(starts[number], starts[number + 1] - starts[number]); }
-    /// Expected cells and primitives of a ray that hits the lattice's box.
-    double cost() const { return lattice.cell_share() * double(lattice.cells() + ids.size()); }
+    /// Of a ray that hits the lattice's box, in steps. `block`: references that are looked at at once.
+    double cost(uint32_t block) const {
+        size_t blocks = 0;
+        for (size_t c = 0; c < lattice.cells(); ++c) blocks += blocks_of(cell(c).size(), block);
+        return lattice.cell_share() * (double(lattice.cells()) + kBlockSteps * double(blocks));
+    }
+    static size_t blocks_of(size_t references, uint32_t block) { return (references + block - 1) / block; }
 };
 
 /// Plans a lattice for what lies in a box of some primitives: of all of them, or of those that a cell of another lattice refers to.
 template <class Source> class GridPlanner {
   public:
     /// `within` holds the parts of the primitives that count.
-    GridPlanner(const Source& source, std::span<const uint32_t> ids, const Bounds& within) : source_(source), ids_(ids), within_(within) {
+    GridPlanner(const Source& source, std::span<const uint32_t> ids, const Bounds& within, uint32_t block) : source_(source), ids_(ids), within_(within), block_(block) {
         Vec3 sum(0);
         for (const uint32_t id : ids) {
             const Bounds part = part_of(id);
@@ -70,7 +78,7 @@ template <class Source> class GridPlanner {
     }
 
     Lattice choose_lattice(double most) const {
-        CellIndex cells = grid_resolution(bounds_, typical_, kCellsPerPrimitive * double(ids_.size()));
+        CellIndex cells = grid_resolution(bounds_, typical_, kCellsPerBlock / block_ * double(ids_.size()));
         for (;;) {
             const Lattice lattice(bounds_, cells);
             double references = 0;
@@ -96,6 +104,7 @@ template <class Source> class GridPlanner {
     const Source& source_;
     std::span<const uint32_t> ids_;
     Bounds within_, bounds_;
+    uint32_t block_;
     Vec3 typical_{1};
 };
 

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "accel/accelerator.h"
+#include "accel/octree/wide_octree.h"
 #include "accel/query.h"
 
 #include <array>
@@ -202,6 +203,30 @@ template <class Leaf> class Octree {
     Vec3 typical_;
     std::vector<OctreeNode> nodes_;
     std::vector<Shrunk> boxes_;
+};
+
+/// Over triangles: eight cells a node (octree/wide_octree.h), walked as those of the BVH.
+template <class T, TriangleTest test> class Octree<TriangleLeaf<T, test>> {
+  public:
+    static constexpr bool kWidensBoxes = true;   ///< for TriangleTest::watertight
+
+    Octree(BuildInput<TriangleSource<T>>& input, const AccelOptions& options, BuildStats& stats) : traversals_(wide_traversals<T, test>(options.isa)) {
+        PhaseClock clock(stats);
+        const Vec3 typical = input.typical_extent();
+        std::vector<BvhReference<T>> references;
+        references.reserve(input.ids.size());
+        for (const uint32_t id : input.ids) references.emplace_back(input.source.box(id), id);
+        input.ids = {};
+        nodes_ = build_wide_octree<T>(std::move(references), input.source, typical, input.order, stats);
+        clock.ended("divide");
+    }
+
+    template <class Query> void traverse(const LocalRay& ray, Query& query, WorkCounters& work) const { traversals_(nodes_.data(), ray, query, work); }
+    size_t bytes() const { return nodes_.capacity() * sizeof(WideNode<T>); }
+
+  private:
+    const WideTraversals<T, test>& traversals_;
+    LargeVector<WideNode<T>> nodes_;
 };
 
 }  // namespace alidade

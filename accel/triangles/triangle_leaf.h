@@ -26,6 +26,8 @@ template <class R, TriangleTest test = TriangleTest::exact> class TriangleLeaf {
         const LocalRay& local;
         uint32_t instance;
         mutable uint32_t place = kPadding;   ///< where the triangle stands that closest() hit last
+        mutable std::array<uint32_t, 4> decided{kPadding, kPadding, kPadding, kPadding};   ///< the last ids, of ranges: neighbouring cells of a grid hold the same triangles
+        mutable uint32_t decisions = 0;
     };
 
     TriangleLeaf(const Source& source, const std::vector<uint32_t>& order, const AccelOptions& options)
@@ -109,9 +111,22 @@ template <class R, TriangleTest test = TriangleTest::exact> class TriangleLeaf {
             uint32_t lanes = filter_(blocks_[block], probe.filter);
             if (start < first) lanes &= ~uint32_t(0) << (first - start);
             if (end - start < kLanes) lanes &= (1u << (end - start)) - 1;
+            lanes = undecided(probe, blocks_[block], lanes);
             if (lanes && visit(block, lanes)) return true;
         }
         return false;
+    }
+
+    /// Those of the lanes whose triangles were not decided lately. To decide one again would change nothing.
+    static uint32_t undecided(const Probe& probe, const TriangleBlock<R>& block, uint32_t lanes) {
+        uint32_t left = 0;
+        for (; lanes; lanes &= lanes - 1) {
+            const uint32_t lane = uint32_t(std::countr_zero(lanes)), id = block.id[lane];
+            if (std::find(probe.decided.begin(), probe.decided.end(), id) != probe.decided.end()) continue;
+            probe.decided[probe.decisions++ % probe.decided.size()] = id;
+            left |= 1u << lane;
+        }
+        return left;
     }
 
     /// Calls found(Found) for each hit among the lanes until it returns true; then returns true.
