@@ -10,6 +10,7 @@
 #include "core/bounds.h"
 #include "core/ray.h"
 
+#include <functional>
 #include <memory>
 #include <span>
 #include <string>
@@ -19,6 +20,16 @@
 namespace alidade {
 
 class Shaft;
+
+/// A node of a tree, for whoever studies trees.
+struct TreeNode {
+    uint32_t number = 0, parent = kNoId;      ///< the root has no parent
+    uint32_t depth = 0;                       ///< nodes above it
+    Bounds box;
+    std::span<const uint32_t> children = {};     ///< their numbers; none in a leaf
+    std::span<const uint32_t> primitives = {};   ///< a leaf's
+    bool leaf = false;
+};
 
 class Accelerator {
   public:
@@ -38,6 +49,8 @@ class Accelerator {
 
     virtual Bounds bounds() const = 0;   ///< of the bounded primitives
     virtual const BuildStats& stats() const = 0;
+    /// Shows `visit` the nodes of a tree, depth first, each before its children; unbounded primitives are in none. False, and nothing shown, if the structure is no tree.
+    virtual bool visit_nodes(const std::function<void(const TreeNode&)>& visit) const { return static_cast<void>(visit), false; }
     std::string why;   ///< where "auto" chose: what, and why
 
     /// hits[i] gets the first hit of rays[i].

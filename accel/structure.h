@@ -15,7 +15,8 @@
 
 namespace alidade {
 
-/// A structure has a constructor (BuildInput&, AccelOptions, BuildStats&), `traverse(local ray, query, work)`, and `bytes()`.
+/// A structure has a constructor (BuildInput&, AccelOptions, BuildStats&), `traverse(local ray, query, work)`, and `bytes()`; a tree has `visit_nodes(visit)`: visit(TreeNode, first place of a leaf, count), the
+/// primitives left to the caller.
 template <template <class> class Structure, class Leaf> class StructureAccelerator final : public Accelerator {
   public:
     StructureAccelerator(const typename Leaf::Source& source, const AccelOptions& options) {
@@ -75,6 +76,20 @@ template <template <class> class Structure, class Leaf> class StructureAccelerat
 
     Bounds bounds() const override { return bounds_; }
     const BuildStats& stats() const override { return stats_; }
+
+    bool visit_nodes(const std::function<void(const TreeNode&)>& visit) const override {
+        if constexpr (requires(const Structure<Leaf>& s) { s.visit_nodes([](TreeNode&, uint32_t, uint32_t) {}); }) {
+            std::vector<uint32_t> ids;
+            structure_->visit_nodes([&](TreeNode& node, uint32_t first, uint32_t count) {
+                ids.clear();
+                for (uint32_t place = first; place < first + count; ++place) ids.push_back(leaf_->id(place));
+                node.primitives = ids;
+                visit(node);
+            });
+            return true;
+        }
+        return false;
+    }
 
   private:
     bool moves(const Ray& ray) const {

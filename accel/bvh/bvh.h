@@ -6,6 +6,7 @@
 #include "accel/bvh/build.h"
 #include "accel/bvh/fast_build.h"
 #include "accel/bvh/wide.h"
+#include "accel/bvh/wide_nodes.h"
 #include "accel/query.h"
 #include "accel/shaft.h"
 #include "core/parallel.h"
@@ -83,9 +84,23 @@ template <class Leaf> class Bvh {
         }
         return true;
     }
+    template <class Visit> void visit_nodes(const Visit& visit) const {
+        if (!nodes_.empty()) visit_below(0, kNoId, 0, visit);
+    }
     size_t bytes() const { return nodes_.capacity() * sizeof(BvhNode<R>); }
 
   private:
+    template <class Visit> void visit_below(uint32_t number, uint32_t parent, uint32_t depth, const Visit& visit) const {
+        const BvhNode<R>& node = nodes_[number];
+        const std::array<uint32_t, 2> children{node.first, node.first + 1};
+        TreeNode shown{number, parent, depth, {Vec3(node.box.min), Vec3(node.box.max)}};
+        shown.leaf = node.leaf();
+        if (node.leaf()) return visit(shown, node.first, node.count);
+        shown.children = children;
+        visit(shown, 0u, 0u);
+        for (const uint32_t child : children) visit_below(child, number, depth + 1, visit);
+    }
+
     LargeVector<BvhNode<R>> nodes_;
 };
 
@@ -109,6 +124,7 @@ template <class T, TriangleTest test> class Bvh<TriangleLeaf<T, test>> {
     }
 
     template <class Query> void traverse(const LocalRay& ray, Query& query, WorkCounters& work) const { traversals_(nodes_.data(), ray, query, work); }
+    template <class Visit> void visit_nodes(const Visit& visit) const { visit_wide(std::span<const WideNode<T>>(nodes_), visit); }
     size_t bytes() const { return nodes_.capacity() * sizeof(WideNode<T>); }
 
   private:

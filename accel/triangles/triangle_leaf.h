@@ -84,6 +84,7 @@ template <class R, TriangleTest test = TriangleTest::exact> class TriangleLeaf {
         });
     }
 
+    uint32_t id(uint32_t place) const { return blocks_[place / kLanes].id[place % kLanes]; }
     const TriangleBlock<R>& block(uint32_t i) const { return blocks_[i]; }
     uint32_t filter(const TriangleBlock<R>& block, const auto& ray) const { return filter_(block, ray); }
     size_t bytes() const { return blocks_.capacity() * sizeof(TriangleBlock<R>); }
