@@ -15,11 +15,13 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <tl/expected.hpp>
 #include <vector>
 
 namespace alidade {
 
 class Shaft;
+struct TriangleView;
 
 /// A node of a tree, for whoever studies trees.
 struct TreeNode {
@@ -51,6 +53,10 @@ class Accelerator {
     virtual const BuildStats& stats() const = 0;
     /// Shows `visit` the nodes of a tree, depth first, each before its children; unbounded primitives are in none. False, and nothing shown, if the structure is no tree.
     virtual bool visit_nodes(const std::function<void(const TreeNode&)>& visit) const { return static_cast<void>(visit), false; }
+
+    /// Writes the structure over `mesh` to a file that load_accelerator (accel/load.h) maps. An error is one sentence: of the file, or that this structure cannot be saved.
+    virtual tl::expected<void, std::string> save(const std::string& path, const TriangleView& mesh) const;
+
     std::string why;   ///< where "auto" chose: what, and why
 
     /// hits[i] gets the first hit of rays[i].

@@ -38,6 +38,11 @@ template <template <class> class Structure, class Leaf> class StructureAccelerat
         stats_.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     }
 
+    /// Of parts that are there already.
+    StructureAccelerator(Structure<Leaf> structure, Leaf leaf, const Bounds& bounds, BuildStats stats) : bounds_(bounds), stats_(std::move(stats)), structure_(std::move(structure)), leaf_(std::move(leaf)) {
+        stats_.bytes = sizeof(*this) + structure_->bytes() + leaf_->bytes();
+    }
+
     bool intersect(const Ray& ray, Hit& hit, WorkCounters& work, uint32_t instance) const override {
         if (!can_hit(ray, kLargestCoordinate<typename Leaf::Real>)) return false;
         const LocalRay local = ready(ray);
@@ -89,6 +94,11 @@ template <template <class> class Structure, class Leaf> class StructureAccelerat
             return true;
         }
         return false;
+    }
+
+    tl::expected<void, std::string> save(const std::string& path, const TriangleView& mesh) const override {
+        if constexpr (requires(const Structure<Leaf>& s) { s.save(path, mesh, *leaf_, bounds_, stats_); }) return structure_->save(path, mesh, *leaf_, bounds_, stats_);
+        else return Accelerator::save(path, mesh);
     }
 
   private:

@@ -4,6 +4,7 @@
 
 #include "accel/accelerator.h"
 #include "accel/bvh/build.h"
+#include "accel/bvh/bvh_file.h"
 #include "accel/bvh/fast_build.h"
 #include "accel/bvh/wide.h"
 #include "accel/bvh/wide_nodes.h"
@@ -123,13 +124,19 @@ template <class T, TriangleTest test> class Bvh<TriangleLeaf<T, test>> {
         if (input.order.size() / kLanes >= WideLeaf::kMaxBlocks) throw std::length_error("more triangles than the tree can number");
     }
 
+    Bvh(LargeArray<WideNode<T>> nodes, const AccelOptions& options) : traversals_(wide_traversals<T, test>(options.isa)), nodes_(std::move(nodes)) {}
+
     template <class Query> void traverse(const LocalRay& ray, Query& query, WorkCounters& work) const { traversals_(nodes_.data(), ray, query, work); }
-    template <class Visit> void visit_nodes(const Visit& visit) const { visit_wide(std::span<const WideNode<T>>(nodes_), visit); }
-    size_t bytes() const { return nodes_.capacity() * sizeof(WideNode<T>); }
+    template <class Visit> void visit_nodes(const Visit& visit) const { visit_wide(nodes_.view(), visit); }
+    size_t bytes() const { return nodes_.bytes(); }
+
+    tl::expected<void, std::string> save(const std::string& path, const TriangleView& mesh, const TriangleLeaf<T, test>& leaf, const Bounds& bounds, const BuildStats& stats) const {
+        return save_bvh<T>(path, mesh, nodes_.view(), leaf.blocks(), bounds, stats);
+    }
 
   private:
     const WideTraversals<T, test>& traversals_;
-    LargeVector<WideNode<T>> nodes_;
+    LargeArray<WideNode<T>> nodes_;
 };
 
 template <class Leaf> class FastBvh : public Bvh<Leaf> {
