@@ -96,6 +96,25 @@ template <template <class> class Structure, class Leaf> class StructureAccelerat
         return false;
     }
 
+    bool refit(const TriangleView& mesh, int threads) override {
+        if constexpr (requires(Structure<Leaf>& s) { s.refit(*leaf_, typename Leaf::Source(mesh), threads); }) {
+            const auto start = std::chrono::steady_clock::now();
+            BuildStats clocked;
+            PhaseClock clock(clocked);
+            const typename Leaf::Source source(mesh);
+            const SortedOut found = sort_out<typename Leaf::Real>(source, threads);
+            if (found.bounded.size() != stats_.primitives || found.removed != stats_.removed) return false;
+            clock.ended("sort out");
+            bounds_ = found.bounds;
+            stats_.sah_cost = structure_->refit(*leaf_, source, threads);
+            clock.ended("refit");
+            stats_.phases = std::move(clocked.phases);
+            stats_.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+            return true;
+        }
+        return Accelerator::refit(mesh, threads);
+    }
+
     tl::expected<void, std::string> save(const std::string& path, const TriangleView& mesh) const override {
         if constexpr (requires(const Structure<Leaf>& s) { s.save(path, mesh, *leaf_, bounds_, stats_); }) return structure_->save(path, mesh, *leaf_, bounds_, stats_);
         else return Accelerator::save(path, mesh);

@@ -6,6 +6,7 @@
 #include "accel/bvh/build.h"
 #include "accel/bvh/bvh_file.h"
 #include "accel/bvh/fast_build.h"
+#include "accel/bvh/refit.h"
 #include "accel/bvh/wide.h"
 #include "accel/bvh/wide_nodes.h"
 #include "accel/query.h"
@@ -130,6 +131,8 @@ template <class T, TriangleTest test> class Bvh<TriangleLeaf<T, test>> {
     template <class Visit> void visit_nodes(const Visit& visit) const { visit_wide(nodes_.view(), visit); }
     size_t bytes() const { return nodes_.bytes(); }
 
+    /// The new cost.
+    double refit(TriangleLeaf<T, test>& leaf, const TriangleSource<T>& triangles, int threads) { return refit_wide(nodes_.writable(), leaf.writable_blocks(), triangles, threads); }
     tl::expected<void, std::string> save(const std::string& path, const TriangleView& mesh, const TriangleLeaf<T, test>& leaf, const Bounds& bounds, const BuildStats& stats) const {
         return save_bvh<T>(path, mesh, nodes_.view(), leaf.blocks(), bounds, stats);
     }
