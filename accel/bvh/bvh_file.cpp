@@ -67,8 +67,8 @@ template <class R> class Inspector {
     /// Is it a tree of all triangles but those in `stats`.removed? Fills in what `stats` counts.
     bool is_sound(BuildStats& stats) {
         if (stats.removed.size() > placed_.size()) return false;
-        for (size_t i = 0; i < stats.removed.size(); ++i)
-            if (stats.removed[i] >= placed_.size() || (i > 0 && stats.removed[i] <= stats.removed[i - 1])) return false;
+        for (const uint32_t id : stats.removed)
+            if (id >= placed_.size()) return false;
         if (!nodes_.empty()) depths_[0] = 0;
         for (uint32_t n = 0; n < nodes_.size(); ++n)
             if (!is_node_sound(n)) return false;

@@ -208,6 +208,12 @@ TEST_F(Saved, ForgedFilesAreRefused) {
     refused("a node that is its own child", Forged(right).set<uint32_t>(child, 0));
     refused("a child that does not exist", Forged(right).set(child, uint32_t(right.nodes())));
     refused("the same child twice", Forged(right).set(child + 4, right.get<uint32_t>(child)));
+    size_t n = 0;   // a node with room for another child: the last node, which is some other's already
+    while (n + 1 < right.nodes() && right.get<uint32_t>(right.node(n) + Forged::kChild + 28) != 1u << 31) ++n;
+    ASSERT_LT(n + 1, right.nodes());
+    Forged knotted = right;
+    for (size_t plane = 0; plane < 6; ++plane) knotted.set(right.node(n) + 32 * plane + 28, right.get<float>(right.node(n) + 32 * plane));
+    refused("a child that two have", knotted.set(right.node(n) + Forged::kChild + 28, uint32_t(right.nodes() - 1)));
     refused("a block that does not exist", Forged(right).set(leaf_node, uint32_t(1u << 31 | right.blocks() << 3)));
     refused("the same block twice", Forged(right).set(leaf_node + 4, last));
     refused("more triangles than a leaf has", Forged(right).set(leaf_node, last | 7u));
