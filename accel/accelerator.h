@@ -10,15 +10,28 @@
 #include "core/bounds.h"
 #include "core/ray.h"
 
+#include <functional>
 #include <memory>
 #include <span>
 #include <string>
 #include <string_view>
+#include <tl/expected.hpp>
 #include <vector>
 
 namespace alidade {
 
 class Shaft;
+struct TriangleView;
+
+/// A node of a tree, for whoever studies trees.
+struct TreeNode {
+    uint32_t number = 0, parent = kNoId;      ///< the root has no parent
+    uint32_t depth = 0;                       ///< nodes above it
+    Bounds box;
+    std::span<const uint32_t> children = {};     ///< their numbers; none in a leaf
+    std::span<const uint32_t> primitives = {};   ///< a leaf's
+    bool leaf = false;
+};
 
 class Accelerator {
   public:
@@ -38,6 +51,16 @@ class Accelerator {
 
     virtual Bounds bounds() const = 0;   ///< of the bounded primitives
     virtual const BuildStats& stats() const = 0;
+    /// Shows `visit` the nodes of a tree, depth first, each before its children; unbounded primitives are in none. False, and nothing shown, if the structure is no tree.
+    virtual bool visit_nodes(const std::function<void(const TreeNode&)>& visit) const { return static_cast<void>(visit), false; }
+
+    /// Takes new positions of the same triangles, on `threads` threads (0: as many as the machine has): answers are then those of a structure built over them, stats().sah_cost tells whether one would be worth
+    /// it, and stats().seconds and phases are of this. False, and nothing changed, if the structure cannot, or if other triangles than before have no area or no finite corners: build a new one. Nobody may ask meanwhile.
+    virtual bool refit(const TriangleView& mesh, int threads = 1) { return static_cast<void>(mesh), static_cast<void>(threads), false; }
+
+    /// Writes the structure over `mesh` to a file that load_accelerator (accel/load.h) maps. An error is one sentence: of the file, or that this structure cannot be saved.
+    virtual tl::expected<void, std::string> save(const std::string& path, const TriangleView& mesh) const;
+
     std::string why;   ///< where "auto" chose: what, and why
 
     /// hits[i] gets the first hit of rays[i].

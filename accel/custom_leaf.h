@@ -69,6 +69,7 @@ class CustomLeaf {
             if (shaft.meets(set_->bounds(id))) out.push_back(id);
         return out.size() <= most;
     }
+    uint32_t id(uint32_t place) const { return ids_[place]; }
     size_t bytes() const { return ids_.capacity() * sizeof(uint32_t); }
 
   private:

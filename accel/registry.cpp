@@ -21,6 +21,8 @@ static constexpr AcceleratorEntry kTable[] = {
     {"octree", "cells halved along their long axes, deeper where more primitives are; over triangles eight cells a node, tested at once", over_triangles<Octree>, over_set<Octree>},
 };
 
+tl::expected<void, std::string> Accelerator::save(const std::string& path, const TriangleView&) const { return tl::unexpected("cannot write " + path + ": this structure has no format of files, a BVH over triangles has"); }
+
 std::span<const AcceleratorEntry> accelerators() { return kTable; }
 
 const AcceleratorEntry* find_accelerator(std::string_view name) {

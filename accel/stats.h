@@ -25,14 +25,14 @@ struct WorkCounters {
 };
 
 /// A part of a build. "sort out": which primitives there are, and where; "plan": a grid's cells; "divide": a tree's nodes, or a grid's cells filled; "widen": two children a node become eight; "pack": primitives
-/// into leaves.
+/// into leaves; "refit": new positions; "map": a file instead of all that.
 struct BuildPhase {
     const char* name;
     double seconds;   ///< on the clock
 };
 
 struct BuildStats {
-    double seconds = 0;        ///< on the clock
+    double seconds = 0;        ///< on the clock; of the last refit, or of loading, where there was one
     std::vector<BuildPhase> phases;   ///< in their order
     size_t primitives = 0;     ///< that can be hit: the given ones less those removed
     size_t references = 0;     ///< entries in leaves or cells; more than `primitives` where one lies in several

@@ -15,7 +15,8 @@
 
 namespace alidade {
 
-/// A structure has a constructor (BuildInput&, AccelOptions, BuildStats&), `traverse(local ray, query, work)`, and `bytes()`.
+/// A structure has a constructor (BuildInput&, AccelOptions, BuildStats&), `traverse(local ray, query, work)`, and `bytes()`; a tree has `visit_nodes(visit)`: visit(TreeNode, first place of a leaf, count), the
+/// primitives left to the caller.
 template <template <class> class Structure, class Leaf> class StructureAccelerator final : public Accelerator {
   public:
     StructureAccelerator(const typename Leaf::Source& source, const AccelOptions& options) {
@@ -35,6 +36,11 @@ template <template <class> class Structure, class Leaf> class StructureAccelerat
         clock.ended("pack");
         stats_.bytes = sizeof(*this) + structure_->bytes() + leaf_->bytes();
         stats_.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    }
+
+    /// Of parts that are there already.
+    StructureAccelerator(Structure<Leaf> structure, Leaf leaf, const Bounds& bounds, BuildStats stats) : bounds_(bounds), stats_(std::move(stats)), structure_(std::move(structure)), leaf_(std::move(leaf)) {
+        stats_.bytes = sizeof(*this) + structure_->bytes() + leaf_->bytes();
     }
 
     bool intersect(const Ray& ray, Hit& hit, WorkCounters& work, uint32_t instance) const override {
@@ -75,6 +81,44 @@ template <template <class> class Structure, class Leaf> class StructureAccelerat
 
     Bounds bounds() const override { return bounds_; }
     const BuildStats& stats() const override { return stats_; }
+
+    bool visit_nodes(const std::function<void(const TreeNode&)>& visit) const override {
+        if constexpr (requires(const Structure<Leaf>& s) { s.visit_nodes([](TreeNode&, uint32_t, uint32_t) {}); }) {
+            std::vector<uint32_t> ids;
+            structure_->visit_nodes([&](TreeNode& node, uint32_t first, uint32_t count) {
+                ids.clear();
+                for (uint32_t place = first; place < first + count; ++place) ids.push_back(leaf_->id(place));
+                node.primitives = ids;
+                visit(node);
+            });
+            return true;
+        }
+        return false;
+    }
+
+    bool refit(const TriangleView& mesh, int threads) override {
+        if constexpr (requires(Structure<Leaf>& s) { s.refit(*leaf_, typename Leaf::Source(mesh), threads); }) {
+            const auto start = std::chrono::steady_clock::now();
+            BuildStats clocked;
+            PhaseClock clock(clocked);
+            const typename Leaf::Source source(mesh);
+            const SortedOut found = sort_out<typename Leaf::Real>(source, threads);
+            if (found.bounded.size() != stats_.primitives || found.removed != stats_.removed) return false;
+            clock.ended("sort out");
+            bounds_ = found.bounds;
+            stats_.sah_cost = structure_->refit(*leaf_, source, threads);
+            clock.ended("refit");
+            stats_.phases = std::move(clocked.phases);
+            stats_.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+            return true;
+        }
+        return Accelerator::refit(mesh, threads);
+    }
+
+    tl::expected<void, std::string> save(const std::string& path, const TriangleView& mesh) const override {
+        if constexpr (requires(const Structure<Leaf>& s) { s.save(path, mesh, *leaf_, bounds_, stats_); }) return structure_->save(path, mesh, *leaf_, bounds_, stats_);
+        else return Accelerator::save(path, mesh);
+    }
 
   private:
     bool moves(const Ray& ray) const {

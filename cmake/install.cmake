@@ -22,7 +22,7 @@ list(REMOVE_ITEM public_headers core/deep_png.h)
 # stress/builder.h and what stands behind run.h stay inside.
 list(APPEND public_headers eval/shapes/shape_ops.h topology/decimate.h topology/normals.h topology/report.h topology/reshape.h topology/subdivide.h importers/importer.h exporters/exporter.h exporters/losses.h
      exporters/output_files.h tracer/film.h tracer/options.h tracer/render.h
-     stress/growth.h stress/hardware.h stress/measure.h stress/peer.h stress/ray_file.h stress/rays.h stress/run.h stress/scene.h stress/table.h)
+     stress/growth.h stress/hardware.h stress/measure.h stress/peer.h stress/ray_file.h stress/rays.h stress/run.h stress/scene.h stress/table.h stress/tree_file.h)
 foreach(header ${public_headers})
   get_filename_component(folder ${header} DIRECTORY)
   install(FILES ${header} DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/alidade/${folder})

@@ -4,8 +4,11 @@
 
 #include "accel/accelerator.h"
 #include "accel/bvh/build.h"
+#include "accel/bvh/bvh_file.h"
 #include "accel/bvh/fast_build.h"
+#include "accel/bvh/refit.h"
 #include "accel/bvh/wide.h"
+#include "accel/bvh/wide_nodes.h"
 #include "accel/query.h"
 #include "accel/shaft.h"
 #include "core/parallel.h"
@@ -83,9 +86,23 @@ template <class Leaf> class Bvh {
         }
         return true;
     }
+    template <class Visit> void visit_nodes(const Visit& visit) const {
+        if (!nodes_.empty()) visit_below(0, kNoId, 0, visit);
+    }
     size_t bytes() const { return nodes_.capacity() * sizeof(BvhNode<R>); }
 
   private:
+    template <class Visit> void visit_below(uint32_t number, uint32_t parent, uint32_t depth, const Visit& visit) const {
+        const BvhNode<R>& node = nodes_[number];
+        const std::array<uint32_t, 2> children{node.first, node.first + 1};
+        TreeNode shown{number, parent, depth, {Vec3(node.box.min), Vec3(node.box.max)}};
+        shown.leaf = node.leaf();
+        if (node.leaf()) return visit(shown, node.first, node.count);
+        shown.children = children;
+        visit(shown, 0u, 0u);
+        for (const uint32_t child : children) visit_below(child, number, depth + 1, visit);
+    }
+
     LargeVector<BvhNode<R>> nodes_;
 };
 
@@ -108,12 +125,21 @@ template <class T, TriangleTest test> class Bvh<TriangleLeaf<T, test>> {
         if (input.order.size() / kLanes >= WideLeaf::kMaxBlocks) throw std::length_error("more triangles than the tree can number");
     }
 
+    Bvh(LargeArray<WideNode<T>> nodes, const AccelOptions& options) : traversals_(wide_traversals<T, test>(options.isa)), nodes_(std::move(nodes)) {}
+
     template <class Query> void traverse(const LocalRay& ray, Query& query, WorkCounters& work) const { traversals_(nodes_.data(), ray, query, work); }
-    size_t bytes() const { return nodes_.capacity() * sizeof(WideNode<T>); }
+    template <class Visit> void visit_nodes(const Visit& visit) const { visit_wide(nodes_.view(), visit); }
+    size_t bytes() const { return nodes_.bytes(); }
+
+    /// The new cost.
+    double refit(TriangleLeaf<T, test>& leaf, const TriangleSource<T>& triangles, int threads) { return refit_wide(nodes_.writable(), leaf.writable_blocks(), triangles, threads); }
+    tl::expected<void, std::string> save(const std::string& path, const TriangleView& mesh, const TriangleLeaf<T, test>& leaf, const Bounds& bounds, const BuildStats& stats) const {
+        return save_bvh<T>(path, mesh, nodes_.view(), leaf.blocks(), bounds, stats);
+    }
 
   private:
     const WideTraversals<T, test>& traversals_;
-    LargeVector<WideNode<T>> nodes_;
+    LargeArray<WideNode<T>> nodes_;
 };
 
 template <class Leaf> class FastBvh : public Bvh<Leaf> {

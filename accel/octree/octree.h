@@ -3,6 +3,7 @@
 #pragma once
 
 #include "accel/accelerator.h"
+#include "accel/bvh/wide_nodes.h"
 #include "accel/octree/wide_octree.h"
 #include "accel/query.h"
 
@@ -87,6 +88,8 @@ template <class Leaf> class Octree {
             }
         }
     }
+    /// Empty cells are left out.
+    template <class Visit> void visit_nodes(const Visit& visit) const { visit_below(TreeNode{0, kNoId, 0, box_}, visit); }
     size_t bytes() const { return nodes_.capacity() * sizeof(OctreeNode) + boxes_.capacity() * sizeof(Shrunk); }
 
   private:
@@ -113,6 +116,21 @@ template <class Leaf> class Octree {
         double entry;
         uint32_t node;
     };
+
+    template <class Visit> void visit_below(TreeNode shown, const Visit& visit) const {
+        const OctreeNode node = nodes_[shown.number];
+        std::array<TreeNode, 8> below;
+        std::array<uint32_t, 8> children;
+        uint32_t count = 0;
+        const auto add = [&](uint32_t child, const Bounds& box) { below[count] = {child, shown.number, shown.depth + 1, box}, children[count++] = child; };
+        const OctreeSplit split(shown.box, typical_);
+        for (uint32_t octant = 0; node.inner() && octant < 8; ++octant)
+            if (!nodes_[node.first + octant].empty()) add(node.first + octant, split.child(shown.box, octant));
+        if (node.shrunk()) add(boxes_[node.first].node, boxes_[node.first].box);
+        shown.children = std::span(children).first(count), shown.leaf = !node.inner() && !node.shrunk();
+        visit(shown, node.first, shown.leaf ? node.count : 0);
+        for (uint32_t i = 0; i < count; ++i) visit_below(below[i], visit);
+    }
 
     void shrink(Task& task, BuildStats& stats) {
         const double area = task.box.half_area(), used = task.used.half_area();
@@ -222,6 +240,7 @@ template <class T, TriangleTest test> class Octree<TriangleLeaf<T, test>> {
     }
 
     template <class Query> void traverse(const LocalRay& ray, Query& query, WorkCounters& work) const { traversals_(nodes_.data(), ray, query, work); }
+    template <class Visit> void visit_nodes(const Visit& visit) const { visit_wide(std::span<const WideNode<T>>(nodes_), visit); }
     size_t bytes() const { return nodes_.capacity() * sizeof(WideNode<T>); }
 
   private:

@@ -21,6 +21,9 @@ template <class T> struct alignas(64) TriangleBlock {
         for (int i = 0; i < 9; ++i) c[size_t(i / 3)][i % 3] = double(v[i][lane]);
         return c;
     }
+    void put(const std::array<Vec3, 3>& c, uint32_t lane) {
+        for (int i = 0; i < 9; ++i) v[i][lane] = T(c[size_t(i / 3)][i % 3]);
+    }
 };
 
 /// The axes by the size of the direction's components: z is along the largest, the order stays cyclic so that orientations are kept.

@@ -4,11 +4,12 @@
 
 #include "accel/triangles/kernel.h"
 #include "accel/triangles/triangle_source.h"
-#include "core/huge_pages.h"
+#include "core/large_array.h"
 #include "core/parallel.h"
 
 #include <algorithm>
 #include <bit>
+#include <cstring>
 
 namespace alidade {
 
@@ -31,15 +32,8 @@ template <class R, TriangleTest test = TriangleTest::exact> class TriangleLeaf {
     };
 
     TriangleLeaf(const Source& source, const std::vector<uint32_t>& order, const AccelOptions& options)
-        : blocks_((order.size() + kLanes - 1) / kLanes), filter_(Kernel::filter(options.isa)) {
-        for_ranges(blocks_.size(), options.threads, [&](size_t first, size_t end) {
-            for (size_t b = first; b < end; ++b) {
-                blocks_[b] = {};   // where no triangle is, filters read zeros
-                for (size_t place = b * kLanes; place < std::min(order.size(), (b + 1) * kLanes); ++place)
-                    if (order[place] != kPadding) pack(source.corners(order[place]), order[place], blocks_[b], place % kLanes);
-            }
-        });
-    }
+        : TriangleLeaf(packed(source, order, options.threads), options) {}
+    TriangleLeaf(LargeArray<TriangleBlock<R>> blocks, const AccelOptions& options) : blocks_(std::move(blocks)), filter_(Kernel::filter(options.isa)) {}
 
     bool closest(const Probe& probe, uint32_t first, uint32_t count, Hit& hit, WorkCounters& work) const {
         bool found = false;
@@ -86,14 +80,27 @@ template <class R, TriangleTest test = TriangleTest::exact> class TriangleLeaf {
         });
     }
 
+    uint32_t id(uint32_t place) const { return blocks_[place / kLanes].id[place % kLanes]; }
     const TriangleBlock<R>& block(uint32_t i) const { return blocks_[i]; }
     uint32_t filter(const TriangleBlock<R>& block, const auto& ray) const { return filter_(block, ray); }
-    size_t bytes() const { return blocks_.capacity() * sizeof(TriangleBlock<R>); }
+    std::span<const TriangleBlock<R>> blocks() const { return blocks_.view(); }
+    std::span<TriangleBlock<R>> writable_blocks() { return blocks_.writable(); }
+    size_t bytes() const { return blocks_.bytes(); }
 
   private:
-    static void pack(const Corners& corners, uint32_t id, TriangleBlock<R>& block, size_t lane) {
-        for (int i = 0; i < 9; ++i) block.v[i][lane] = R(corners[size_t(i / 3)][i % 3]);
-        block.id[lane] = id;
+    static LargeVector<TriangleBlock<R>> packed(const Source& source, const std::vector<uint32_t>& order, int threads) {
+        LargeVector<TriangleBlock<R>> blocks((order.size() + kLanes - 1) / kLanes);
+        for_ranges(blocks.size(), threads, [&](size_t first, size_t end) {
+            for (size_t b = first; b < end; ++b) {
+                std::memset(static_cast<void*>(&blocks[b]), 0, sizeof(TriangleBlock<R>));   // where no triangle is, filters read zeros; the bytes between, too: they go to files
+                for (size_t place = b * kLanes; place < std::min(order.size(), (b + 1) * kLanes); ++place) {
+                    if (order[place] == kPadding) continue;
+                    blocks[b].put(source.corners(order[place]), uint32_t(place % kLanes));
+                    blocks[b].id[place % kLanes] = order[place];
+                }
+            }
+        });
+        return blocks;
     }
 
     struct Found {
@@ -151,7 +158,7 @@ template <class R, TriangleTest test = TriangleTest::exact> class TriangleLeaf {
         return {f.t, probe.instance, f.id, 0, float(f.crossing.u), float(f.crossing.v), Kernel::error(probe.ray, f.t, f.corners)};
     }
 
-    LargeVector<TriangleBlock<R>> blocks_;
+    LargeArray<TriangleBlock<R>> blocks_;
     decltype(Kernel::filter(Isa::best)) filter_;
 };
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 /// Whole files: read within a limit, written all or nothing.
 #include "core/image.h"
+#include "core/output_file.h"
 
 #include <fcntl.h>
 #include <fmt/format.h>
@@ -12,6 +13,7 @@
 #include <cstdio>
 #include <cstring>
 #include <filesystem>
+#include <utility>
 
 namespace alidade {
 namespace {
@@ -22,19 +24,14 @@ namespace fs = std::filesystem;
 class File {
   public:
     explicit File(int descriptor) : descriptor_(descriptor) {}
-    ~File() { close(); }
+    ~File() {
+        if (descriptor_ >= 0) ::close(descriptor_);
+    }
     File(const File&) = delete;
     File& operator=(const File&) = delete;
 
     bool is_open() const { return descriptor_ >= 0; }
     int get() const { return descriptor_; }
-    /// False if the last bytes could not be written (a full disc may say so only here).
-    bool close() {
-        if (descriptor_ < 0) return true;
-        const int result = ::close(descriptor_);
-        descriptor_ = -1;
-        return result == 0;
-    }
 
   private:
     int descriptor_;
@@ -46,14 +43,14 @@ tl::unexpected<std::string> failure(const char* verb, const std::string& path, c
 
 std::string last_error() { return std::strerror(errno); }
 
-bool write_all(File& file, std::span<const std::byte> bytes) {
+bool write_all(int descriptor, std::span<const std::byte> bytes) {
     while (!bytes.empty()) {
-        const ssize_t n = ::write(file.get(), bytes.data(), bytes.size());
+        const ssize_t n = ::write(descriptor, bytes.data(), bytes.size());
         if (n < 0 && errno == EINTR) continue;
         if (n < 0) return false;
         bytes = bytes.subspan(size_t(n));
     }
-    return file.close();
+    return true;
 }
 
 /// Names of what is open already: /dev/stdout, /dev/fd/3, /proc/self/fd/3.
@@ -65,14 +62,6 @@ bool is_descriptor(const std::string& path) {
 bool is_written_in_place(const std::string& path) {
     struct stat status {};
     return ::stat(path.c_str(), &status) == 0 && (!S_ISREG(status.st_mode) || is_descriptor(path));
-}
-
-tl::expected<void, std::string> write_in_place(const std::string& path, std::span<const std::byte> bytes) {
-    File file(::open(path.c_str(), O_WRONLY | O_CLOEXEC | O_NONBLOCK));
-    if (!file.is_open()) return failure("write", path, last_error());
-    ::fcntl(file.get(), F_SETFL, 0);
-    if (!write_all(file, bytes)) return failure("write", path, last_error());
-    return {};
 }
 
 /// The file that a chain of symbolic links ends at, there or not.
@@ -110,16 +99,46 @@ tl::expected<std::vector<std::byte>, std::string> read_file(const std::string& p
     return bytes;
 }
 
-tl::expected<void, std::string> write_file(const std::string& path, std::span<const std::byte> bytes) {
-    if (is_written_in_place(path)) return write_in_place(path, bytes);
+OutputFile::OutputFile(std::string path) : path_(std::move(path)) {
+    if (is_written_in_place(path_)) {
+        descriptor_ = ::open(path_.c_str(), O_WRONLY | O_CLOEXEC | O_NONBLOCK);
+        check(descriptor_ >= 0);
+        if (good()) ::fcntl(descriptor_, F_SETFL, 0);
+        return;
+    }
     static std::atomic<unsigned> count{0};
-    const std::string target = behind_links(path), temporary = fmt::format("{}.{}-{}.part", target, ::getpid(), count++);
-    File file(::open(temporary.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666));
-    if (!file.is_open()) return failure("write", path, last_error());
-    if (write_all(file, bytes) && std::rename(temporary.c_str(), target.c_str()) == 0) return {};
-    const std::string why = last_error();
-    ::unlink(temporary.c_str());
-    return failure("write", path, why);
+    target_ = behind_links(path_);
+    const std::string temporary = fmt::format("{}.{}-{}.part", target_, ::getpid(), count++);
+    descriptor_ = ::open(temporary.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
+    check(descriptor_ >= 0);
+    if (good()) temporary_ = temporary;
+}
+
+OutputFile::~OutputFile() {
+    if (descriptor_ >= 0) ::close(descriptor_);
+    if (!temporary_.empty()) ::unlink(temporary_.c_str());
+}
+
+void OutputFile::check(bool done) {
+    if (!done && good()) error_ = failure("write", path_, last_error()).value();
+}
+
+void OutputFile::write(std::span<const std::byte> bytes) {
+    if (good()) check(write_all(descriptor_, bytes));
+}
+
+tl::expected<void, std::string> OutputFile::finish() {
+    if (good()) check(::close(std::exchange(descriptor_, -1)) == 0);   // a full disc may say so only here
+    if (good() && !temporary_.empty()) check(std::rename(temporary_.c_str(), target_.c_str()) == 0);
+    if (!good()) return tl::unexpected(error_);
+    temporary_.clear();
+    return {};
+}
+
+tl::expected<void, std::string> write_file(const std::string& path, std::span<const std::byte> bytes) {
+    OutputFile file(path);
+    file.write(bytes);
+    return file.finish();
 }
 
 }  // namespace alidade

@@ -166,6 +166,23 @@ class Files(Stress):
             self.assertEqual(new["rays"][0]["hash"], old["rays"][2]["hash"])
             self.assertEqual(new["rays"][0]["hits"], new["rays"][1]["hits"])
 
+    def test_trees_are_written_as_docs_say(self):
+        said = self.stress("--generate", "scan:2000", *QUICK, "--accel", "bvh,octree,grid", "--tree", "tree.json")
+        self.assertEqual(said.stderr.count("grid is no tree"), 1, said.stderr)
+        self.assertEqual(sorted(path.name for path in self.folder.glob("*.json")), [f"tree.{one}.{precision}.json" for one in ("bvh", "octree") for precision in ("double", "float")])
+        document = json.loads((self.folder / "tree.bvh.double.json").read_text())
+        self.assertEqual((document["schema"], document["accelerator"], document["precision"], len(document["trees"])), (1, "bvh", "double", 1))
+        tree = document["trees"][0]
+        page = DOCS.read_text().split("## Trees in files")[1].split("## ")[0]
+        for key in [*document, *tree, *tree["tree"][0], *tree["tree"][-1]]:
+            self.assertIn(f"`{key}`", page)
+        nodes = tree["tree"]
+        self.assertEqual({id for node in nodes for id in node.get("primitives", [])}, set(range(tree["triangles"])))
+        self.assertEqual((tree["nodes"], tree["leaves"]), (sum("children" in node for node in nodes), sum("primitives" in node for node in nodes)))
+        example = page.split("```python\n")[1].split("```")[0].replace("tree.bvh.float.json", "tree.bvh.double.json")
+        cost = subprocess.run(["python3", "-c", example], cwd=self.folder, capture_output=True, text=True, check=True)
+        self.assertAlmostEqual(float(cost.stdout), tree["sah_cost"], places=6)
+
     def test_rays_made_elsewhere(self):
         rays = [(0.25, -0.25, 3, 0, 0, -1, 0, float("inf")), (5, 5, 3, 0, 0, -1, 0, float("inf")), (0.25, -0.25, 3, 0, 0, -1, 0, 2.5)]
         for code, size in (("f", 4), ("d", 8)):
@@ -256,7 +273,8 @@ class OddWords(Stress):
             (["--generate", "scan:10", "--time", "-1"], "less than 0"),
             (["--generate", "scan:10", "--time", "soon"], "'soon' is not a number"),
             (["--generate", "scan:10", "--memory", "lots"], "'lots' is not a number of bytes, such as 2e9 or 500M"),
-            (["--generate", "scan:10..100", "--rays", "x"], "--rays and --dump-rays are for one scene of one size"),
+            (["--generate", "scan:10..100", "--tree", "x"], "--tree are for one scene of one size"),
+            (["--generate", "scan:10..100", "--rays", "x"], "--rays, --dump-rays and --tree are for one scene of one size"),
             (["--generate", "scan:10", "--generte", "x"], "did you mean '--generate'?"),
         ):
             with self.subTest(words=words, says=says):
@@ -276,7 +294,7 @@ class OddWords(Stress):
         self.assertIn("`alidade convert SCENE out.glb` makes meshes of its closed forms", self.stress("ball.pov", code=1).stderr)
 
     def test_outputs(self):
-        for words, says in ((["--json", "no/out.json"], "there is no folder 'no'"), (["--csv", "."], "is a folder"), (["--json", "a", "--csv", "a"], "'a' would be overwritten"),
+        for words, says in ((["--json", "no/out.json"], "there is no folder 'no'"), (["--tree", "no/tree.json"], "there is no folder 'no'"), (["--csv", "."], "is a folder"), (["--json", "a", "--csv", "a"], "'a' would be overwritten"),
                             (["--report", "no/out.html"], "there is no folder 'no'")):
             with self.subTest(words=words):
                 self.assertIn(says, self.stress("--generate", "scan:10", *words, code=1).stderr)

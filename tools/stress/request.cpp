@@ -81,6 +81,7 @@ void add_files(CLI::App& app, StressRequest& request) {
     app.add_option("--rays", request.rays, "asks these rays instead of the four kinds (docs/stress.md has the format)")->type_name("FILE");
     app.add_option("--dump-rays", request.dump_rays, "writes the rays that are asked, a file for each kind: rays.bin becomes rays.primary.bin, ...")->type_name("FILE");
     add_choice(app, "--dump-as", {"float32", "float64"}, [&request](size_t i) { request.dump_numbers = i ? RayNumbers::float64 : RayNumbers::float32; }, "numbers of --dump-rays (default float32)");
+    app.add_option("--tree", request.trees, "writes the nodes of each tree as JSON, a file for each structure and precision: tree.json becomes tree.bvh.float.json, ... (docs/stress.md has the schema)")->type_name("FILE");
     app.add_option("--csv", request.csv, "writes the figures as a table for programs")->type_name("FILE");
     app.add_option_function<std::string>("--json", [&request](const std::string& file) { request.json = file, request.prints_json = file.empty(); },
         "prints JSON instead of tables, or writes it to a file (docs/stress.md)")->type_name("[FILE]")->expected(0, 1);
@@ -90,7 +91,7 @@ void add_files(CLI::App& app, StressRequest& request) {
 /// Why the files that are asked for cannot all be written, or "".
 std::string why_no_files(const StressRequest& request) {
     std::vector<std::string> taken{request.scene.scene, request.rays};
-    for (const std::string& path : {request.csv, request.json, request.report, request.dump_rays}) {
+    for (const std::string& path : {request.csv, request.json, request.report, request.dump_rays, request.trees}) {
         if (path.empty()) continue;
         if (std::string why = why_no_file(path); !why.empty()) return why;
         for (const std::string& other : taken) {
@@ -110,7 +111,7 @@ std::string why_not(const StressRequest& request, const std::vector<std::string>
     if (request.accelerators.empty() || request.precisions.empty() || request.tests.empty()) return "there is nothing to measure";
     size_t scenes = 0;
     for (const StressSource& source : request.sources) scenes += source.sizes.size();
-    if (scenes > 1 && (!request.rays.empty() || !request.dump_rays.empty())) return "--rays and --dump-rays are for one scene of one size";
+    if (scenes > 1 && (!request.rays.empty() || !request.dump_rays.empty() || !request.trees.empty())) return "--rays, --dump-rays and --tree are for one scene of one size";
     return {};
 }
 

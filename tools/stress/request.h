@@ -33,7 +33,7 @@ struct StressRequest {
     size_t side = 128;                      ///< primary rays are side x side
     int rounds = 5, threads = 1;            ///< threads: of the builds
     std::optional<double> seconds, bytes;   ///< budgets; without the second, 8/10 of what the system has available
-    std::string rays, dump_rays, csv, json, report;
+    std::string rays, dump_rays, trees, csv, json, report;
     bool prints_json = false;   ///< instead of tables
     RayNumbers dump_numbers = RayNumbers::float32;
     ProgressMode progress = ProgressMode::bar;

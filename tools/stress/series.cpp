@@ -3,6 +3,7 @@
 
 #include "core/image.h"
 #include "stress/prediction.h"
+#include "stress/tree_file.h"
 #include "tools/load.h"
 #include "tools/stress/from_scene.h"
 
@@ -122,6 +123,7 @@ class SeriesRun {
         const std::vector<RaySet> sets = given_.empty() ? stress_rays(scene, std::move(subject.primary), source.seed) : given_sets();
         if (!request_.dump_rays.empty() && !dump(sets)) return false;
         out.figures = run_stress(scene, sets, peers_, options(), paces_);
+        if (!request_.trees.empty() && !out.figures.interrupted && !write_trees_of(scene)) return false;
         for (size_t i = 0; i < peers_.size(); ++i)
             if (const StressPace pace = pace_of(out.figures.peers[i], scene.primitives()); pace.primitives > 0) paces_[i] = pace;
         return true;
@@ -160,6 +162,20 @@ class SeriesRun {
         for (const RaySet& set : sets) {
             const std::string path = rays_path(request_.dump_rays, set.question == Question::any && !given_.empty() ? "any" : set.name);
             if (const auto done = write_file(path, encode_rays(set.rays, request_.dump_numbers)); !done) return out_.said.error({}, done.error()), false;
+        }
+        return true;
+    }
+
+    /// Structures are built again for it, one at a time. No tree depends on the test of triangles.
+    bool write_trees_of(const StressScene& scene) {
+        for (const AcceleratorEntry* entry : request_.accelerators) {
+            for (const Precision precision : request_.precisions) {
+                const auto written = write_trees(rays_path(request_.trees, fmt::format("{}.{}", entry->name, precision == Precision::float_ ? "float" : "double")), *entry, {precision, Isa::best, request_.threads}, scene);
+                if (!written) return out_.said.error({}, written.error()), false;
+                if (*written) continue;
+                out_.said.note({}, fmt::format("--tree: {} is no tree: no file is written", entry->name));
+                break;
+            }
         }
         return true;
     }
