@@ -47,7 +47,7 @@ std::vector<Mesh> meshes() {
 
 /// One file serves each test of triangles.
 TEST_F(Saved, AnswersAreThoseOfTheSavedStructure) {
-    size_t hits = 0;
+    size_t hits = 0, asked = 0;
     for (const Precision precision : {Precision::float_, Precision::double_}) {
         for (const Mesh& source : meshes()) {
             const Mesh mesh = source.read_at(precision);
@@ -67,7 +67,7 @@ TEST_F(Saved, AnswersAreThoseOfTheSavedStructure) {
                     for (size_t i = 0; i < run_size(60, 1000) && !mesh.triangles.empty(); ++i) {
                         const Ray ray = ray_classes()[i % ray_classes().size()].make(mesh, RandomKey(151, 0, i, 0));
                         const Answers answered = answers(*built, ray);
-                        hits += answered.occluded;
+                        hits += answered.occluded, ++asked;
                         ASSERT_EQ(difference(answers(**loaded, ray), answered), "") << mesh.name << ": " << describe(ray);
                         Hit a, b;
                         built->intersect(ray, a, want_work), (*loaded)->intersect(ray, b, got_work);
@@ -77,7 +77,7 @@ TEST_F(Saved, AnswersAreThoseOfTheSavedStructure) {
             }
         }
     }
-    EXPECT_GT(hits, 5000u);
+    EXPECT_GT(hits, asked / 4);
 }
 
 /// Bytes are those of the structure alone: no times, no memory that was never written, and no threads.

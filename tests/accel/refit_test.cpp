@@ -53,7 +53,7 @@ class Refit : public testing::TestWithParam<std::tuple<const char*, Precision>> 
 
 /// One structure goes from pose to pose. It refuses where, and only where, other triangles than before cannot be hit; a new one goes on then.
 TEST_P(Refit, AnswersAsBruteForceOverTheNewPositions) {
-    size_t refits = 0, refused = 0, hits = 0, splits = 0;
+    size_t refits = 0, refused = 0, hits = 0, asked = 0, splits = 0;
     for (const Mesh& source : meshes()) {
         const Mesh rest = source.read_at(precision());
         auto structure = build(entry(), rest, {precision()});
@@ -71,14 +71,14 @@ TEST_P(Refit, AnswersAsBruteForceOverTheNewPositions) {
                 for (size_t i = 0; i < run_size(8, 200); ++i) {
                     const Ray ray = rays.make(mesh, RandomKey(143, 0, i, 0));
                     const Answers want = answers(*brute, ray);
-                    hits += want.occluded;
+                    hits += want.occluded, ++asked;
                     ASSERT_EQ(difference(answers(*structure, ray), want), "") << entry().name << ", " << mesh.name << ' ' << pose.name << ", " << rays.name << ": " << describe(ray);
                 }
             }
         }
     }
     EXPECT_GT(refits, 10 * refused);
-    EXPECT_GT(hits, 1000u);
+    EXPECT_GT(hits, asked / 4);
     EXPECT_TRUE(splits > 0 || std::string_view(entry().name) != "bvh") << "some trees must be split in space";
 }
 
