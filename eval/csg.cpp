@@ -105,7 +105,9 @@ class Walk {
     bool gather_leaf(uint32_t n, const LineInterval& range) {
         const CsgNode& node = nodes_[n];
         const size_t had = s_.crossings.size();
-        const bool comes_from_inside = leaves_.crossings(node.leaf, ray_, s_.crossings);
+        Ray asked = ray_;   // a thousand times as far as what can count as one place
+        asked.tmin = range.entry - 1000 * near(range.entry), asked.tmax = range.exit + 1000 * near(range.exit);
+        const bool comes_from_inside = leaves_.crossings(node.leaf, asked, s_.crossings);
         for (size_t i = had; i < s_.crossings.size(); ++i) s_.crossings[i].node = n;
         s_.states[n].inside = node.inverted != (node.inside == CsgInside::by_crossings && comes_from_inside);
         if (node.inside == CsgInside::at_points) s_.at_points.push_back(n);

@@ -53,7 +53,8 @@ struct CsgCrossing {
 class CsgLeaves {
   public:
     virtual ~CsgLeaves() = default;
-    /// Appends all crossings of the whole line with a leaf. True if the line comes from inside of it (asked of leaves that are inside by crossings).
+    /// Appends all crossings of the whole line with a leaf; those outside of the ray's interval may be anywhere on their side of it, or left out before it. True if the
+    /// line is inside before the first (asked of leaves that are inside by crossings).
     virtual bool crossings(uint32_t leaf, const Ray& ray, std::vector<CsgCrossing>& out) const = 0;
     virtual bool inside(uint32_t leaf, const Vec3& point) const = 0;
     /// How far the true surface may be from the hit, along its normal, and the cosine of the angle between that and the ray, without its sign. Asked only

@@ -18,8 +18,9 @@ bool InstanceLeaves::crossings(uint32_t id, const Ray& ray, std::vector<CsgCross
         return false;
     }
     ++work_.primitives;
-    const Crossings crossings = geometry.ops->crossings(*geometry.source, local);
+    const Crossings crossings = geometry.ops->crossings_wanted(*geometry.source, geometry.bounds, local, Wanted::all);
     for (int i = 0; i < crossings.count; ++i) out.push_back({hit_of(crossings.at[i], id), 0});
+    if (crossings.begins_inside) return *crossings.begins_inside;
     return !geometry.bounds.finite() && begins_inside(*geometry.ops, *geometry.source, local, crossings);
 }
 
