@@ -50,7 +50,7 @@ CsgLeaf csg_leaf(const CompiledScene& scene, uint32_t id) {
     leaf.id = id;
     leaf.inside = geometry.mesh ? CsgInside::nowhere : geometry.ops->solid(*geometry.source) ? CsgInside::by_crossings : CsgInside::at_points;
     leaf.bounds = instance.bounds;
-    leaf.costly = geometry.mesh || geometry.ops->costly;
+    leaf.cost = geometry.mesh ? kCsgCostOfMesh : csg_cost(*geometry.ops);
     return leaf;
 }
 

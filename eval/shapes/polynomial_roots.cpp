@@ -148,6 +148,7 @@ int real_roots_in(std::span<const double> coefficients, RootRange& range, double
     chain[degree] = scaled(coefficients, exponent);
     const double from = scaled_by(range.from, -exponent), to = scaled_by(range.to, -exponent);
     if ((range.sign = certain_sign(chain[degree], from, to)) != 0) return 0;
+    range.sign = chain[degree](-1).first > 0 ? 1 : -1;
     for (int i = degree; i > 1; --i) chain[i - 1] = derivative(chain[i]);
     double extremes[kMostRoots];
     int count = degree > 1 ? quadratic_roots(chain[2], roots) : 0;

@@ -18,13 +18,13 @@ inline constexpr int kMostRoots = 35;
 ///          between them is as small as its rounding; so the count is always even or odd as the signs at both ends say.
 int real_roots(std::span<const double> coefficients, double* roots);
 
-/// Where roots are asked for, and what is told if there are surely none: the sign of the polynomial there.
+/// Where roots are asked for.
 struct RootRange {
     double from = -std::numeric_limits<double>::infinity(), to = std::numeric_limits<double>::infinity();
-    int sign = 0;
+    int sign = 0;   ///< what is told of the polynomial before the first root, or all along the range if there are none: 1 or -1; 0: nothing
 };
 
-/// Those in the range, bit for bit. Others may be anywhere on their side of it, in order; or left out, if `range.sign` is set.
+/// Those in the range, bit for bit. Others may be anywhere on their side of it, in order; or left out, if there are none in the range.
 ///
 /// Method   of the part in the range the Bernstein coefficients are found; if all have one sign, so has the polynomial. If they have not, halves are asked.
 /// Source   G. Farin, "Curves and Surfaces for CAGD", 5th ed. (2002), section 6.

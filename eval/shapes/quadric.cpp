@@ -67,14 +67,15 @@ struct Line {
     const Quadric& q;
     Vec3 p, u;
 
-    /// In order but for the last digits.
-    int rough_crossings(double (&out)[2]) const {
+    /// In order but for the last digits. `begins_inside`: is f negative before the first?
+    int rough_crossings(double (&out)[2], std::optional<bool>& begins_inside) const {
         const OnLine here(q, p, u);
         const double shift = here.is_line ? 0 : -here.half / here.square;
         const OnLine there(q, p + shift * u, u);   // where f has its extreme: nothing is left to cancel
         const bool nearer = shift != 0 && std::abs(there.constant) < std::abs(here.constant);
         const int count = (nearer ? there : here).roots(out);
         for (int i = 0; i < count; ++i) out[i] = nearer ? shift + out[i] : out[i];
+        if (count > 0) begins_inside = here.is_line ? here.half > 0 : here.square < 0;
         return count;
     }
     double polished(double s) const {
@@ -108,7 +109,7 @@ double near_tangent(const Quadric& q, const Ray& ray, double t) {
     if (!is_finite(ray) || !std::isfinite(nearest.shift) || !(speed > 0)) return out;
     const Line line{q, nearest.nearest, ray.dir / speed};
     double roots[2];
-    const int count = line.rough_crossings(roots);
+    const int count = line.rough_crossings(roots, out.begins_inside);
     if (count == 0) return out;
     const LineInterval inside = inside_bounds(ray, own);
     if (inside.empty()) return out;

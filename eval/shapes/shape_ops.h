@@ -22,7 +22,7 @@ struct Crossing {
 struct Crossings {
     ShortList<Crossing, 8> at;
     int count = 0;
-    std::optional<bool> begins_inside;   ///< is the line inside before the first? Set where crossings before it were left out
+    std::optional<bool> begins_inside;   ///< is the line inside before the first? Set where that is known anyway, and always where crossings before it were left out
     void add(double t, uint32_t part) { at.push_back({t, part}), ++count; }
 };
 
