@@ -43,7 +43,7 @@ bool meets(const CsgNode& node) { return node.op == CsgOp::intersection || node.
 
 class Walk {
   public:
-    Walk(std::span<const CsgNode> nodes, const Ray& ray, const CsgLeaves& leaves) : nodes_(nodes), ray_(ray), leaves_(leaves), s_(scratch()), speed_(length(ray.dir)), reach_(max_abs(ray.origin) / max_abs(ray.dir)), over_dir_(1.0 / ray.dir) {
+    Walk(std::span<const CsgNode> nodes, const Ray& ray, const CsgLeaves& leaves) : nodes_(nodes), ray_(ray), leaves_(leaves), s_(scratch()), reach_(max_abs(ray.origin) / max_abs(ray.dir)), over_dir_(1.0 / ray.dir) {
         s_.crossings.clear(), s_.at_points.clear();
         if (s_.states.size() < nodes.size()) s_.states.resize(nodes.size());
     }
@@ -105,7 +105,9 @@ class Walk {
     bool gather_leaf(uint32_t n, const LineInterval& range) {
         const CsgNode& node = nodes_[n];
         const size_t had = s_.crossings.size();
-        const bool comes_from_inside = leaves_.crossings(node.leaf, ray_, s_.crossings);
+        Ray asked = ray_;   // a thousand times as far as what can count as one place
+        asked.tmin = range.entry - 1000 * near(range.entry), asked.tmax = range.exit + 1000 * near(range.exit);
+        const bool comes_from_inside = leaves_.crossings(node.leaf, asked, s_.crossings);
         for (size_t i = had; i < s_.crossings.size(); ++i) s_.crossings[i].node = n;
         s_.states[n].inside = node.inverted != (node.inside == CsgInside::by_crossings && comes_from_inside);
         if (node.inside == CsgInside::at_points) s_.at_points.push_back(n);
@@ -140,6 +142,15 @@ class Walk {
         return out;
     }
 
+    /// Does an operation above the node depend on what is inside of it?
+    bool is_asked(uint32_t n) const {
+        while (n != 0) {
+            n = nodes_[n].parent;
+            if (nodes_[n].op != CsgOp::union_) return true;
+        }
+        return false;
+    }
+
     bool gather_parts(uint32_t n, Ranges ranges) {
         const CsgNode& node = nodes_[n];
         const size_t had = s_.crossings.size(), points = s_.at_points.size();
@@ -155,9 +166,11 @@ class Walk {
                 ranges.crossings = inside_leaf(part, first, ranges.crossings);
                 ranges.boxes = {std::max(ranges.boxes.entry, ranges.crossings.entry), std::min(ranges.boxes.exit, ranges.crossings.exit)};
             }
+            // What is clipped shows no surface: whether the line is inside of all of it, nobody asks.
+            const bool hidden = node.op == CsgOp::clip && nodes_[part].place == 0 && !part_varies && !is_asked(n);
             // One part that is outside all along empties an intersection, and so do parts that the line is in one after the other; one that is inside fills a merge.
             const bool apart = is_meet && ranges.boxes.empty();
-            if (!apart && (part_varies || inside == is_meet || node.op == CsgOp::union_)) continue;
+            if (!apart && !hidden && (part_varies || inside == is_meet || node.op == CsgOp::union_)) continue;
             s_.crossings.resize(had), s_.at_points.resize(points);
             return s_.states[n].inside = !is_meet, false;
         }
@@ -174,7 +187,7 @@ class Walk {
             const CsgLeaves::Sharpness s = leaves_.sharpness(ray_, c.hit);
             return s.error / std::max(s.cosine, kLeastCosine);
         };
-        return gap * speed_ <= kSameWithin * (along(a) + along(b));
+        return gap * length(ray_.dir) <= kSameWithin * (along(a) + along(b));
     }
 
     /// Walks over the crossings of one place.
@@ -242,7 +255,7 @@ class Walk {
     const Ray& ray_;
     const CsgLeaves& leaves_;
     Scratch& s_;
-    double speed_, reach_;   ///< of the ray: the length of its direction; the size of its origin, in t
+    double reach_;         ///< the size of the ray's origin, in t
     Vec3 over_dir_;
     LineInterval range_;
     uint32_t place_ = 0;   ///< counts the places on the line, from 1
@@ -274,6 +287,8 @@ bool CsgTree::first(const Ray& ray, const CsgLeaves& leaves, Hit& hit) const {
 void CsgTree::all(const Ray& ray, const CsgLeaves& leaves, std::vector<Hit>& hits) const {
     Walk(nodes_, ray, leaves).run(false, [&](const Hit& h) { hits.push_back(h); });
 }
+
+uint8_t csg_cost(const ShapeOps& ops) { return ops.costly ? 2 : ops.kind == kind_of<Plane>() ? 0 : 1; }
 
 bool begins_inside(const ShapeOps& ops, const ShapeGeometry& shape, const Ray& ray, const Crossings& crossings) {
     if (crossings.count == 0) return ops.inside(shape, ray.origin);

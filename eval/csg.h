@@ -31,7 +31,7 @@ struct CsgLeaf {
     uint32_t id = kNoId;
     CsgInside inside = CsgInside::nowhere;
     Bounds bounds;                  ///< of the surface and, unless it is asked at points, of what is inside
-    bool costly = false;            ///< asked last, if its siblings leave the question open
+    uint8_t cost = 0;               ///< of siblings those that cost less are asked first, and others only if they leave the question open
 };
 
 /// What a file says: operations on parts, any of them turned inside out. Without parts an intersection is everything, every other operation nothing.
@@ -53,7 +53,8 @@ struct CsgCrossing {
 class CsgLeaves {
   public:
     virtual ~CsgLeaves() = default;
-    /// Appends all crossings of the whole line with a leaf. True if the line comes from inside of it (asked of leaves that are inside by crossings).
+    /// Appends all crossings of the whole line with a leaf; those outside of the ray's interval may be anywhere on their side of it, or left out before it. True if the
+    /// line is inside before the first (asked of leaves that are inside by crossings).
     virtual bool crossings(uint32_t leaf, const Ray& ray, std::vector<CsgCrossing>& out) const = 0;
     virtual bool inside(uint32_t leaf, const Vec3& point) const = 0;
     /// How far the true surface may be from the hit, along its normal, and the cosine of the angle between that and the ray, without its sign. Asked only
@@ -105,6 +106,10 @@ class CsgTree {
   private:
     std::vector<CsgNode> nodes_;    ///< each before its subtree
 };
+
+/// What a leaf of that shape costs: a plane nearly nothing, most others some, roots of polynomials of a high order much.
+uint8_t csg_cost(const ShapeOps& ops);
+inline constexpr uint8_t kCsgCostOfMesh = 2;
 
 /// Does the line of `ray` come from inside of a solid? `crossings` are all of its crossings with it.
 bool begins_inside(const ShapeOps& ops, const ShapeGeometry& shape, const Ray& ray, const Crossings& crossings);

@@ -3,6 +3,7 @@
 #include "eval/csg.h"
 
 #include <algorithm>
+#include <numeric>
 
 namespace alidade {
 
@@ -15,7 +16,8 @@ struct Plain {
     CsgLeaf leaf;
     Mask mask = kMaskAll;
     std::vector<Plain> parts;
-    bool far = false, costly = false;
+    bool far = false;
+    uint8_t cost = 0;
     Bounds box;
 };
 
@@ -100,7 +102,8 @@ void finish(Plain& p, const CsgNarrow& narrow) {
     if (p.op != CsgOp::leaf && p.op != CsgOp::clip) sort_by_place(p, narrow);
     find_box(p);
     narrow_box(p, narrow);
-    p.costly = std::any_of(p.parts.begin(), p.parts.end(), [](const Plain& part) { return part.costly; }) || (p.op == CsgOp::leaf && p.leaf.costly);
+    p.cost = p.leaf.cost;
+    for (const Plain& part : p.parts) p.cost = std::max(p.cost, part.cost);
 }
 
 Plain plain(const CsgExpression& e, bool inverse, Mask mask) {
@@ -134,9 +137,10 @@ void emit(const Plain& p, uint32_t parent, uint32_t place, std::vector<CsgNode>&
     node.parent = parent, node.place = place, node.children = uint32_t(p.parts.size());
     node.mask = p.mask, node.box = p.box;
     out.push_back(node);
-    for (const bool costly : {false, true})
-        for (uint32_t i = 0; i < node.children; ++i)
-            if (p.parts[i].costly == costly) emit(p.parts[i], self, i, out);
+    std::vector<uint32_t> order(node.children);
+    std::iota(order.begin(), order.end(), 0u);
+    std::stable_sort(order.begin(), order.end(), [&](uint32_t a, uint32_t b) { return p.parts[a].cost < p.parts[b].cost; });
+    for (const uint32_t i : order) emit(p.parts[i], self, i, out);
     out[self].end = uint32_t(out.size());
 }
 

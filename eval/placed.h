@@ -28,11 +28,9 @@ struct PlacedNorms {
 };
 
 /// `near`, the rounded image of `world` in local space, brought to the exact one: what is left of `world` once `near` is mapped back is known to twice the digits. `shift`: that of to_world, or 0 for directions.
-inline Vec3 corrected(const Mat3& to_world, const Mat3& to_local, const Vec3& shift, const Vec3& world, const Vec3& near) {
-    TwiceVec rest = TwiceVec::difference(world, shift);
-    for (int column = 0; column < 3; ++column) rest = rest.moved(Twice(-near[column]), TwiceVec(to_world[column]));
-    return near + to_local * Vec3(rest.v[0].value(), rest.v[1].value(), rest.v[2].value());
-}
+Vec3 corrected(const Mat3& to_world, const Mat3& to_local, const Vec3& shift, const Vec3& world, const Vec3& near);
+/// The same bits on any machine, component by component.
+Vec3 corrected_plainly(const Mat3& to_world, const Mat3& to_local, const Vec3& shift, const Vec3& world, const Vec3& near);
 
 /// How far a transformed ray may be from the exact image of `ray` at t, in local space: gamma_5 of each product and sum in the transform.
 inline double mapped_error(const PlacedNorms& norms, const Ray& ray, double t) {

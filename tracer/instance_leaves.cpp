@@ -18,8 +18,9 @@ bool InstanceLeaves::crossings(uint32_t id, const Ray& ray, std::vector<CsgCross
         return false;
     }
     ++work_.primitives;
-    const Crossings crossings = geometry.ops->crossings(*geometry.source, local);
+    const Crossings crossings = geometry.ops->crossings_wanted(*geometry.source, geometry.bounds, local, Wanted::all);
     for (int i = 0; i < crossings.count; ++i) out.push_back({hit_of(crossings.at[i], id), 0});
+    if (crossings.begins_inside) return *crossings.begins_inside;
     return !geometry.bounds.finite() && begins_inside(*geometry.ops, *geometry.source, local, crossings);
 }
 
@@ -49,7 +50,7 @@ CsgLeaf csg_leaf(const CompiledScene& scene, uint32_t id) {
     leaf.id = id;
     leaf.inside = geometry.mesh ? CsgInside::nowhere : geometry.ops->solid(*geometry.source) ? CsgInside::by_crossings : CsgInside::at_points;
     leaf.bounds = instance.bounds;
-    leaf.costly = geometry.mesh || geometry.ops->costly;
+    leaf.cost = geometry.mesh ? kCsgCostOfMesh : csg_cost(*geometry.ops);
     return leaf;
 }
 

@@ -18,10 +18,10 @@ Ray Instance::corrected(const Ray& ray) const {
 
 namespace {
 
-/// The first crossing of a closed form with the local ray, as a hit.
-bool first_crossing(const Geometry& geometry, const Ray& local, uint32_t instance, Hit& hit, WorkCounters& work) {
+/// The first crossing of a closed form with the local ray, or any, as a hit.
+bool first_crossing(const Geometry& geometry, const Ray& local, Wanted wanted, uint32_t instance, Hit& hit, WorkCounters& work) {
     ++work.primitives;
-    const Crossings crossings = geometry.ops->crossings(*geometry.source, local);
+    const Crossings crossings = geometry.ops->crossings_wanted(*geometry.source, geometry.bounds, local, wanted);
     for (int i = 0; i < crossings.count; ++i) {
         if (!(crossings.at[i].t >= local.tmin)) continue;
         if (!(crossings.at[i].t <= local.tmax)) return false;
@@ -60,9 +60,9 @@ bool InstanceSet::intersect(std::span<const uint32_t> ids, const Ray& ray, Hit& 
         Ray local = instance.local(ray);
         if (hit.t < ray.tmax) local.tmax = std::min(ray.tmax, hit.t + instance_slack(ray, hit.t));
         Hit candidate;
-        const bool crossed = geometry.mesh ? geometry.triangles->intersect(local, candidate, work, id) : first_crossing(geometry, local, id, candidate, work);
+        const bool crossed = geometry.mesh ? geometry.triangles->intersect(local, candidate, work, id) : first_crossing(geometry, local, Wanted::first, id, candidate, work);
         if (!crossed) continue;
-        candidate.t = clamp_to_bounds(candidate.t, ray, instance.bounds);
+        if (!instance.in_place) candidate.t = clamp_to_bounds(candidate.t, ray, instance.bounds);   // else it is there already: crossings lie in the bounds of their shape
         if (!comes_before(candidate.t, id, candidate.primitive, hit)) continue;
         hit = candidate;
         found = true;
@@ -81,7 +81,7 @@ bool InstanceSet::occluded(std::span<const uint32_t> ids, const Ray& ray, WorkCo
         if (!(instance.mask & ray.mask)) continue;
         const Geometry& geometry = scene_.geometries[instance.geometry];
         const Ray local = instance.local(ray);
-        if (geometry.mesh ? geometry.triangles->occluded(local, work) : first_crossing(geometry, local, id, unused, work)) return true;
+        if (geometry.mesh ? geometry.triangles->occluded(local, work) : first_crossing(geometry, local, Wanted::any, id, unused, work)) return true;
     }
     return false;
 }
@@ -103,7 +103,7 @@ void InstanceSet::all_hits(std::span<const uint32_t> ids, const Ray& ray, std::v
             geometry.triangles->all_hits(local, hits, work, id);
         } else {
             ++work.primitives;
-            const Crossings crossings = geometry.ops->crossings(*geometry.source, local);
+            const Crossings crossings = geometry.ops->crossings_wanted(*geometry.source, geometry.bounds, local, Wanted::all);
             for (int i = 0; i < crossings.count; ++i)
                 if (crossings.at[i].t >= ray.tmin && crossings.at[i].t <= ray.tmax) hits.push_back(hit_of(crossings.at[i], id));
         }

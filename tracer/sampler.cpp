@@ -2,7 +2,6 @@
 #include "tracer/sampler.h"
 
 #include <array>
-#include <bit>
 
 namespace alidade {
 namespace {
@@ -48,11 +47,20 @@ using Order = std::array<uint16_t, 16>;
 constexpr Order kOfLight = {0x0001, 0x0003, 0x0004, 0x000d, 0x0011, 0x0032, 0x0045, 0x00db, 0x0114, 0x0305, 0x041f, 0x0a33, 0x1987, 0x29e5, 0x6070, 0xf927};
 constexpr Order kOfLens = {0x0001, 0x0003, 0x0004, 0x000a, 0x0017, 0x002a, 0x0068, 0x00f4, 0x0116, 0x02db, 0x06e2, 0x08f9, 0x1b17, 0x31dd, 0x4000, 0x8000};
 
-uint32_t in_order(const Order& order, uint32_t index) {
-    uint32_t taken = index & ~0xffffu;
-    for (uint32_t rest = index & 0xffffu; rest != 0; rest &= rest - 1) taken ^= order[size_t(std::countr_zero(rest))];
-    return taken;
-}
+/// The sums of an order for all values of the lower and of the upper eight digits.
+struct OrderSums {
+    std::array<uint16_t, 256> of[2];
+
+    explicit constexpr OrderSums(const Order& order) : of{} {
+        for (size_t half = 0; half < 2; ++half)
+            for (size_t digits = 0; digits < 256; ++digits)
+                for (size_t k = 0; k < 8; ++k)
+                    if (digits >> k & 1) of[half][digits] = uint16_t(of[half][digits] ^ order[8 * half + k]);
+    }
+};
+constexpr OrderSums kSumsOfLight(kOfLight), kSumsOfLens(kOfLens);
+
+uint32_t in_order(const OrderSums& sums, uint32_t index) { return (index & ~0xffffu) ^ sums.of[0][index & 0xff] ^ sums.of[1][index >> 8 & 0xff]; }
 
 double to_unit(uint32_t x) { return x * 0x1p-32; }
 
@@ -61,7 +69,7 @@ Vec2 sobol(const SampleDomain& domain, uint32_t index, uint32_t) {
     const uint64_t shuffle = domain.order.bits(0), scramble = domain.own.bits(1);
     // The index is shuffled by a scrambling, which permutes aligned blocks of 2^k, so that each stays a net. The first dimension is that index, reversed.
     uint32_t first = scrambled_from_below(reversed(index), uint32_t(shuffle));
-    if (domain.coordinates != Coordinates::pixel) first = reversed(in_order(domain.coordinates == Coordinates::light ? kOfLight : kOfLens, reversed(first)));
+    if (domain.coordinates != Coordinates::pixel) first = reversed(in_order(domain.coordinates == Coordinates::light ? kSumsOfLight : kSumsOfLens, reversed(first)));
     return {to_unit(owen_scrambled(first, uint32_t(scramble))), to_unit(owen_scrambled(sobol_second(first), uint32_t(scramble >> 32)))};
 }
 

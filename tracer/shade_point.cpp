@@ -47,8 +47,9 @@ void place(const CompiledScene& scene, const Instance& instance, const Ray& ray,
 double world_error(const CompiledScene& scene, const Ray& ray, const Hit& hit, const Vec3& position) {
     const Instance& instance = scene.instances[hit.instance];
     const Geometry& geometry = scene.geometries[instance.geometry];
-    const ErrorBound own = geometry.mesh ? hit.error : geometry.ops->error(*geometry.source, instance.local(ray), hit.t, hit.part);
-    const double mapped = instance.inexact ? corrected_error(instance.norms, ray, instance.local(ray), hit.t) : mapped_error(instance.norms, ray, hit.t);
+    const Ray local = geometry.mesh && !instance.inexact ? ray : instance.local(ray);
+    const ErrorBound own = geometry.mesh ? hit.error : geometry.ops->error(*geometry.source, local, hit.t, hit.part);
+    const double mapped = instance.inexact ? corrected_error(instance.norms, ray, local, hit.t) : mapped_error(instance.norms, ray, hit.t);
     return placed_error(instance.norms, own, mapped, ray, hit.t, position);
 }
 

@@ -7,6 +7,7 @@
 #include "accel/bvh/bvh_file.h"
 #include "accel/bvh/fast_build.h"
 #include "accel/bvh/refit.h"
+#include "accel/bvh/slab_pair.h"
 #include "accel/bvh/wide.h"
 #include "accel/bvh/wide_nodes.h"
 #include "accel/query.h"
@@ -52,14 +53,16 @@ template <class Leaf> class Bvh {
         };
         Waiting stack[kBvhDepth];
         const auto slab = slab_of<R>(ray);
+        const SlabPair<R> pair(slab);
         const R start = slab.start(ray.tmin);
         R limit = slab.limit(query.limit());
         Waiting current{0, start};
         for (uint32_t waiting = 0;;) {
             const BvhNode<R>& node = nodes_[current.node];
             if (!node.leaf()) {
-                Waiting near{node.first, slab.enter(nodes_[node.first].box, start, limit)};
-                Waiting far{node.first + 1, slab.enter(nodes_[node.first + 1].box, start, limit)};
+                R entries[2];
+                pair.enter(nodes_[node.first].box, nodes_[node.first + 1].box, start, limit, entries);
+                Waiting near{node.first, entries[0]}, far{node.first + 1, entries[1]};
                 work.boxes += 2;
                 if (far.entry < near.entry) std::swap(near, far);
                 if (far.entry <= limit) stack[waiting++] = far;

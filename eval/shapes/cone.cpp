@@ -11,7 +11,8 @@ Frustum frustum(const ShapeGeometry& geometry) {
 }
 
 Bounds cone_bounds(const ShapeGeometry& geometry) { return bounds(geometry); }
-Crossings cone_crossings(const ShapeGeometry& geometry, const Ray& ray) { return frustum(geometry).crossings(ray, geometry); }
+Crossings cone_wanted(const ShapeGeometry& geometry, const Bounds& own, const Ray& ray, Wanted wanted) { return frustum(geometry).crossings(own, ray, wanted); }
+Crossings cone_crossings(const ShapeGeometry& geometry, const Ray& ray) { return cone_wanted(geometry, cone_bounds(geometry), whole_line(ray), Wanted::all); }
 ErrorBound cone_error(const ShapeGeometry& geometry, const Ray& ray, double t, uint32_t part) { return frustum(geometry).error(ray, t, part); }
 SurfacePoint cone_surface(const ShapeGeometry& geometry, const Vec3& point, uint32_t part) { return frustum(geometry).surface(point, part); }
 Vec3 cone_normal(const ShapeGeometry& geometry, const Vec3& point, uint32_t part) { return frustum(geometry).normal(point, part); }
@@ -20,6 +21,6 @@ bool cone_solid(const ShapeGeometry& geometry) { return !std::get<Cone>(geometry
 
 }  // namespace
 
-const ShapeOps kConeOps = {"cone", "a cone cut off at both ends, with or without caps", kind_of<Cone>(), cone_bounds, cone_crossings, cone_error, cone_surface, cone_inside, cone_solid, nullptr, false, cone_normal};
+const ShapeOps kConeOps = {"cone", "a cone cut off at both ends, with or without caps", kind_of<Cone>(), cone_bounds, cone_crossings, cone_error, cone_surface, cone_inside, cone_solid, nullptr, false, cone_normal, cone_wanted};
 
 }  // namespace alidade

@@ -11,7 +11,8 @@ Frustum frustum(const ShapeGeometry& geometry) {
 }
 
 Bounds cylinder_bounds(const ShapeGeometry& geometry) { return bounds(geometry); }
-Crossings cylinder_crossings(const ShapeGeometry& geometry, const Ray& ray) { return frustum(geometry).crossings(ray, geometry); }
+Crossings cylinder_wanted(const ShapeGeometry& geometry, const Bounds& own, const Ray& ray, Wanted wanted) { return frustum(geometry).crossings(own, ray, wanted); }
+Crossings cylinder_crossings(const ShapeGeometry& geometry, const Ray& ray) { return cylinder_wanted(geometry, cylinder_bounds(geometry), whole_line(ray), Wanted::all); }
 ErrorBound cylinder_error(const ShapeGeometry& geometry, const Ray& ray, double t, uint32_t part) { return frustum(geometry).error(ray, t, part); }
 SurfacePoint cylinder_surface(const ShapeGeometry& geometry, const Vec3& point, uint32_t part) { return frustum(geometry).surface(point, part); }
 Vec3 cylinder_normal(const ShapeGeometry& geometry, const Vec3& point, uint32_t part) { return frustum(geometry).normal(point, part); }
@@ -20,6 +21,6 @@ bool cylinder_solid(const ShapeGeometry& geometry) { return !std::get<Cylinder>(
 
 }  // namespace
 
-const ShapeOps kCylinderOps = {"cylinder", "all points near an axis, with or without caps", kind_of<Cylinder>(), cylinder_bounds, cylinder_crossings, cylinder_error, cylinder_surface, cylinder_inside, cylinder_solid, nullptr, false, cylinder_normal};
+const ShapeOps kCylinderOps = {"cylinder", "all points near an axis, with or without caps", kind_of<Cylinder>(), cylinder_bounds, cylinder_crossings, cylinder_error, cylinder_surface, cylinder_inside, cylinder_solid, nullptr, false, cylinder_normal, cylinder_wanted};
 
 }  // namespace alidade

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "eval/shapes/frustum.h"
 
-#include "eval/shapes/approach.h"
 #include "eval/shapes/twice.h"
 
 namespace alidade {
@@ -65,24 +64,24 @@ double Frustum::near_tangent(const Line& line, double s, const Ray& ray, double 
     return after_step(t, std::abs(t) + max_abs(ray.origin) / line.size, dot(q, q) - r * r, 2 * slope);
 }
 
-/// Where |q| <= |r|; returns how many stretches that are, in order.
-int Frustum::stretches(const Line& line, Stretch (&out)[2]) const {
+/// Where |q| <= |r|; returns how many stretches that are, in order. Roots that are apart are left to be polished.
+int Frustum::stretches(const Line& line, const RoughCrossings& rough, Stretch (&out)[2]) const {
     const double a = line.square(), b = line.half_linear(), c = line.constant(), d = line.discriminant();
     if (std::isnan(a + b + c + d) || (a >= 0 && d < 0)) return 0;
     const double q = -(b + std::copysign(std::sqrt(std::max(d, 0.0)), b));   // steeper than the cone, a line always meets both of its halves
     if (q == 0) return c <= 0 && a <= 0 ? 1 : 0;                             // along the axis, or along a line of the side
-    double first = c / q, second = q / a;
+    End first{c / q, 0, false}, second{q / a, 0, false};
     if (a == 0) {   // parallel to a line of the side: one root
-        (b > 0 ? out[0].leave : out[0].enter).t = polished(line, first);
+        (b > 0 ? out[0].leave : out[0].enter) = first;
         return 1;
     }
-    first = polished(line, first), second = polished(line, second);
-    if (first > second) std::swap(first, second);
+    if (!rough.surely_before(first.t, second.t) && !rough.surely_before(second.t, first.t)) first = {polished(line, first.t), 0}, second = {polished(line, second.t), 0};
+    if (first.t > second.t) std::swap(first, second);
     if (a > 0) {
-        out[0].enter.t = first, out[0].leave.t = second;
+        out[0].enter = first, out[0].leave = second;
         return 1;
     }
-    out[0].leave.t = first, out[1].enter.t = second;
+    out[0].leave = first, out[1].enter = second;
     return 2;
 }
 
@@ -99,9 +98,18 @@ ErrorBound Frustum::error(const Ray& ray, double t, uint32_t part) const {
     return {(off + rounding) / std::hypot(1.0, steep) * (1 + gamma_bound(4)) + at_rounding(ray, t)};
 }
 
-Crossings Frustum::crossings(const Ray& ray, const ShapeGeometry& geometry) const {
+/// Adds a crossing, not before the last one. False if it is not in the ray's interval.
+bool Frustum::add(const Line& line, const Approach& p, const Ray& ray, const LineInterval& box, const End& end, Crossings& out) const {
+    if ((open_ && end.part != 0) || !std::isfinite(end.t)) return false;
+    const double s = p.rest + end.t, t = p.shift + s;
+    const double at = std::clamp(end.part == 0 && end.polished ? near_tangent(line, s, ray, t) : t, box.entry, box.exit);
+    out.add(out.count > 0 ? std::max(at, out.at[size_t(out.count - 1)].t) : at, end.part);
+    return at >= ray.tmin && at <= ray.tmax;
+}
+
+[[gnu::always_inline]] inline Crossings Frustum::crossings_inline(const Bounds& own, const Ray& ray, Wanted wanted) const {
     Crossings out;
-    const Approach p = approach(a_, ray);
+    const Approach p = approach_inline(a_, ray);
     if (!is_finite(ray) || !std::isfinite(p.shift) || !(length_ > 0)) return out;
     const double along = dot(ray.dir, axis_);
     const Line line{place(p.nearest), along, ray.dir - along * axis_, slope_ * along, length(ray.dir)};
@@ -114,24 +122,39 @@ Crossings Frustum::crossings(const Ray& ray, const ShapeGeometry& geometry) cons
     } else if (!(line.start.along >= 0 && line.start.along <= length_)) {
         return out;
     }
+    const RoughCrossings rough(ray, std::abs(p.shift) + (length_ + std::abs(radius_a_) + std::abs(radius_b_)) / line.size);
     Stretch found[2];
-    const int count = stretches(line, found);
+    const int count = stretches(line, rough, found);
     if (count == 0) return out;
-    const LineInterval box = inside_bounds(ray, bounds(geometry));
+    const LineInterval box = inside_bounds(ray, own);
     if (box.empty()) return out;
-    double last = -kInf;
+    const auto polish = [&](End& end) {   // unless it lies outside of the ray's interval or of the caps
+        if (end.polished || rough.surely_outside(p.shift + end.t) || rough.surely_before(end.t, between.enter.t) || rough.surely_before(between.leave.t, end.t)) return;
+        end = {polished(line, end.t), end.part};
+    };
     for (int i = 0; i < count; ++i) {
+        polish(found[i].enter);
         const End enter = found[i].enter.t >= between.enter.t ? found[i].enter : between.enter;
+        const bool surely_in = wanted != Wanted::all && rough.surely_before(enter.t, std::min(found[i].leave.t, between.leave.t));
+        if (surely_in && add(line, p, ray, box, enter, out)) return out;   // nobody asks where it ends
+        polish(found[i].leave);
         const End leave = found[i].leave.t <= between.leave.t ? found[i].leave : between.leave;
         if (!(enter.t <= leave.t)) continue;
-        for (const End& end : {enter, leave}) {
-            if ((open_ && end.part != 0) || !std::isfinite(end.t)) continue;
-            const double s = p.rest + end.t, t = p.shift + s;
-            last = std::max(last, end.part == 0 ? near_tangent(line, s, ray, t) : t);
-            out.add(std::clamp(last, box.entry, box.exit), end.part);
-        }
+        if (!surely_in) add(line, p, ray, box, enter, out);
+        add(line, p, ray, box, leave, out);
     }
     return out;
+}
+
+#ifdef __x86_64__
+[[gnu::target("fma"), gnu::flatten]] Crossings Frustum::crossings_with_fma(const Bounds& own, const Ray& ray, Wanted wanted) const { return crossings_inline(own, ray, wanted); }
+#endif
+
+Crossings Frustum::crossings(const Bounds& own, const Ray& ray, Wanted wanted) const {
+#ifdef __x86_64__
+    if (kHasFma) return crossings_with_fma(own, ray, wanted);
+#endif
+    return crossings_inline(own, ray, wanted);
 }
 
 Vec3 Frustum::outwards(const Place& here, const Vec3& any) const {

@@ -2,7 +2,8 @@
 /// What cylinders and cones are: a radius that changes evenly along an axis. Parts: 0 the side, 1 the cap at a, 2 the cap at b.
 #pragma once
 
-#include "eval/shapes/rows.h"
+#include "eval/shapes/approach.h"
+#include "eval/shapes/wanted.h"
 
 namespace alidade {
 
@@ -18,8 +19,8 @@ class Frustum {
     ///          stretches with |q| <= |r| are cut to those between the caps.
     /// Error    of t: <= 4 units of 2^-52 (|t| + size / |d|) / cosine of the angle to the normal, size being that of the shape. Held by
     ///          tests/eval/frustum_test.cpp against 113-bit arithmetic.
-    /// `geometry` is what the frustum was made of: its box is asked for once there is a crossing.
-    Crossings crossings(const Ray& ray, const ShapeGeometry& geometry) const;
+    /// `own` is the box of what the frustum was made of.
+    Crossings crossings(const Bounds& own, const Ray& ray, Wanted wanted) const;
     ErrorBound error(const Ray& ray, double t, uint32_t part) const;
     SurfacePoint surface(const Vec3& point, uint32_t part) const;
     Vec3 normal(const Vec3& point, uint32_t part) const;
@@ -31,6 +32,7 @@ class Frustum {
     struct End {
         double t;
         uint32_t part;
+        bool polished = true;
     };
     /// A point relative to `a`: along the axis, across it, and the signed radius there.
     struct Place {
@@ -38,13 +40,16 @@ class Frustum {
         Vec3 across;
         double radius;
     };
+    Crossings crossings_inline(const Bounds& own, const Ray& ray, Wanted wanted) const;
+    Crossings crossings_with_fma(const Bounds& own, const Ray& ray, Wanted wanted) const;
     Place place(const Vec3& from_a) const;
     /// The unit direction from the axis to a place; `any` at a tip.
     Vec3 outwards(const Place& here, const Vec3& any) const;
     Vec3 side_normal(const Place& here, const Vec3& outwards) const;
     double polished(const Line& line, double t) const;
     double near_tangent(const Line& line, double s, const Ray& ray, double t) const;
-    int stretches(const Line& line, Stretch (&out)[2]) const;
+    int stretches(const Line& line, const RoughCrossings& rough, Stretch (&out)[2]) const;
+    bool add(const Line& line, const Approach& p, const Ray& ray, const LineInterval& box, const End& end, Crossings& out) const;
 
     Vec3 a_, b_, axis_;
     double length_, radius_a_, radius_b_, slope_;

@@ -36,8 +36,10 @@ ErrorBound plane_error(const ShapeGeometry& geometry, const Ray& ray, double t, 
 Crossings plane_crossings(const ShapeGeometry& geometry, const Ray& ray) {
     const Equation plane(std::get<Plane>(geometry));
     Crossings out;
-    const double t = -plane.height(ray.origin) / dot(plane.normal, ray.dir);
-    if (is_finite(ray) && std::isfinite(t)) out.add(t, 0);
+    const double rise = dot(plane.normal, ray.dir), t = -plane.height(ray.origin) / rise;
+    if (!is_finite(ray) || !std::isfinite(t)) return out;
+    out.add(t, 0);
+    out.begins_inside = rise > 0;
     return out;
 }
 

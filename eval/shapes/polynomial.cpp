@@ -4,6 +4,7 @@
 #include "eval/shapes/narrow.h"
 #include "eval/shapes/polynomial_horner.h"
 #include "eval/shapes/polynomial_roots.h"
+#include "eval/shapes/wanted.h"
 
 namespace alidade {
 
@@ -96,8 +97,8 @@ struct Line {
     const Polynomial& f;
     Vec3 p, u;
 
-    /// In order. The highest coefficients are left out where all of them is rounding: they would make crossings far away from everything.
-    int crossings(double* out) const {
+    /// In order, those in the range exactly. The highest coefficients are left out where all of them is rounding: they would make crossings far away from everything.
+    int crossings(RootRange& range, double* out) const {
         const Powers<false> on = on_line<false>(f, p, u);
         int degree = on.degree;
         // Most are larger than any rounding could be.
@@ -105,8 +106,9 @@ struct Line {
             const Powers<true> sized = on_line<true>(f, p, u);
             while (degree > 0 && std::abs(on.c[degree]) <= gamma_bound(roundings(f)) * sized.magnitude[degree]) --degree;
         }
-        const int count = real_roots({on.c, size_t(degree + 1)}, out);
-        for (int i = 0; i < count; ++i) out[i] = polished([&](const Vec3& x) { return evaluate_along(f, x, u); }, p, u, out[i]);
+        const int count = real_roots_in({on.c, size_t(degree + 1)}, range, out);
+        for (int i = 0; i < count; ++i)
+            if (out[i] >= range.from && out[i] <= range.to) out[i] = polished([&](const Vec3& x) { return evaluate_along(f, x, u); }, p, u, out[i]);
         std::sort(out, out + count);
         return count;
     }
@@ -120,17 +122,23 @@ Bounds polynomial_bounds(const ShapeGeometry& geometry) { return bounds(geometry
 /// Error    of t: <= 4 units of 2^-52 (|t| + M / |f'|), M being the sum of the magnitudes of f's terms there and f' its derivative by t. Held by
 ///          tests/eval/implicit_test.cpp against 113-bit arithmetic.
 /// A tangent is none or two.
-Crossings polynomial_crossings(const ShapeGeometry& geometry, const Ray& ray) {
+Crossings polynomial_wanted(const ShapeGeometry& geometry, const Bounds&, const Ray& ray, Wanted) {
     const Polynomial& f = std::get<Polynomial>(geometry);
     Crossings out;
     const Approach nearest = approach(Vec3(0), ray);
     const double speed = std::sqrt(dot(ray.dir, ray.dir));
     if (!is_complete(f) || !is_finite(ray) || !std::isfinite(nearest.shift) || !(speed > 0)) return out;
+    const RoughCrossings rough(ray, std::abs(nearest.shift) + max_abs(nearest.nearest) / speed);
+    const auto s_at = [&](double t) { return ((t - nearest.shift) - nearest.rest) * speed; };
+    RootRange range{s_at(ray.tmin - rough.slack(ray.tmin)), s_at(ray.tmax + rough.slack(ray.tmax))};
     double roots[kMostRoots];
-    const int count = Line{f, nearest.nearest, ray.dir / speed}.crossings(roots);
+    const int count = Line{f, nearest.nearest, ray.dir / speed}.crossings(range, roots);
+    if (range.sign != 0) out.begins_inside = range.sign < 0;
     for (int i = 0; i < count; ++i) add_crossing(ray, nearest.shift + (nearest.rest + roots[i] / speed), out);
     return out;
 }
+
+Crossings polynomial_crossings(const ShapeGeometry& geometry, const Ray& ray) { return polynomial_wanted(geometry, polynomial_bounds(geometry), whole_line(ray), Wanted::all); }
 
 ErrorBound polynomial_error(const ShapeGeometry& geometry, const Ray& ray, double t, uint32_t) {
     const Polynomial& f = std::get<Polynomial>(geometry);
@@ -152,6 +160,6 @@ Bounds polynomial_narrow(const ShapeGeometry& geometry, bool outside, const Boun
 
 }  // namespace
 
-const ShapeOps kPolynomialOps = {"polynomial", "where a polynomial in x, y and z is negative", kind_of<Polynomial>(), polynomial_bounds, polynomial_crossings, polynomial_error, polynomial_surface, polynomial_inside, always_solid, polynomial_narrow, true};
+const ShapeOps kPolynomialOps = {"polynomial", "where a polynomial in x, y and z is negative", kind_of<Polynomial>(), polynomial_bounds, polynomial_crossings, polynomial_error, polynomial_surface, polynomial_inside, always_solid, polynomial_narrow, true, nullptr, polynomial_wanted};
 
 }  // namespace alidade

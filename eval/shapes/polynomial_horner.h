@@ -22,15 +22,21 @@ template <class Sum, class Times> Sum horner(const Polynomial& f, const Times& t
     const double* c = f.coefficients.data();
     Sum in_x;
     for (int i = f.order; i >= 0; --i) {
+        const int most = f.order - i;
+        int zeros = leading_zeros(c, (most + 1) * (most + 2) / 2), j = most;
+        c += zeros;
+        for (; j >= 0 && zeros > most - j; --j) zeros -= most - j + 1;   // nothing has been added to in_y
+        times(in_x, 0);
+        if (j < 0) continue;
         Sum in_y;
-        for (int j = f.order - i; j >= 0; --j) {
+        for (bool first = true; j >= 0; --j, first = false) {
+            if (!first) zeros = leading_zeros(c, most - j + 1), c += zeros, times(in_y, 1);
+            if (zeros > most - j) continue;
             Sum in_z;
-            const int zeros = leading_zeros(c, f.order - i - j + 1);
-            c += zeros;
-            for (int k = f.order - i - j - zeros; k >= 0; --k) times(in_z, 2), in_z.add(*c++);
-            times(in_y, 1), in_y.add(in_z);
+            for (int k = most - j - zeros; k >= 0; --k) times(in_z, 2), in_z.add(*c++);
+            in_y.add(in_z);
         }
-        times(in_x, 0), in_x.add(in_y);
+        in_x.add(in_y);
     }
     return in_x;
 }

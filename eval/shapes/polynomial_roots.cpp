@@ -53,8 +53,8 @@ Univariate derivative(const Univariate& f) {
 /// f bends back at an extreme: where that is found to 2^-40, f itself is right to 2^-80.
 constexpr double kOfExtremes = 0x1p-40, kOfRoots = 0x1p-51;
 
-/// The roots of f within -1 .. 1, from those of its derivative there.
-int roots_between(const Univariate& f, const double* extremes, int count, double precision, double* roots) {
+/// The roots of f within -1 .. 1, from those of its derivative there. Those outside of from .. to are not found exactly.
+int roots_between(const Univariate& f, const double* extremes, int count, double precision, double* roots, double from = -1, double to = 1) {
     constexpr double kLeastStep = 0x1p-110;   // for a root at 0, which no relative step is small enough for
     int found = 0;
     double low = -1;
@@ -62,7 +62,7 @@ int roots_between(const Univariate& f, const double* extremes, int count, double
     for (int i = 0; i <= count; ++i) {
         const double high = i < count ? extremes[i] : 1;
         const bool next = f(high).first > 0;
-        if (next != positive) roots[found++] = bracketed_root(f, low, high, positive, kLeastStep, precision);
+        if (next != positive) roots[found++] = high < from ? high : low > to ? low : bracketed_root(f, low, high, positive, kLeastStep, precision);
         low = high, positive = next;
     }
     return found;
@@ -79,9 +79,61 @@ int quadratic_roots(const Univariate& f, double* roots) {
     return found;
 }
 
+/// Bernstein coefficients of polynomials up to this degree are looked at, and of parts halved this often.
+constexpr int kMostCertified = 6, kHalvings = 3;
+
+/// A polynomial of a part of the line, as its Bernstein coefficients.
+struct Part {
+    double b[kMostCertified + 1];
+    int degree;
+
+    /// Of f from `low` to `high`; `slack`: more than all roundings.
+    Part(const Univariate& f, double low, double high, double& slack) : degree(f.degree) {
+        const double reach = 3 * std::max(std::abs(low), std::abs(high)), width = high - low;
+        slack = 0;
+        for (int i = degree; i >= 0; --i) b[i] = f.a[i], slack = slack * reach + std::abs(f.a[i]);
+        slack *= 1e-13;
+        for (int k = 0; k < degree; ++k)
+            for (int i = degree - 1; i >= k; --i) b[i] += low * b[i + 1];
+        double scale = 1;   // width^i over the binomial coefficient of i
+        for (int i = 1; i <= degree; ++i) scale *= width * i / (degree - i + 1), b[i] *= scale;
+        for (int k = 0; k < degree; ++k)
+            for (int i = degree; i > k; --i) b[i] += b[i - 1];
+    }
+
+    /// 1 or -1 if f has that sign all along; 0 if that is not seen.
+    int sign(double slack, int halvings) {
+        const auto [least, most] = std::minmax_element(b, b + degree + 1);
+        if (*least > slack) return 1;
+        if (*most < -slack) return -1;
+        const int here = b[0] > slack ? 1 : b[0] < -slack ? -1 : 0;
+        if (halvings == 0 || here == 0 || !(here * b[degree] > slack)) return 0;
+        Part front = *this;
+        for (int k = 1; k <= degree; ++k) {   // de Casteljau: the halves are the sides of the triangle
+            for (int i = 0; i <= degree - k; ++i) b[i] = 0.5 * (b[i] + b[i + 1]);
+            front.b[k] = b[0];
+        }
+        return front.sign(slack, halvings - 1) == here ? sign(slack, halvings - 1) : 0;
+    }
+};
+
+/// The sign of f within -1 .. 1 and the range; 0 if it may change.
+int certain_sign(const Univariate& f, double from, double to) {
+    from = std::max(from, -1.0), to = std::min(to, 1.0);
+    if (f.degree > kMostCertified || !(from < to)) return 0;
+    double slack;
+    Part part(f, from, to, slack);
+    return part.sign(slack, kHalvings);
+}
+
 }  // namespace
 
 int real_roots(std::span<const double> coefficients, double* roots) {
+    RootRange all;
+    return real_roots_in(coefficients, all, roots);
+}
+
+int real_roots_in(std::span<const double> coefficients, RootRange& range, double* roots) {
     while (!coefficients.empty() && coefficients.back() == 0) coefficients = coefficients.first(coefficients.size() - 1);
     const int degree = int(coefficients.size()) - 1;
     if (degree < 1 || degree > kMostRoots) return 0;
@@ -94,12 +146,15 @@ int real_roots(std::span<const double> coefficients, double* roots) {
     const int exponent = bound_exponent(coefficients);
     Univariate chain[kMostRoots + 1];
     chain[degree] = scaled(coefficients, exponent);
+    const double from = scaled_by(range.from, -exponent), to = scaled_by(range.to, -exponent);
+    if ((range.sign = certain_sign(chain[degree], from, to)) != 0) return 0;
+    range.sign = chain[degree](-1).first > 0 ? 1 : -1;
     for (int i = degree; i > 1; --i) chain[i - 1] = derivative(chain[i]);
     double extremes[kMostRoots];
     int count = degree > 1 ? quadratic_roots(chain[2], roots) : 0;
     std::copy(roots, roots + count, extremes);
     for (int i = degree > 1 ? 3 : 1; i <= degree; ++i) {
-        count = roots_between(chain[i], extremes, count, i < degree ? kOfExtremes : kOfRoots, roots);
+        count = i < degree ? roots_between(chain[i], extremes, count, kOfExtremes, roots) : roots_between(chain[i], extremes, count, kOfRoots, roots, from, to);
         std::copy(roots, roots + count, extremes);
     }
     for (int i = 0; i < count; ++i) roots[i] = scaled_by(roots[i], exponent);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <limits>
 #include <span>
 
 namespace alidade {
@@ -16,5 +17,17 @@ inline constexpr int kMostRoots = 35;
 /// Error    a root is where the polynomial as computed changes its sign, or aside by 2^-51 of it or 2^-100 of that bound. None is lost but in pairs, where the polynomial
 ///          between them is as small as its rounding; so the count is always even or odd as the signs at both ends say.
 int real_roots(std::span<const double> coefficients, double* roots);
+
+/// Where roots are asked for.
+struct RootRange {
+    double from = -std::numeric_limits<double>::infinity(), to = std::numeric_limits<double>::infinity();
+    int sign = 0;   ///< what is told of the polynomial before the first root, or all along the range if there are none: 1 or -1; 0: nothing
+};
+
+/// Those in the range, bit for bit. Others may be anywhere on their side of it, in order; or left out, if there are none in the range.
+///
+/// Method   of the part in the range the Bernstein coefficients are found; if all have one sign, so has the polynomial. If they have not, halves are asked.
+/// Source   G. Farin, "Curves and Surfaces for CAGD", 5th ed. (2002), section 6.
+int real_roots_in(std::span<const double> coefficients, RootRange& range, double* roots);
 
 }  // namespace alidade

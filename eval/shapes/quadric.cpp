@@ -3,6 +3,7 @@
 #include "eval/shapes/implicit.h"
 #include "eval/shapes/narrow.h"
 #include "eval/shapes/twice.h"
+#include "eval/shapes/wanted.h"
 
 namespace alidade {
 
@@ -66,15 +67,19 @@ struct Line {
     const Quadric& q;
     Vec3 p, u;
 
-    int crossings(double (&out)[2]) const {
+    /// In order but for the last digits. `begins_inside`: is f negative before the first?
+    int rough_crossings(double (&out)[2], std::optional<bool>& begins_inside) const {
         const OnLine here(q, p, u);
         const double shift = here.is_line ? 0 : -here.half / here.square;
         const OnLine there(q, p + shift * u, u);   // where f has its extreme: nothing is left to cancel
         const bool nearer = shift != 0 && std::abs(there.constant) < std::abs(here.constant);
         const int count = (nearer ? there : here).roots(out);
-        for (int i = 0; i < count; ++i) out[i] = polished([&](const Vec3& x) { return along(value_and_gradient(q, x), u); }, p, u, nearer ? shift + out[i] : out[i]);
-        if (count == 2 && out[1] < out[0]) std::swap(out[0], out[1]);
+        for (int i = 0; i < count; ++i) out[i] = nearer ? shift + out[i] : out[i];
+        if (count > 0) begins_inside = here.is_line ? here.half > 0 : here.square < 0;
         return count;
+    }
+    double polished(double s) const {
+        return alidade::polished([&](const Vec3& x) { return along(value_and_gradient(q, x), u); }, p, u, s);
     }
 };
 
@@ -97,24 +102,48 @@ double near_tangent(const Quadric& q, const Ray& ray, double t) {
 /// Error    of t: <= 4 units of 2^-52 (|t| + M / |f'|), M being the sum of the magnitudes of f's terms there and f' its derivative by t. Held by
 ///          tests/eval/implicit_test.cpp against 113-bit arithmetic.
 /// A tangent is one crossing twice. A line on which the squares vanish, as the axis of a paraboloid, has one crossing.
-Crossings quadric_crossings(const ShapeGeometry& geometry, const Ray& ray) {
-    const Quadric& q = std::get<Quadric>(geometry);
+[[gnu::always_inline]] inline Crossings crossings_inline(const Quadric& q, const Bounds& own, const Ray& ray, Wanted wanted) {
     Crossings out;
-    const Approach nearest = approach(Vec3(0), ray);
+    const Approach nearest = approach_inline(Vec3(0), ray);
     const double speed = std::sqrt(dot(ray.dir, ray.dir));
     if (!is_finite(ray) || !std::isfinite(nearest.shift) || !(speed > 0)) return out;
+    const Line line{q, nearest.nearest, ray.dir / speed};
     double roots[2];
-    const int count = Line{q, nearest.nearest, ray.dir / speed}.crossings(roots);
+    const int count = line.rough_crossings(roots, out.begins_inside);
     if (count == 0) return out;
-    const LineInterval inside = inside_bounds(ray, bounds(geometry));
+    const LineInterval inside = inside_bounds(ray, own);
     if (inside.empty()) return out;
+    const RoughCrossings rough(ray, std::abs(nearest.shift) + max_abs(nearest.nearest) / speed);
+    const auto t_at = [&](double s) { return nearest.shift + (nearest.rest + s / speed); };
+    const bool together = count == 2 && !rough.surely_before(t_at(roots[0]), t_at(roots[1]));
+    if (together) {
+        for (double& s : roots) s = line.polished(s);
+        if (roots[1] < roots[0]) std::swap(roots[0], roots[1]);
+    }
     double before = -kInf;
     for (int i = 0; i < count; ++i) {
-        before = std::max(before, near_tangent(q, ray, nearest.shift + (nearest.rest + roots[i] / speed)));
+        double t = t_at(roots[i]);
+        if (together || !rough.surely_outside(t)) t = near_tangent(q, ray, together ? t : t_at(line.polished(roots[i])));
+        before = std::max(before, t);
         add_crossing(ray, std::clamp(before, inside.entry, inside.exit), out);
+        if (wanted != Wanted::all && out.count > 0 && out.at[size_t(out.count - 1)].t >= ray.tmin) break;
     }
     return out;
 }
+
+#ifdef __x86_64__
+[[gnu::target("fma"), gnu::flatten]] Crossings crossings_with_fma(const Quadric& q, const Bounds& own, const Ray& ray, Wanted wanted) { return crossings_inline(q, own, ray, wanted); }
+#endif
+
+Crossings quadric_wanted(const ShapeGeometry& geometry, const Bounds& own, const Ray& ray, Wanted wanted) {
+    const Quadric& q = std::get<Quadric>(geometry);
+#ifdef __x86_64__
+    if (kHasFma) return crossings_with_fma(q, own, ray, wanted);
+#endif
+    return crossings_inline(q, own, ray, wanted);
+}
+
+Crossings quadric_crossings(const ShapeGeometry& geometry, const Ray& ray) { return quadric_wanted(geometry, bounds(geometry), whole_line(ray), Wanted::all); }
 
 ErrorBound quadric_error(const ShapeGeometry& geometry, const Ray& ray, double t, uint32_t) {
     const Vec3 p = ray.at(t);
@@ -131,6 +160,6 @@ Bounds quadric_narrow(const ShapeGeometry& geometry, bool outside, const Bounds&
 
 }  // namespace
 
-const ShapeOps kQuadricOps = {"quadric", "where a polynomial of order 2 is negative", kind_of<Quadric>(), quadric_bounds, quadric_crossings, quadric_error, quadric_surface, quadric_inside, always_solid, quadric_narrow};
+const ShapeOps kQuadricOps = {"quadric", "where a polynomial of order 2 is negative", kind_of<Quadric>(), quadric_bounds, quadric_crossings, quadric_error, quadric_surface, quadric_inside, always_solid, quadric_narrow, false, nullptr, quadric_wanted};
 
 }  // namespace alidade

@@ -7,6 +7,7 @@
 #include "core/short_list.h"
 #include "scene/shape.h"
 
+#include <optional>
 #include <span>
 
 namespace alidade {
@@ -21,7 +22,15 @@ struct Crossing {
 struct Crossings {
     ShortList<Crossing, 8> at;
     int count = 0;
+    std::optional<bool> begins_inside;   ///< is the line inside before the first? Set where that is known anyway, and always where crossings before it were left out
     void add(double t, uint32_t part) { at.push_back({t, part}), ++count; }
+};
+
+/// Which crossings of a line are asked for, by the interval tmin .. tmax of a ray. What is told of others takes no time: they may be anywhere on their side of it.
+enum class Wanted : uint8_t {
+    all,     ///< those in the interval
+    first,   ///< the first of them: later ones may be missing
+    any,     ///< whether there is one: as `first`, and that one may be anywhere in the interval
 };
 
 /// What shading needs of a point on a shape, in the shape's space.
@@ -49,7 +58,10 @@ struct ShapeOps {
     bool costly = false;                                                 ///< crossings cost many times those of a quadric
     /// That of surface(), alone. Null: it costs no less than all of surface().
     Vec3 (*normal)(const ShapeGeometry&, const Vec3& point, uint32_t part) = nullptr;
+    /// Those of crossings() that are wanted, bit for bit; the box is that of bounds(). Null: they take as long as all.
+    Crossings (*wanted)(const ShapeGeometry&, const Bounds& own, const Ray&, Wanted) = nullptr;
 
+    Crossings crossings_wanted(const ShapeGeometry& shape, const Bounds& own, const Ray& ray, Wanted what) const { return wanted ? wanted(shape, own, ray, what) : crossings(shape, ray); }
     Vec3 normal_at(const ShapeGeometry& shape, const Vec3& point, uint32_t part) const { return normal ? normal(shape, point, part) : surface(shape, point, part).normal; }
 };
 

@@ -39,10 +39,9 @@ constexpr double kSilhouette = 1.0 / 64;
 /// Error    of t: <= 4 ulp from 4 radii away on, wherever the sphere is (measured: 3.1 at 4 radii, 0.6 from 100 radii on): numerics/, T07. Hit or miss
 ///          is right outside of 4 ulp of the distance: T08.
 /// A tangent is one crossing twice, so that entries and exits always pair; a NaN is a miss.
-Crossings sphere_crossings(const ShapeGeometry& geometry, const Ray& ray) {
-    const Sphere& s = std::get<Sphere>(geometry);
+[[gnu::always_inline]] inline Crossings crossings_inline(const Sphere& s, const Bounds& own, const Ray& ray) {
     Crossings out;
-    const Approach p = approach(s.center, ray);
+    const Approach p = approach_inline(s.center, ray);
     const double radius2 = s.radius * s.radius, length2 = dot(ray.dir, ray.dir);
     double square = (radius2 - dot(p.nearest, p.nearest)) / length2, middle = p.rest;
     if (std::abs(square) * length2 < kSilhouette * radius2) {
@@ -50,12 +49,26 @@ Crossings sphere_crossings(const ShapeGeometry& geometry, const Ray& ray) {
         square = chord.square, middle += chord.middle;
     }
     if (!(square >= 0) || !std::isfinite(p.shift) || !is_finite(ray)) return out;
-    const LineInterval inside = inside_bounds(ray, sphere_bounds(geometry));
+    const LineInterval inside = inside_bounds(ray, own);
     if (inside.empty()) return out;   // accelerators would not ask
     const double half = std::sqrt(square);
     for (const double t : {p.shift + (middle - half), p.shift + (middle + half)}) out.add(std::clamp(t, inside.entry, inside.exit), 0);
     return out;
 }
+
+#ifdef __x86_64__
+[[gnu::target("fma"), gnu::flatten]] Crossings crossings_with_fma(const Sphere& s, const Bounds& own, const Ray& ray) { return crossings_inline(s, own, ray); }
+#endif
+
+Crossings sphere_wanted(const ShapeGeometry& geometry, const Bounds& own, const Ray& ray, Wanted) {
+    const Sphere& s = std::get<Sphere>(geometry);
+#ifdef __x86_64__
+    if (kHasFma) return crossings_with_fma(s, own, ray);
+#endif
+    return crossings_inline(s, own, ray);
+}
+
+Crossings sphere_crossings(const ShapeGeometry& geometry, const Ray& ray) { return sphere_wanted(geometry, sphere_bounds(geometry), ray, Wanted::all); }
 
 Vec3 sphere_normal(const ShapeGeometry& geometry, const Vec3& point, uint32_t) { return normalized(point - std::get<Sphere>(geometry).center); }
 
@@ -82,6 +95,6 @@ bool sphere_inside(const ShapeGeometry& geometry, const Vec3& point) {
 
 }  // namespace
 
-const ShapeOps kSphereOps = {"sphere", "all points at one distance from a centre", kind_of<Sphere>(), sphere_bounds, sphere_crossings, sphere_error, sphere_surface, sphere_inside, always_solid, nullptr, false, sphere_normal};
+const ShapeOps kSphereOps = {"sphere", "all points at one distance from a centre", kind_of<Sphere>(), sphere_bounds, sphere_crossings, sphere_error, sphere_surface, sphere_inside, always_solid, nullptr, false, sphere_normal, sphere_wanted};
 
 }  // namespace alidade

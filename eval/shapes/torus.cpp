@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "eval/shapes/approach.h"
 #include "eval/shapes/bracketed_root.h"
-#include "eval/shapes/rows.h"
+#include "eval/shapes/wanted.h"
 
 namespace alidade {
 
@@ -21,13 +21,13 @@ struct Brackets {
     int count = 0;
     void add(double x) { at[count++] = x; }
 
-    /// The roots between them, as the inner points of new brackets; `f` as above, and the last step as bracketed_root() has it.
+    /// Calls found(low, high, find) for the brackets that hold a root, until it returns false; find() is the root. `f` and the last step as bracketed_root() has them.
     template <class F, class Found> void roots(const F& f, double least_step, double precision, const Found& found) const {
         bool positive = f(at[0]).first > 0;
         for (int i = 1; i < count; ++i) {
-            const bool next = f(at[i]).first > 0;
-            if (next != positive) found(bracketed_root(f, at[i - 1], at[i], positive, least_step, precision));
-            positive = next;
+            const bool before = positive;
+            positive = f(at[i]).first > 0;
+            if (before != positive && !found(at[i - 1], at[i], [&] { return bracketed_root(f, at[i - 1], at[i], before, least_step, precision); })) return;
         }
     }
 };
@@ -99,7 +99,7 @@ struct Line {
                 if (s > range.entry && s < range.exit) of_cubic.add(s);
         of_cubic.add(range.exit);
         out.add(range.entry);
-        of_cubic.roots(cubic, kNearExtreme * std::sqrt(minor * size()), 0, [&](double s) { out.add(s); });
+        of_cubic.roots(cubic, kNearExtreme * std::sqrt(minor * size()), 0, [&](double, double, const auto& find) { return out.add(find()), true; });
         out.add(range.exit);
         return out;
     }
@@ -120,7 +120,7 @@ ErrorBound torus_error(const ShapeGeometry& geometry, const Ray& ray, double t, 
 ///          root to cancellation. (A quartic whose coefficients are formed at the ray's origin fails for every ray from 1e4 radii away.)
 /// Error    of t: <= 4 units of 2^-52 (|t| + (R + r) / |d|) / cosine of the angle to the normal. Held by tests/eval/torus_test.cpp against 113-bit arithmetic.
 /// Crossings pair, since both ends of the range that is looked at are outside; a tangent is none or two.
-Crossings torus_crossings(const ShapeGeometry& geometry, const Ray& ray) {
+Crossings torus_wanted(const ShapeGeometry& geometry, const Bounds& own, const Ray& ray, Wanted wanted) {
     const Torus& torus = std::get<Torus>(geometry);
     Crossings out;
     const Approach nearest = approach(torus.center, ray);
@@ -129,14 +129,17 @@ Crossings torus_crossings(const ShapeGeometry& geometry, const Ray& ray) {
     if (!is_finite(ray) || !std::isfinite(nearest.shift) || !(line.minor > 0)) return out;
     const LineInterval range = line.range();
     if (range.empty() || line.surely_outside(range)) return out;
-    const LineInterval inside = inside_bounds(ray, torus_bounds(geometry));
+    const LineInterval inside = inside_bounds(ray, own);
     if (inside.empty()) return out;
     const auto distance = [&](double s) { return line.distance(s); };
-    line.extremes(range).roots(distance, kUnitRoundoff<double> * line.size(), kUnitRoundoff<double>, [&](double s) {
-        out.add(std::clamp(nearest.shift + (nearest.rest + s / speed), inside.entry, inside.exit), 0);
+    const auto t_at = [&](double s) { return std::clamp(nearest.shift + (nearest.rest + s / speed), inside.entry, inside.exit); };   // of a later s not less, as rounded
+    line.extremes(range).roots(distance, kUnitRoundoff<double> * line.size(), kUnitRoundoff<double>, [&](double low, double high, const auto& find) {
+        return add_wanted(ray, wanted, t_at(low), t_at(high), [&] { return t_at(find()); }, out);
     });
     return out;
 }
+
+Crossings torus_crossings(const ShapeGeometry& geometry, const Ray& ray) { return torus_wanted(geometry, torus_bounds(geometry), whole_line(ray), Wanted::all); }
 
 /// A point relative to the centre, as it lies around the axis and around the tube.
 struct AroundTube {
@@ -178,6 +181,6 @@ bool torus_inside(const ShapeGeometry& geometry, const Vec3& point) {
 
 }  // namespace
 
-const ShapeOps kTorusOps = {"torus", "all points near a circle", kind_of<Torus>(), torus_bounds, torus_crossings, torus_error, torus_surface, torus_inside, always_solid, nullptr, true, torus_normal};
+const ShapeOps kTorusOps = {"torus", "all points near a circle", kind_of<Torus>(), torus_bounds, torus_crossings, torus_error, torus_surface, torus_inside, always_solid, nullptr, true, torus_normal, torus_wanted};
 
 }  // namespace alidade

@@ -22,7 +22,7 @@ class ShapeLeaves final : public CsgLeaves {
     CsgExpression leaf(uint32_t id) const {
         const ShapeOps& ops = *find_shape(shapes[id]);
         CsgExpression e;
-        e.leaf = {id, ops.solid(shapes[id]) ? CsgInside::by_crossings : CsgInside::at_points, ops.bounds(shapes[id]), ops.costly};
+        e.leaf = {id, ops.solid(shapes[id]) ? CsgInside::by_crossings : CsgInside::at_points, ops.bounds(shapes[id]), csg_cost(ops)};
         return e;
     }
     bool crossings(uint32_t id, const Ray& ray, std::vector<CsgCrossing>& out) const override {
@@ -292,7 +292,7 @@ TEST(Csg, ALineMeetsFewOfManyParts) {
 TEST(Csg, WhatIsCostlyIsAskedLast) {
     ShapeLeaves leaves;
     const CsgExpression torus = leaves.add(Torus{Vec3(0), 0.7, 0.6}), sphere = leaves.add(Sphere{Vec3(0), 1});
-    ASSERT_TRUE(torus.leaf.costly && !sphere.leaf.costly);
+    ASSERT_TRUE(torus.leaf.cost > sphere.leaf.cost);
     Ray ray;
     ray.origin = Vec3(0.9, 0.5, -8), ray.dir = Vec3(0, 0, 1);
     for (const CsgOp op : {CsgOp::intersection, CsgOp::clip})

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 /// What holds for every row of the table of shapes.
 #include "core/clamp.h"
+#include "eval/csg.h"
 #include "tests/eval/shape_samples.h"
 
 #include <gtest/gtest.h>
 
+#include <random>
 #include <set>
 
 namespace alidade {
@@ -52,6 +54,58 @@ TEST_P(EveryShape, BoundsHoldTheHits) {
             }
         });
     }
+}
+
+/// The crossings in the interval of a ray, in order.
+std::vector<Crossing> in_interval(const Crossings& crossings, const Ray& ray) {
+    std::vector<Crossing> out;
+    for (int i = 0; i < crossings.count; ++i)
+        if (crossings.at[i].t >= ray.tmin && crossings.at[i].t <= ray.tmax) out.push_back(crossings.at[i]);
+    return out;
+}
+int before_interval(const Crossings& crossings, const Ray& ray) {
+    int count = 0;
+    while (count < crossings.count && crossings.at[count].t < ray.tmin) ++count;
+    return count;
+}
+
+/// What is wanted is found bit for bit; what is not stays on its side of the interval, or is told of by the side on which the line begins.
+TEST_P(EveryShape, WhatIsWantedIsFoundExactly) {
+    std::mt19937_64 random(44);
+    std::uniform_real_distribution<double> number(-1, 1);
+    int inner = 0, left_out = 0;
+    for (const double distance : {0.5, 4.0, 1e4}) {
+        for_samples(distance, 44, [&](const ShapeGeometry& shape, const Ray& ray, const Crossings& all) {
+            const auto end = [&](double sign) {
+                const double at = all.count > 0 && random() % 4 ? all.at[random() % size_t(all.count)].t : distance * number(random);
+                const double away[] = {0, 1e-12, 1e-7, 1e-3, 1, kInf};
+                return at + sign * std::abs(number(random)) * away[random() % 6];
+            };
+            Ray asked = ray;
+            asked.tmin = end(random() % 2 ? 1 : -1), asked.tmax = end(random() % 4 ? 1 : -1);
+            if (!(asked.tmin <= asked.tmax)) std::swap(asked.tmin, asked.tmax);
+            if (std::isnan(asked.tmin) || std::isnan(asked.tmax)) return;
+            const Bounds own = row.bounds(shape);
+            const std::vector<Crossing> expected = in_interval(all, asked);
+            const Crossings got = row.crossings_wanted(shape, own, asked, Wanted::all);
+            const std::vector<Crossing> found = in_interval(got, asked), first = in_interval(row.crossings_wanted(shape, own, asked, Wanted::first), asked), any = in_interval(row.crossings_wanted(shape, own, asked, Wanted::any), asked);
+            ASSERT_EQ(found.size(), expected.size());
+            for (size_t i = 0; i < found.size(); ++i) ASSERT_TRUE(found[i].t == expected[i].t && found[i].part == expected[i].part) << found[i].t << " " << expected[i].t;
+            ASSERT_EQ(first.empty(), expected.empty());
+            ASSERT_TRUE(expected.empty() || (first[0].t == expected[0].t && first[0].part == expected[0].part));
+            ASSERT_EQ(any.empty(), expected.empty());
+            if (got.begins_inside) {
+                ASSERT_EQ(*got.begins_inside != (before_interval(got, asked) % 2 == 1), begins_inside(row, shape, ray, all) != (before_interval(all, asked) % 2 == 1));
+                ++left_out;
+            } else {
+                ASSERT_EQ(before_interval(got, asked), before_interval(all, asked));
+            }
+            inner += !expected.empty() && int(expected.size()) < all.count;
+        });
+    }
+    if (!row.wanted) return;   // all are found at once
+    EXPECT_GT(inner, kSamples / 8) << "the test must exercise ends between crossings";
+    EXPECT_GT(left_out, std::string(row.name) == "polynomial" ? kSamples / 8 : -1);
 }
 
 /// A ray from a hit point meets the surface there again: within the errors of both, along the normal.
