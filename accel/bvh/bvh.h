@@ -4,6 +4,7 @@
 
 #include "accel/accelerator.h"
 #include "accel/bvh/build.h"
+#include "accel/bvh/compact.h"
 #include "accel/bvh/fast_build.h"
 #include "accel/bvh/wide.h"
 #include "accel/query.h"
@@ -92,33 +93,57 @@ template <class Leaf> class Bvh {
 /// Twice as many references are what fits in 110 bytes a triangle (tests/accel). Generated architecture takes a quarter more, the stadium a hundredth.
 inline constexpr double kSplitGrowth = 1.0;
 
-template <class T, TriangleTest test> class Bvh<TriangleLeaf<T, test>> {
+/// Eight children a node, as a Node keeps them.
+template <class Leaf, class Node> class WideBvh {
+    using T = typename Leaf::Real;
+
   public:
     static constexpr bool kWidensBoxes = true;   ///< for TriangleTest::watertight
 
-    Bvh(BuildInput<TriangleSource<T>>& input, const AccelOptions& options, BuildStats& stats, BvhBuilder builder = BvhBuilder::sah) : traversals_(wide_traversals<T, test>(options.isa)) {
+    WideBvh(BuildInput<TriangleSource<T>>& input, const AccelOptions& options, BuildStats& stats, BvhBuilder builder = BvhBuilder::sah) : traversals_(wide_traversals<Node, Leaf>(options.isa)) {
         const double growth = builder == BvhBuilder::fast ? 0 : kSplitGrowth;
         const BvhLimits limits{kLanes, kLanes, options.isa, growth, options.threads};
         PhaseClock clock(stats);
         auto references = bvh_references<T>(input, options.threads, growth);
         const auto nodes = builder == BvhBuilder::fast ? build_bvh_fast(std::move(references), limits, input.order, stats) : build_bvh(std::move(references), limits, input.order, stats, &input.source);
         clock.ended("divide");
-        nodes_ = widened(nodes, stats, options.threads);
+        if constexpr (std::is_same_v<Node, CompactNode>) nodes_ = compacted(widened(nodes, stats, options.threads), options.threads);
+        else nodes_ = widened(nodes, stats, options.threads);
         clock.ended("widen");
         if (input.order.size() / kLanes >= WideLeaf::kMaxBlocks) throw std::length_error("more triangles than the tree can number");
     }
 
     template <class Query> void traverse(const LocalRay& ray, Query& query, WorkCounters& work) const { traversals_(nodes_.data(), ray, query, work); }
-    size_t bytes() const { return nodes_.capacity() * sizeof(WideNode<T>); }
+    size_t bytes() const { return nodes_.capacity() * sizeof(Node); }
 
   private:
-    const WideTraversals<T, test>& traversals_;
-    LargeVector<WideNode<T>> nodes_;
+    const WideTraversals<Node, Leaf>& traversals_;
+    LargeVector<Node> nodes_;
+};
+
+template <class T, TriangleTest test> class Bvh<TriangleLeaf<T, test>> : public WideBvh<TriangleLeaf<T, test>, WideNode<T>> {
+  public:
+    using WideBvh<TriangleLeaf<T, test>, WideNode<T>>::WideBvh;
 };
 
 template <class Leaf> class FastBvh : public Bvh<Leaf> {
   public:
     FastBvh(BuildInput<typename Leaf::Source>& input, const AccelOptions& options, BuildStats& stats) : Bvh<Leaf>(input, options, stats, BvhBuilder::fast) {}
+};
+
+/// In little memory over triangles in float; else a Bvh.
+template <class Leaf> class CompactBvh : public Bvh<Leaf> {
+  public:
+    using Bvh<Leaf>::Bvh;
+};
+
+template <TriangleTest test> class CompactBvh<TriangleLeaf<float, test, NumberedBlocks>> : public WideBvh<TriangleLeaf<float, test, NumberedBlocks>, CompactNode> {
+  public:
+    using WideBvh<TriangleLeaf<float, test, NumberedBlocks>, CompactNode>::WideBvh;
+};
+
+template <> struct BlocksOf<CompactBvh, float> {
+    using Type = NumberedBlocks;
 };
 
 }  // namespace alidade

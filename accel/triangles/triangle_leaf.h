@@ -1,22 +1,20 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Leaves of triangles packed by eights in the order of traversal: no index, no vertex array, no virtual call.
+/// Leaves of triangles, tested by eights: no virtual call. Where the eight come from says `Blocks` (triangles/blocks.h).
 #pragma once
 
+#include "accel/triangles/blocks.h"
 #include "accel/triangles/kernel.h"
-#include "accel/triangles/triangle_source.h"
-#include "core/huge_pages.h"
-#include "core/parallel.h"
 
-#include <algorithm>
 #include <bit>
 
 namespace alidade {
 
-template <class R, TriangleTest test = TriangleTest::exact> class TriangleLeaf {
+template <class R, TriangleTest test = TriangleTest::exact, class Blocks = PackedBlocks<R>> class TriangleLeaf {
   public:
     using Real = R;
     using Source = TriangleSource<R>;
     static constexpr uint32_t kBlock = kLanes;
+    static constexpr TriangleTest kTest = test;
     using Kernel = TriangleKernel<R, test>;
     static constexpr bool kMovesRay = Kernel::kMovesRay;
 
@@ -28,43 +26,34 @@ template <class R, TriangleTest test = TriangleTest::exact> class TriangleLeaf {
         mutable uint32_t place = kPadding;   ///< where the triangle stands that closest() hit last
     };
 
-    TriangleLeaf(const Source& source, const std::vector<uint32_t>& order, const AccelOptions& options)
-        : blocks_((order.size() + kLanes - 1) / kLanes), filter_(Kernel::filter(options.isa)) {
-        for_ranges(blocks_.size(), options.threads, [&](size_t first, size_t end) {
-            for (size_t b = first; b < end; ++b) {
-                blocks_[b] = {};   // where no triangle is, filters read zeros
-                for (size_t place = b * kLanes; place < std::min(order.size(), (b + 1) * kLanes); ++place)
-                    if (order[place] != kPadding) pack(source.corners(order[place]), order[place], blocks_[b], place % kLanes);
-            }
-        });
-    }
+    TriangleLeaf(const Source& source, const std::vector<uint32_t>& order, const AccelOptions& options) : blocks_(source, order, options.threads), filter_(Kernel::filter(options.isa)) {}
 
     bool closest(const Probe& probe, uint32_t first, uint32_t count, Hit& hit, WorkCounters& work) const {
         bool found = false;
-        for_each_block(probe, first, count, work, [&](uint32_t block, uint32_t lanes) {
-            found |= closest_of(probe, block, lanes, probe.local.tmax, hit, work);
+        for_each_block(probe, first, count, work, [&](const TriangleBlock<R>& block, uint32_t number, uint32_t lanes) {
+            found |= closest_of(probe, block, number, lanes, probe.local.tmax, hit, work);
             return false;
         });
         return found;
     }
     bool any(const Probe& probe, uint32_t first, uint32_t count, WorkCounters& work) const {
-        return for_each_block(probe, first, count, work, [&](uint32_t block, uint32_t lanes) { return any_of(probe, block, lanes, work); });
+        return for_each_block(probe, first, count, work, [&](const TriangleBlock<R>& block, uint32_t, uint32_t lanes) { return any_of(probe, block, lanes, work); });
     }
     void all(const Probe& probe, uint32_t first, uint32_t count, std::vector<Hit>& hits, WorkCounters& work) const {
-        for_each_block(probe, first, count, work, [&](uint32_t block, uint32_t lanes) {
+        for_each_block(probe, first, count, work, [&](const TriangleBlock<R>& block, uint32_t, uint32_t lanes) {
             all_of(probe, block, lanes, hits, work);
             return false;
         });
     }
 
-    /// The same of the triangles of a block whose bits are set in `lanes`. Hits beyond `limit`, in local t, would come behind `hit`.
-    bool closest_of(const Probe& probe, uint32_t block, uint32_t lanes, double limit, Hit& hit, WorkCounters& work) const {
+    /// The same of the triangles of a block, the one of that number, whose bits are set in `lanes`. Hits beyond `limit`, in local t, would come behind `hit`.
+    bool closest_of(const Probe& probe, const TriangleBlock<R>& block, uint32_t number, uint32_t lanes, double limit, Hit& hit, WorkCounters& work) const {
         bool found = false;
         for_each_hit(probe, block, lanes, limit, work, [&](const Found& f) {
             if (!comes_before(f.t, probe.instance, f.id, hit)) return false;
             hit.t = f.t, hit.instance = probe.instance, hit.primitive = f.id, hit.part = 0;
             hit.u = float(f.crossing.u), hit.v = float(f.crossing.v);
-            probe.place = block * kLanes + f.lane;
+            probe.place = number * kLanes + f.lane;
             found = true;
             return false;
         });
@@ -72,28 +61,23 @@ template <class R, TriangleTest test = TriangleTest::exact> class TriangleLeaf {
     }
     /// What of a hit is only computed once, after closest() found it.
     void finish(const Probe& probe, Hit& hit) const {
-        if (probe.place != kPadding) hit.error = Kernel::error(probe.ray, hit.t, blocks_[probe.place / kLanes].corners(probe.place % kLanes));
+        if (probe.place != kPadding) hit.error = Kernel::error(probe.ray, hit.t, blocks_.corners(probe.place));
     }
-    bool any_of(const Probe& probe, uint32_t block, uint32_t lanes, WorkCounters& work) const {
+    bool any_of(const Probe& probe, const TriangleBlock<R>& block, uint32_t lanes, WorkCounters& work) const {
         return for_each_hit(probe, block, lanes, probe.local.tmax, work, [](const Found&) { return true; });
     }
-    void all_of(const Probe& probe, uint32_t block, uint32_t lanes, std::vector<Hit>& hits, WorkCounters& work) const {
+    void all_of(const Probe& probe, const TriangleBlock<R>& block, uint32_t lanes, std::vector<Hit>& hits, WorkCounters& work) const {
         for_each_hit(probe, block, lanes, probe.local.tmax, work, [&](const Found& f) {
             hits.push_back(make_hit(probe, f));
             return false;
         });
     }
 
-    const TriangleBlock<R>& block(uint32_t i) const { return blocks_[i]; }
+    const Blocks& blocks() const { return blocks_; }
     uint32_t filter(const TriangleBlock<R>& block, const auto& ray) const { return filter_(block, ray); }
-    size_t bytes() const { return blocks_.capacity() * sizeof(TriangleBlock<R>); }
+    size_t bytes() const { return blocks_.bytes(); }
 
   private:
-    static void pack(const Corners& corners, uint32_t id, TriangleBlock<R>& block, size_t lane) {
-        for (int i = 0; i < 9; ++i) block.v[i][lane] = R(corners[size_t(i / 3)][i % 3]);
-        block.id[lane] = id;
-    }
-
     struct Found {
         double t;   ///< the caller's
         uint32_t id, lane;
@@ -101,23 +85,24 @@ template <class R, TriangleTest test = TriangleTest::exact> class TriangleLeaf {
         const Corners& corners;
     };
 
-    /// Calls visit(block, lanes) for each block with triangles of the range that pass the filter, until it returns true; then returns true.
+    /// Calls visit(block, its number, lanes) for each block with triangles of the range that pass the filter, until it returns true; then returns true.
     template <class F> bool for_each_block(const Probe& probe, uint32_t first, uint32_t count, WorkCounters& work, F&& visit) const {
         work.filtered += count;
-        for (uint32_t block = first / kLanes, end = first + count; block * kLanes < end; ++block) {
-            const uint32_t start = block * kLanes;
-            uint32_t lanes = filter_(blocks_[block], probe.filter);
+        for (uint32_t number = first / kLanes, end = first + count; number * kLanes < end; ++number) {
+            const uint32_t start = number * kLanes;
+            const TriangleBlock<R>& block = blocks_[number];
+            uint32_t lanes = filter_(block, probe.filter);
             if (start < first) lanes &= ~uint32_t(0) << (first - start);
             if (end - start < kLanes) lanes &= (1u << (end - start)) - 1;
-            if (lanes && visit(block, lanes)) return true;
+            if (lanes && visit(block, number, lanes)) return true;
         }
         return false;
     }
 
     /// Calls found(Found) for each hit among the lanes until it returns true; then returns true.
-    template <class F> bool for_each_hit(const Probe& probe, uint32_t block, uint32_t lanes, double limit, WorkCounters& work, F&& found) const {
+    template <class F> bool for_each_hit(const Probe& probe, const TriangleBlock<R>& block, uint32_t lanes, double limit, WorkCounters& work, F&& found) const {
         for (; lanes; lanes &= lanes - 1) {
-            if (decide_lane(probe, blocks_[block], uint32_t(std::countr_zero(lanes)), limit, work, found)) return true;
+            if (decide_lane(probe, block, uint32_t(std::countr_zero(lanes)), limit, work, found)) return true;
         }
         return false;
     }
@@ -136,7 +121,7 @@ template <class R, TriangleTest test = TriangleTest::exact> class TriangleLeaf {
         return {f.t, probe.instance, f.id, 0, float(f.crossing.u), float(f.crossing.v), Kernel::error(probe.ray, f.t, f.corners)};
     }
 
-    LargeVector<TriangleBlock<R>> blocks_;
+    Blocks blocks_;
     decltype(Kernel::filter(Isa::best)) filter_;
 };
 

@@ -39,7 +39,7 @@ class Figures(Stress):
     def test_the_table_has_all_structures_and_rays_and_they_agree(self):
         said = self.stress("--generate", "scan:2000", *QUICK).stdout
         self.assertTrue(said.startswith("scan: 2028 triangles\n"), said)
-        for accelerator in ("bvh", "hlbvh", "grid", "octree"):
+        for accelerator in ("bvh", "hlbvh", "compact", "grid", "octree"):
             for precision in ("float", "double"):
                 self.assertRegex(said, rf"\n  {accelerator} +{precision} +[\d.e-]+ +[\d.]+ +[\d.]+ +[\d.-]+ +\d+ +\d+")
                 for rays in ("primary", "shadow", "diffuse", "random"):
@@ -71,7 +71,7 @@ class Figures(Stress):
         for scene in document["scenes"]:
             self.assertEqual(scene["seed"], 3)
             for size in scene["sizes"]:
-                self.assertEqual([one["accelerator"] for one in size["structures"]], ["bvh", "hlbvh", "grid", "octree"])
+                self.assertEqual([one["accelerator"] for one in size["structures"]], ["bvh", "hlbvh", "compact", "grid", "octree"])
                 for rays in range(4):
                     self.assertEqual(len({one["rays"][rays]["hash"] for one in size["structures"]}), 1, "the same hits, bit for bit")
                 self.assertEqual(size["disagreements"], [])
