@@ -148,7 +148,7 @@ class Files(Stress):
         self.stress("--generate", "soup:300", "--generate", "hair:1000", *QUICK, "--csv", "out.csv")
         with open(self.folder / "out.csv", newline="") as file:
             rows = list(csv.DictReader(file))
-        self.assertEqual(len(rows), 2 * 8 * 4)
+        self.assertEqual(len(rows), 2 * 10 * 4)
         text = DOCS.read_text()
         told = re.findall(r"`(\w+)`", text[text.index("## The table for programs"):text.index("## Rays in files")])
         self.assertEqual(list(rows[0]), told)
@@ -213,7 +213,7 @@ class Budgets(Stress):
         self.assertIn("interrupted", said)
         document = json.loads((self.folder / "out.json").read_text())
         self.assertEqual((document["interrupted"], document["exit_code"]), (True, 2))
-        self.assertEqual(len(document["scenes"][0]["sizes"][0]["structures"]), 8)
+        self.assertEqual(len(document["scenes"][0]["sizes"][0]["structures"]), 10)
 
     def test_no_time_at_all(self):
         said = self.stress("--generate", "soup:2000", *QUICK, "--time", "0", code=1)
