@@ -84,7 +84,7 @@ class PrimitiveSet {
     virtual void all_hits(std::span<const uint32_t> ids, const Ray& ray, std::vector<Hit>& hits, WorkCounters& work) const = 0;
 };
 
-/// A plain triangle array; the caller keeps it alive while the accelerator is built, not longer.
+/// A plain triangle array. The caller keeps it alive while the accelerator is built; for `compact`, and for one that is built lazily, as long as the accelerator lives.
 struct TriangleView {
     std::span<const Vec3f> positions;
     std::span<const Vec3> exact_positions;   ///< empty, or as many: read instead of `positions` by double-precision accelerators

@@ -25,9 +25,9 @@ template <class Leaf> class ClosestQuery {
         if (leaf_.closest(probe_, first, count, hit_, work_)) found_ = true, shorten();
         return false;
     }
-    /// As visit, of those of a block that passed the filter.
-    bool decide(uint32_t block, uint32_t lanes) {
-        if (leaf_.closest_of(probe_, block, lanes, limit_, hit_, work_)) found_ = true, shorten();
+    /// As visit, of those of a block, the one of that number, that passed the filter.
+    bool decide(const auto& block, uint32_t number, uint32_t lanes) {
+        if (leaf_.closest_of(probe_, block, number, lanes, limit_, hit_, work_)) found_ = true, shorten();
         return false;
     }
     const Leaf& leaf() const { return leaf_; }
@@ -59,7 +59,7 @@ template <class Leaf> class AnyQuery {
         : leaf_(leaf), probe_(leaf, ray, local, kNoId), limit_(local.tmax), work_(work) {}
     double limit() const { return limit_; }
     bool visit(uint32_t first, uint32_t count) { return found_ = leaf_.any(probe_, first, count, work_); }
-    bool decide(uint32_t block, uint32_t lanes) { return found_ = leaf_.any_of(probe_, block, lanes, work_); }
+    bool decide(const auto& block, uint32_t, uint32_t lanes) { return found_ = leaf_.any_of(probe_, block, lanes, work_); }
     const Leaf& leaf() const { return leaf_; }
     const auto& probe() const { return probe_; }
     bool found() const { return found_; }
@@ -92,7 +92,7 @@ template <class Leaf> class AllQuery {
         leaf_.all(probe_, first, count, hits_, work_);
         return false;
     }
-    bool decide(uint32_t block, uint32_t lanes) {
+    bool decide(const auto& block, uint32_t, uint32_t lanes) {
         leaf_.all_of(probe_, block, lanes, hits_, work_);
         return false;
     }

@@ -147,13 +147,14 @@ template <template <class> class Structure, class Leaf> class StructureAccelerat
 
 template <template <class> class Structure, class R> std::unique_ptr<Accelerator> over_triangles_of(const TriangleView& mesh, const AccelOptions& options) {
     const TriangleSource<R> source(mesh);
-    constexpr TriangleTest robust = requires { Structure<TriangleLeaf<R>>::kWidensBoxes; } ? TriangleTest::watertight : TriangleTest::watertight_in_double;
+    using Blocks = typename BlocksOf<Structure, R>::Type;
+    constexpr TriangleTest robust = requires { Structure<TriangleLeaf<R, TriangleTest::exact, Blocks>>::kWidensBoxes; } ? TriangleTest::watertight : TriangleTest::watertight_in_double;
     switch (options.intersect) {
         case Intersect::exact: break;
-        case Intersect::robust: return std::make_unique<StructureAccelerator<Structure, TriangleLeaf<R, robust>>>(source, options);
-        case Intersect::fast: return std::make_unique<StructureAccelerator<Structure, TriangleLeaf<R, TriangleTest::fast>>>(source, options);
+        case Intersect::robust: return std::make_unique<StructureAccelerator<Structure, TriangleLeaf<R, robust, Blocks>>>(source, options);
+        case Intersect::fast: return std::make_unique<StructureAccelerator<Structure, TriangleLeaf<R, TriangleTest::fast, Blocks>>>(source, options);
     }
-    return std::make_unique<StructureAccelerator<Structure, TriangleLeaf<R>>>(source, options);
+    return std::make_unique<StructureAccelerator<Structure, TriangleLeaf<R, TriangleTest::exact, Blocks>>>(source, options);
 }
 
 /// The two columns of the registry. Each structure's .cpp instantiates them.

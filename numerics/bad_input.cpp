@@ -20,14 +20,16 @@ constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 /// Positions and triangles, three positions each.
 struct Triangles {
     std::vector<Vec3> positions;
+    std::vector<Vec3f> rounded;
+    std::vector<Index3> triangles;
 
-    size_t count() const { return positions.size() / 3; }
-    void add(const Vec3& a, const Vec3& b, const Vec3& c) { positions.insert(positions.end(), {a, b, c}); }
+    size_t count() const { return triangles.size(); }
+    void add(const Vec3& a, const Vec3& b, const Vec3& c) {
+        const auto first = uint32_t(positions.size());
+        for (const Vec3& p : {a, b, c}) positions.push_back(p), rounded.emplace_back(p);
+        triangles.emplace_back(first, first + 1, first + 2);
+    }
     std::unique_ptr<Accelerator> build(const AcceleratorEntry& entry, Precision precision) const {
-        std::vector<Vec3f> rounded;
-        std::vector<Index3> triangles;
-        for (const Vec3& p : positions) rounded.emplace_back(p);
-        for (uint32_t i = 0; i < positions.size(); i += 3) triangles.emplace_back(i, i + 1, i + 2);
         AccelOptions options;
         options.precision = precision;
         return entry.over_triangles({rounded, positions, triangles}, options);

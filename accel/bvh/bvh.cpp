@@ -10,7 +10,7 @@ namespace {
 
 template <class R, TriangleTest test> std::unique_ptr<Accelerator> over_parts(BvhParts<R> parts, const AccelOptions& options) {
     using Leaf = TriangleLeaf<R, test>;
-    return std::make_unique<StructureAccelerator<Bvh, Leaf>>(Bvh<Leaf>(std::move(parts.nodes), options), Leaf(std::move(parts.blocks), options), parts.bounds, std::move(parts.stats));
+    return std::make_unique<StructureAccelerator<Bvh, Leaf>>(Bvh<Leaf>(std::move(parts.nodes), options), Leaf(PackedBlocks<R>(std::move(parts.blocks)), options), parts.bounds, std::move(parts.stats));
 }
 
 template <class R> tl::expected<std::unique_ptr<Accelerator>, std::string> load(const std::string& path, const TriangleView& mesh, const AccelOptions& options) {
@@ -38,5 +38,8 @@ template std::unique_ptr<Accelerator> over_set<Bvh>(std::shared_ptr<const Primit
 
 template std::unique_ptr<Accelerator> over_triangles<FastBvh>(const TriangleView&, const AccelOptions&);
 template std::unique_ptr<Accelerator> over_set<FastBvh>(std::shared_ptr<const PrimitiveSet>, const AccelOptions&);
+
+template std::unique_ptr<Accelerator> over_triangles<CompactBvh>(const TriangleView&, const AccelOptions&);
+template std::unique_ptr<Accelerator> over_set<CompactBvh>(std::shared_ptr<const PrimitiveSet>, const AccelOptions&);
 
 }  // namespace alidade

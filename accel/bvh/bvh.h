@@ -5,6 +5,7 @@
 #include "accel/accelerator.h"
 #include "accel/bvh/build.h"
 #include "accel/bvh/bvh_file.h"
+#include "accel/bvh/compact.h"
 #include "accel/bvh/fast_build.h"
 #include "accel/bvh/refit.h"
 #include "accel/bvh/slab_pair.h"
@@ -112,42 +113,71 @@ template <class Leaf> class Bvh {
 /// Twice as many references are what fits in 110 bytes a triangle (tests/accel). Generated architecture takes a quarter more, the stadium a hundredth.
 inline constexpr double kSplitGrowth = 1.0;
 
-template <class T, TriangleTest test> class Bvh<TriangleLeaf<T, test>> {
+/// Eight children a node, as a Node keeps them.
+template <class Leaf, class Node> class WideBvh {
+    using T = typename Leaf::Real;
+
   public:
     static constexpr bool kWidensBoxes = true;   ///< for TriangleTest::watertight
 
-    Bvh(BuildInput<TriangleSource<T>>& input, const AccelOptions& options, BuildStats& stats, BvhBuilder builder = BvhBuilder::sah) : traversals_(wide_traversals<T, test>(options.isa)) {
+    WideBvh(BuildInput<TriangleSource<T>>& input, const AccelOptions& options, BuildStats& stats, BvhBuilder builder = BvhBuilder::sah) : traversals_(wide_traversals<Node, Leaf>(options.isa)) {
         const double growth = builder == BvhBuilder::fast ? 0 : kSplitGrowth;
         const BvhLimits limits{kLanes, kLanes, options.isa, growth, options.threads};
         PhaseClock clock(stats);
         auto references = bvh_references<T>(input, options.threads, growth);
         const auto nodes = builder == BvhBuilder::fast ? build_bvh_fast(std::move(references), limits, input.order, stats) : build_bvh(std::move(references), limits, input.order, stats, &input.source);
         clock.ended("divide");
-        nodes_ = widened(nodes, stats, options.threads);
+        if constexpr (std::is_same_v<Node, CompactNode>) nodes_ = compacted(widened(nodes, stats, options.threads), options.threads);
+        else nodes_ = widened(nodes, stats, options.threads);
         clock.ended("widen");
         if (input.order.size() / kLanes >= WideLeaf::kMaxBlocks) throw std::length_error("more triangles than the tree can number");
     }
 
-    Bvh(LargeArray<WideNode<T>> nodes, const AccelOptions& options) : traversals_(wide_traversals<T, test>(options.isa)), nodes_(std::move(nodes)) {}
+    WideBvh(LargeArray<Node> nodes, const AccelOptions& options) : nodes_(std::move(nodes)), traversals_(wide_traversals<Node, Leaf>(options.isa)) {}
 
     template <class Query> void traverse(const LocalRay& ray, Query& query, WorkCounters& work) const { traversals_(nodes_.data(), ray, query, work); }
-    template <class Visit> void visit_nodes(const Visit& visit) const { visit_wide(nodes_.view(), visit); }
     size_t bytes() const { return nodes_.bytes(); }
 
-    /// The new cost.
-    double refit(TriangleLeaf<T, test>& leaf, const TriangleSource<T>& triangles, int threads) { return refit_wide(nodes_.writable(), leaf.writable_blocks(), triangles, threads); }
-    tl::expected<void, std::string> save(const std::string& path, const TriangleView& mesh, const TriangleLeaf<T, test>& leaf, const Bounds& bounds, const BuildStats& stats) const {
-        return save_bvh<T>(path, mesh, nodes_.view(), leaf.blocks(), bounds, stats);
-    }
+  protected:
+    LargeArray<Node> nodes_;
 
   private:
-    const WideTraversals<T, test>& traversals_;
-    LargeArray<WideNode<T>> nodes_;
+    const WideTraversals<Node, Leaf>& traversals_;
+};
+
+template <class T, TriangleTest test> class Bvh<TriangleLeaf<T, test>> : public WideBvh<TriangleLeaf<T, test>, WideNode<T>> {
+    using Base = WideBvh<TriangleLeaf<T, test>, WideNode<T>>;
+    using Base::nodes_;
+
+  public:
+    using Base::Base;
+
+    template <class Visit> void visit_nodes(const Visit& visit) const { visit_wide(nodes_.view(), visit); }
+    /// The new cost.
+    double refit(TriangleLeaf<T, test>& leaf, const TriangleSource<T>& triangles, int threads) { return refit_wide(nodes_.writable(), leaf.blocks().writable(), triangles, threads); }
+    tl::expected<void, std::string> save(const std::string& path, const TriangleView& mesh, const TriangleLeaf<T, test>& leaf, const Bounds& bounds, const BuildStats& stats) const {
+        return save_bvh<T>(path, mesh, nodes_.view(), leaf.blocks().view(), bounds, stats);
+    }
 };
 
 template <class Leaf> class FastBvh : public Bvh<Leaf> {
   public:
     FastBvh(BuildInput<typename Leaf::Source>& input, const AccelOptions& options, BuildStats& stats) : Bvh<Leaf>(input, options, stats, BvhBuilder::fast) {}
+};
+
+/// In little memory over triangles in float; else a Bvh.
+template <class Leaf> class CompactBvh : public Bvh<Leaf> {
+  public:
+    using Bvh<Leaf>::Bvh;
+};
+
+template <TriangleTest test> class CompactBvh<TriangleLeaf<float, test, NumberedBlocks>> : public WideBvh<TriangleLeaf<float, test, NumberedBlocks>, CompactNode> {
+  public:
+    using WideBvh<TriangleLeaf<float, test, NumberedBlocks>, CompactNode>::WideBvh;
+};
+
+template <> struct BlocksOf<CompactBvh, float> {
+    using Type = NumberedBlocks;
 };
 
 }  // namespace alidade

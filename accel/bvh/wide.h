@@ -12,8 +12,15 @@ inline constexpr uint32_t kWide = 8;
 
 /// Eight boxes plane by plane, and what is in them. Places without a child have boxes that no ray enters.
 template <class R> struct alignas(64) WideNode {
+    using Real = R;
     R planes[6][kWide];      ///< [2 axis]: lower ends, [2 axis + 1]: upper ends
     uint32_t child[kWide];   ///< an inner node's index, or a WideLeaf
+
+    static constexpr uint32_t places() { return (1u << kWide) - 1; }   ///< bit i: box i is to be tested
+    R plane(uint32_t side, uint32_t i) const { return planes[side][i]; }
+    void set_box(uint32_t i, const BoundsT<R>& box) {
+        for (int a = 0; a < 3; ++a) planes[2 * a][i] = box.min[a], planes[2 * a + 1][i] = box.max[a];
+    }
 };
 
 /// A block of triangles in a node's place: the highest bit, the block's index, the number of its triangles less one.
@@ -81,33 +88,33 @@ template <class R> class WideRay {
 };
 
 /// Shows `query` the leaves whose boxes the ray enters.
-template <class Query> using WideTraversal = void (*)(const WideNode<typename Query::Real>* nodes, const LocalRay& ray, Query& query, WorkCounters& work);
+template <class Node, class Query> using WideTraversal = void (*)(const Node* nodes, const LocalRay& ray, Query& query, WorkCounters& work);
 
 /// The traversals for each question on one kind of machine. All test the same boxes, bit for bit, in the same order.
-template <class R, TriangleTest test = TriangleTest::exact> struct WideTraversals {
-    using Leaf = TriangleLeaf<R, test>;
-    WideTraversal<ClosestQuery<Leaf>> closest;
-    WideTraversal<AnyQuery<Leaf>> any;
-    WideTraversal<AllQuery<Leaf>> all;
+template <class Node, class Leaf> struct WideTraversals {
+    WideTraversal<Node, ClosestQuery<Leaf>> closest;
+    WideTraversal<Node, AnyQuery<Leaf>> any;
+    WideTraversal<Node, AllQuery<Leaf>> all;
 
-    void operator()(const WideNode<R>* nodes, const LocalRay& ray, ClosestQuery<Leaf>& query, WorkCounters& work) const { closest(nodes, ray, query, work); }
-    void operator()(const WideNode<R>* nodes, const LocalRay& ray, AnyQuery<Leaf>& query, WorkCounters& work) const { any(nodes, ray, query, work); }
-    void operator()(const WideNode<R>* nodes, const LocalRay& ray, AllQuery<Leaf>& query, WorkCounters& work) const { all(nodes, ray, query, work); }
+    void operator()(const Node* nodes, const LocalRay& ray, ClosestQuery<Leaf>& query, WorkCounters& work) const { closest(nodes, ray, query, work); }
+    void operator()(const Node* nodes, const LocalRay& ray, AnyQuery<Leaf>& query, WorkCounters& work) const { any(nodes, ray, query, work); }
+    void operator()(const Node* nodes, const LocalRay& ray, AllQuery<Leaf>& query, WorkCounters& work) const { all(nodes, ray, query, work); }
 };
 
-/// Those for these instructions, as edge_filter() chooses.
-template <class R, TriangleTest test = TriangleTest::exact> const WideTraversals<R, test>& wide_traversals(Isa isa);
-template <> const WideTraversals<float>& wide_traversals<float>(Isa isa);
-template <> const WideTraversals<double>& wide_traversals<double>(Isa isa);
-template <> const WideTraversals<float, TriangleTest::watertight>& wide_traversals(Isa isa);
-template <> const WideTraversals<double, TriangleTest::watertight>& wide_traversals(Isa isa);
-template <> const WideTraversals<float, TriangleTest::fast>& wide_traversals(Isa isa);
-template <> const WideTraversals<double, TriangleTest::fast>& wide_traversals(Isa isa);
+/// Those for these instructions, as edge_filter() chooses: of WideNodes and packed blocks, or of CompactNodes and numbered ones.
+template <class Node, class Leaf> const WideTraversals<Node, Leaf>& wide_traversals(Isa isa);
+template <class R, TriangleTest test> using PackedTraversals = WideTraversals<WideNode<R>, TriangleLeaf<R, test>>;
+template <> const PackedTraversals<float, TriangleTest::exact>& wide_traversals(Isa isa);
+template <> const PackedTraversals<double, TriangleTest::exact>& wide_traversals(Isa isa);
+template <> const PackedTraversals<float, TriangleTest::watertight>& wide_traversals(Isa isa);
+template <> const PackedTraversals<double, TriangleTest::watertight>& wide_traversals(Isa isa);
+template <> const PackedTraversals<float, TriangleTest::fast>& wide_traversals(Isa isa);
+template <> const PackedTraversals<double, TriangleTest::fast>& wide_traversals(Isa isa);
 
 /// Which of the eight boxes the ray enters, not beyond `limit`, and where: WideRay::enter for each. For tests.
-template <class R> using WideBoxTest = uint32_t (*)(const WideNode<R>& node, const LocalRay& ray, R limit, R* entries);
-template <class R> WideBoxTest<R> wide_box_test(Isa isa);
-template <> WideBoxTest<float> wide_box_test<float>(Isa isa);
-template <> WideBoxTest<double> wide_box_test<double>(Isa isa);
+template <class Node> using WideBoxTest = uint32_t (*)(const Node& node, const LocalRay& ray, typename Node::Real limit, typename Node::Real* entries);
+template <class Node> WideBoxTest<Node> wide_box_test(Isa isa);
+template <> WideBoxTest<WideNode<float>> wide_box_test(Isa isa);
+template <> WideBoxTest<WideNode<double>> wide_box_test(Isa isa);
 
 }  // namespace alidade

@@ -145,7 +145,7 @@ template <class R> class Widener {
         piece.cost += share(root) * places.count;
         for (uint32_t i = 0; i < kWide; ++i) {
             const BvhNode<R>* node = i < places.count ? &nodes_[places.node[i]] : nullptr;
-            set_box(wide_[index], i, node ? node->box : BoundsT<R>());
+            wide_[index].set_box(i, node ? node->box : BoundsT<R>());
             wide_[index].child[i] = WideLeaf::kBit;
             if (!node) continue;
             wide_[index].child[i] = node->leaf() ? WideLeaf::make(node->first / kLanes, node->count) : index_of(places.node[i]);
@@ -179,10 +179,6 @@ template <class R> class Widener {
     }
 
     double share(uint32_t node) const { return root_area_ > 0 ? area(nodes_[node].box) / root_area_ : 1; }
-
-    static void set_box(WideNode<R>& node, uint32_t place, const BoundsT<R>& box) {
-        for (int a = 0; a < 3; ++a) node.planes[2 * a][place] = box.min[a], node.planes[2 * a + 1][place] = box.max[a];
-    }
 
     const LargeVector<BvhNode<R>>& nodes_;
     BuildStats& stats_;

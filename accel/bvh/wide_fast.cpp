@@ -12,8 +12,8 @@
 
 namespace alidade {
 
-template <> const WideTraversals<float, TriangleTest::fast>& wide_traversals(Isa isa) { return chosen(kLeanTraversals<float, TriangleTest::fast>, isa); }
-template <> const WideTraversals<double, TriangleTest::fast>& wide_traversals(Isa isa) { return chosen(kLeanTraversals<double, TriangleTest::fast>, isa); }
+template <> const PackedTraversals<float, TriangleTest::fast>& wide_traversals(Isa isa) { return lean_traversals<WideNode<float>, TriangleLeaf<float, TriangleTest::fast>>(isa); }
+template <> const PackedTraversals<double, TriangleTest::fast>& wide_traversals(Isa isa) { return lean_traversals<WideNode<double>, TriangleLeaf<double, TriangleTest::fast>>(isa); }
 
 }  // namespace alidade
 

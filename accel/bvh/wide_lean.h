@@ -23,19 +23,19 @@ template <class R, TriangleTest test> class LeanBoxes {
     /// Entries are counted from where the ray begins, so that none is negative: rounding that difference keeps the order.
     R limit(double t) const { return slab_.limit(t) - start_; }
 
-    uint32_t enter(const WideNode<R>& node, R limit, R* entries) const {
+    uint32_t enter(const auto& node, R limit, R* entries) const {
         uint32_t bits = 0;
         for (uint32_t i = 0; i < kWide; ++i) {
             R near = start_, far = std::numeric_limits<R>::max();
             for (int a = 0; a < 3; ++a) {
                 const bool negative = slab_.negative(a);
-                const R enter = (node.planes[2 * a + negative][i] - near_origin_[a]) * slab_.inverse(a), leave = (node.planes[2 * a + !negative][i] - far_origin_[a]) * slab_.inverse(a);
+                const R enter = (node.plane(uint32_t(2 * a + negative), i) - near_origin_[a]) * slab_.inverse(a), leave = (node.plane(uint32_t(2 * a + !negative), i) - far_origin_[a]) * slab_.inverse(a);
                 SlabRay<R>::narrow(enter, leave, near, far);
             }
             entries[i] = near - start_;
             if (near <= far && entries[i] <= limit) bits |= 1u << i;
         }
-        return bits;
+        return bits & node.places();
     }
 
   private:
@@ -45,6 +45,7 @@ template <class R, TriangleTest test> class LeanBoxes {
 
 template <class R, TriangleTest test> struct LeanMachine {
     using Boxes = LeanBoxes<R, test>;
+    static decltype(auto) block(const auto& leaf, uint32_t number, uint32_t lanes) { return leaf.blocks().block(number, lanes); }
     static uint32_t filter(const auto& leaf, const TriangleBlock<R>& block, const auto& ray) { return leaf.filter(block, ray); }
 };
 

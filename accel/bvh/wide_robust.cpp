@@ -12,8 +12,8 @@
 
 namespace alidade {
 
-template <> const WideTraversals<float, TriangleTest::watertight>& wide_traversals(Isa isa) { return chosen(kLeanTraversals<float, TriangleTest::watertight>, isa); }
-template <> const WideTraversals<double, TriangleTest::watertight>& wide_traversals(Isa isa) { return chosen(kLeanTraversals<double, TriangleTest::watertight>, isa); }
+template <> const PackedTraversals<float, TriangleTest::watertight>& wide_traversals(Isa isa) { return lean_traversals<WideNode<float>, TriangleLeaf<float, TriangleTest::watertight>>(isa); }
+template <> const PackedTraversals<double, TriangleTest::watertight>& wide_traversals(Isa isa) { return lean_traversals<WideNode<double>, TriangleLeaf<double, TriangleTest::watertight>>(isa); }
 
 }  // namespace alidade
 

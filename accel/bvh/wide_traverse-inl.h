@@ -7,7 +7,8 @@
 #define ALIDADE_WIDE_TRAVERSE_INL
 #endif
 
-#include "accel/bvh/wide.h"
+#include "accel/bvh/compact-inl.h"
+#include "accel/bvh/wide_scalar.h"
 #include "accel/triangles/edge_filter-inl.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -32,21 +33,20 @@ template <class R> class VectorBoxes {
 
     R limit(double t) const { return SlabRay<R>::limit(t - start_); }
 
-    HWY_INLINE HWY_ATTR uint32_t enter(const WideNode<R>& node, R limit, R* entries) const {
+    HWY_INLINE HWY_ATTR uint32_t enter(const auto& node, R limit, R* entries) const {
         const D d;
         const auto lanes = uint32_t(hn::Lanes(d));
-        const R* const planes = node.planes[0];
         uint32_t bits = 0;
         for (uint32_t lane = 0; lane < kWide; lane += lanes) {
             V near = hn::Zero(d), far = hn::Set(d, limit);
             for (int a = 0; a < 3; ++a) {
-                near = larger(hn::Mul(hn::Sub(near_origin_[a], hn::Load(d, planes + near_plane_[a] + lane)), near_inverse_[a]), near);
-                far = smaller(hn::Mul(hn::Sub(far_origin_[a], hn::Load(d, planes + far_plane_[a] + lane)), far_inverse_[a]), far);
+                near = larger(hn::Mul(hn::Sub(near_origin_[a], load_planes(d, node, a, near_plane_[a] + lane)), near_inverse_[a]), near);
+                far = smaller(hn::Mul(hn::Sub(far_origin_[a], load_planes(d, node, a, far_plane_[a] + lane)), far_inverse_[a]), far);
             }
             hn::Store(near, d, entries + lane);
             bits |= mask_bits(d, hn::Le(near, far)) << lane;
         }
-        return bits;
+        return bits & node.places();
     }
 
   private:
@@ -95,8 +95,13 @@ template <class R> class VectorBoxes {
 
 template <class R> struct VectorMachine {
     using Boxes = VectorBoxes<R>;
+    template <class Leaf> static HWY_INLINE HWY_ATTR decltype(auto) block(const Leaf& leaf, uint32_t number, uint32_t lanes) { return load_block(leaf.blocks(), number, lanes); }
     template <class Leaf> static HWY_INLINE HWY_ATTR uint32_t filter(const Leaf&, const TriangleBlock<R>& block, const FilterRay<R>& ray) { return filter_block(block, ray); }
 };
+
+template <class Node> HWY_ATTR uint32_t enter_boxes(const Node& node, const LocalRay& ray, typename Node::Real limit, typename Node::Real* entries) {
+    return VectorBoxes<typename Node::Real>(ray).enter(node, limit, entries);
+}
 
 /// What waits on the stack: where its box is entered, as a float, above the child. Rounding to float is monotone: what is not beyond a limit stays so.
 /// As signed integers they are in the order of their entries, as none is negative.
@@ -137,8 +142,8 @@ HWY_INLINE HWY_ATTR void sort_top(WideWaiting* top, uint32_t count) {
 }
 
 /// Puts the children whose bits are set on the stack, all but one: returns that one, the nearest if `sorted`. One or two are the common case.
-template <bool sorted, class R>
-HWY_INLINE HWY_ATTR uint32_t take_children(const WideNode<R>& node, uint32_t bits, const R* entries, WideWaiting*& top) {
+template <bool sorted, class Node>
+HWY_INLINE HWY_ATTR uint32_t take_children(const Node& node, uint32_t bits, const typename Node::Real* entries, WideWaiting*& top) {
     const auto next = [&]() HWY_ATTR {
         const auto i = size_t(std::countr_zero(bits));
         bits &= bits - 1;
@@ -161,8 +166,8 @@ HWY_INLINE HWY_ATTR uint32_t take_children(const WideNode<R>& node, uint32_t bit
 
 /// Nearer children first, where the order matters to the query. A box is skipped only if its padded entry is beyond the padded limit: at an equal t there may
 /// be a lower id inside.
-template <class Machine, class Query>
-HWY_ATTR void wide_traverse(const WideNode<typename Query::Real>* nodes, const LocalRay& ray, Query& query, WorkCounters& work) {
+template <class Machine, class Node, class Query>
+HWY_ATTR void wide_traverse(const Node* nodes, const LocalRay& ray, Query& query, WorkCounters& work) {
     using R = typename Query::Real;
     WideWaiting stack[1 + (kWide - 1) * kBvhDepth + kWide];
     const typename Machine::Boxes boxes(ray);
@@ -175,7 +180,7 @@ HWY_ATTR void wide_traverse(const WideNode<typename Query::Real>* nodes, const L
     uint64_t tested = 0, filtered = 0;
     for (;;) {
         if (!WideLeaf::is(current)) {
-            const WideNode<R>& node = nodes[current];
+            const Node& node = nodes[current];
             alignas(64) R entries[kWide];
             const uint32_t bits = boxes.enter(node, limit, entries);
             tested += kWide;
@@ -184,13 +189,22 @@ HWY_ATTR void wide_traverse(const WideNode<typename Query::Real>* nodes, const L
                 continue;
             }
         } else {
-            const uint32_t count = WideLeaf::count(current), block = WideLeaf::block(current);
-            filtered += count;
-            const uint32_t bits = Machine::filter(leaf, leaf.block(block), query.probe().filter) & ((2u << (count - 1)) - 1);
-            if (bits) {
-                if (query.decide(block, bits)) break;
-                limit = boxes.limit(query.limit());
-                last = last_key(float(limit));
+            const uint32_t number = WideLeaf::block(current);
+            uint32_t lanes = (2u << (WideLeaf::count(current) - 1)) - 1;
+            if constexpr (requires { leaf.blocks().boxes(number); }) {
+                alignas(64) R entries[kWide];
+                lanes = boxes.enter(leaf.blocks().boxes(number), limit, entries);
+                tested += kWide;
+            }
+            filtered += uint32_t(std::popcount(lanes));
+            if (lanes) {
+                const auto& block = Machine::block(leaf, number, lanes);
+                const uint32_t bits = Machine::filter(leaf, block, query.probe().filter) & lanes;
+                if (bits) {
+                    if (query.decide(block, number, bits)) break;
+                    limit = boxes.limit(query.limit());
+                    last = last_key(float(limit));
+                }
             }
         }
         do --top;
@@ -202,9 +216,8 @@ HWY_ATTR void wide_traverse(const WideNode<typename Query::Real>* nodes, const L
 }
 
 /// The walks of a machine for each question.
-template <class Machine, class R, TriangleTest test> constexpr WideTraversals<R, test> traversals_of() {
-    using Leaf = TriangleLeaf<R, test>;
-    return {wide_traverse<Machine, ClosestQuery<Leaf>>, wide_traverse<Machine, AnyQuery<Leaf>>, wide_traverse<Machine, AllQuery<Leaf>>};
+template <class Machine, class Node, class Leaf> constexpr WideTraversals<Node, Leaf> traversals_of() {
+    return {wide_traverse<Machine, Node, ClosestQuery<Leaf>>, wide_traverse<Machine, Node, AnyQuery<Leaf>>, wide_traverse<Machine, Node, AllQuery<Leaf>>};
 }
 
 }  // namespace alidade::HWY_NAMESPACE

@@ -228,7 +228,7 @@ template <class T, TriangleTest test> class Octree<TriangleLeaf<T, test>> {
   public:
     static constexpr bool kWidensBoxes = true;   ///< for TriangleTest::watertight
 
-    Octree(BuildInput<TriangleSource<T>>& input, const AccelOptions& options, BuildStats& stats) : traversals_(wide_traversals<T, test>(options.isa)) {
+    Octree(BuildInput<TriangleSource<T>>& input, const AccelOptions& options, BuildStats& stats) : traversals_(wide_traversals<WideNode<T>, TriangleLeaf<T, test>>(options.isa)) {
         PhaseClock clock(stats);
         const Vec3 typical = input.typical_extent();
         std::vector<BvhReference<T>> references;
@@ -244,7 +244,7 @@ template <class T, TriangleTest test> class Octree<TriangleLeaf<T, test>> {
     size_t bytes() const { return nodes_.capacity() * sizeof(WideNode<T>); }
 
   private:
-    const WideTraversals<T, test>& traversals_;
+    const PackedTraversals<T, test>& traversals_;
     LargeVector<WideNode<T>> nodes_;
 };
 

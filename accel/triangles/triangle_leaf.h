@@ -1,23 +1,22 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Leaves of triangles packed by eights in the order of traversal: no index, no vertex array, no virtual call.
+/// Leaves of triangles, tested by eights: no virtual call. Where the eight come from says `Blocks` (triangles/blocks.h).
 #pragma once
 
+#include "accel/triangles/blocks.h"
 #include "accel/triangles/kernel.h"
-#include "accel/triangles/triangle_source.h"
-#include "core/large_array.h"
-#include "core/parallel.h"
 
 #include <algorithm>
+#include <array>
 #include <bit>
-#include <cstring>
 
 namespace alidade {
 
-template <class R, TriangleTest test = TriangleTest::exact> class TriangleLeaf {
+template <class R, TriangleTest test = TriangleTest::exact, class Blocks = PackedBlocks<R>> class TriangleLeaf {
   public:
     using Real = R;
     using Source = TriangleSource<R>;
     static constexpr uint32_t kBlock = kLanes;
+    static constexpr TriangleTest kTest = test;
     using Kernel = TriangleKernel<R, test>;
     static constexpr bool kMovesRay = Kernel::kMovesRay;
 
@@ -31,36 +30,35 @@ template <class R, TriangleTest test = TriangleTest::exact> class TriangleLeaf {
         mutable uint32_t decisions = 0;
     };
 
-    TriangleLeaf(const Source& source, const std::vector<uint32_t>& order, const AccelOptions& options)
-        : TriangleLeaf(packed(source, order, options.threads), options) {}
-    TriangleLeaf(LargeArray<TriangleBlock<R>> blocks, const AccelOptions& options) : blocks_(std::move(blocks)), filter_(Kernel::filter(options.isa)) {}
+    TriangleLeaf(const Source& source, const std::vector<uint32_t>& order, const AccelOptions& options) : blocks_(source, order, options.threads), filter_(Kernel::filter(options.isa)) {}
+    TriangleLeaf(Blocks blocks, const AccelOptions& options) : blocks_(std::move(blocks)), filter_(Kernel::filter(options.isa)) {}
 
     bool closest(const Probe& probe, uint32_t first, uint32_t count, Hit& hit, WorkCounters& work) const {
         bool found = false;
-        for_each_block(probe, first, count, work, [&](uint32_t block, uint32_t lanes) {
-            found |= closest_of(probe, block, lanes, probe.local.tmax, hit, work);
+        for_each_block(probe, first, count, work, [&](const TriangleBlock<R>& block, uint32_t number, uint32_t lanes) {
+            found |= closest_of(probe, block, number, lanes, probe.local.tmax, hit, work);
             return false;
         });
         return found;
     }
     bool any(const Probe& probe, uint32_t first, uint32_t count, WorkCounters& work) const {
-        return for_each_block(probe, first, count, work, [&](uint32_t block, uint32_t lanes) { return any_of(probe, block, lanes, work); });
+        return for_each_block(probe, first, count, work, [&](const TriangleBlock<R>& block, uint32_t, uint32_t lanes) { return any_of(probe, block, lanes, work); });
     }
     void all(const Probe& probe, uint32_t first, uint32_t count, std::vector<Hit>& hits, WorkCounters& work) const {
-        for_each_block(probe, first, count, work, [&](uint32_t block, uint32_t lanes) {
+        for_each_block(probe, first, count, work, [&](const TriangleBlock<R>& block, uint32_t, uint32_t lanes) {
             all_of(probe, block, lanes, hits, work);
             return false;
         });
     }
 
-    /// The same of the triangles of a block whose bits are set in `lanes`. Hits beyond `limit`, in local t, would come behind `hit`.
-    bool closest_of(const Probe& probe, uint32_t block, uint32_t lanes, double limit, Hit& hit, WorkCounters& work) const {
+    /// The same of the triangles of a block, the one of that number, whose bits are set in `lanes`. Hits beyond `limit`, in local t, would come behind `hit`.
+    bool closest_of(const Probe& probe, const TriangleBlock<R>& block, uint32_t number, uint32_t lanes, double limit, Hit& hit, WorkCounters& work) const {
         bool found = false;
         for_each_hit(probe, block, lanes, limit, work, [&](const Found& f) {
             if (!comes_before(f.t, probe.instance, f.id, hit)) return false;
             hit.t = f.t, hit.instance = probe.instance, hit.primitive = f.id, hit.part = 0;
             hit.u = float(f.crossing.u), hit.v = float(f.crossing.v);
-            probe.place = block * kLanes + f.lane;
+            probe.place = number * kLanes + f.lane;
             found = true;
             return false;
         });
@@ -68,41 +66,25 @@ template <class R, TriangleTest test = TriangleTest::exact> class TriangleLeaf {
     }
     /// What of a hit is only computed once, after closest() found it.
     void finish(const Probe& probe, Hit& hit) const {
-        if (probe.place != kPadding) hit.error = Kernel::error(probe.ray, hit.t, blocks_[probe.place / kLanes].corners(probe.place % kLanes));
+        if (probe.place != kPadding) hit.error = Kernel::error(probe.ray, hit.t, blocks_.corners(probe.place));
     }
-    bool any_of(const Probe& probe, uint32_t block, uint32_t lanes, WorkCounters& work) const {
+    bool any_of(const Probe& probe, const TriangleBlock<R>& block, uint32_t lanes, WorkCounters& work) const {
         return for_each_hit(probe, block, lanes, probe.local.tmax, work, [](const Found&) { return true; });
     }
-    void all_of(const Probe& probe, uint32_t block, uint32_t lanes, std::vector<Hit>& hits, WorkCounters& work) const {
+    void all_of(const Probe& probe, const TriangleBlock<R>& block, uint32_t lanes, std::vector<Hit>& hits, WorkCounters& work) const {
         for_each_hit(probe, block, lanes, probe.local.tmax, work, [&](const Found& f) {
             hits.push_back(make_hit(probe, f));
             return false;
         });
     }
 
-    uint32_t id(uint32_t place) const { return blocks_[place / kLanes].id[place % kLanes]; }
-    const TriangleBlock<R>& block(uint32_t i) const { return blocks_[i]; }
+    uint32_t id(uint32_t place) const { return blocks_.id(place); }
+    const Blocks& blocks() const { return blocks_; }
+    Blocks& blocks() { return blocks_; }
     uint32_t filter(const TriangleBlock<R>& block, const auto& ray) const { return filter_(block, ray); }
-    std::span<const TriangleBlock<R>> blocks() const { return blocks_.view(); }
-    std::span<TriangleBlock<R>> writable_blocks() { return blocks_.writable(); }
     size_t bytes() const { return blocks_.bytes(); }
 
   private:
-    static LargeVector<TriangleBlock<R>> packed(const Source& source, const std::vector<uint32_t>& order, int threads) {
-        LargeVector<TriangleBlock<R>> blocks((order.size() + kLanes - 1) / kLanes);
-        for_ranges(blocks.size(), threads, [&](size_t first, size_t end) {
-            for (size_t b = first; b < end; ++b) {
-                std::memset(static_cast<void*>(&blocks[b]), 0, sizeof(TriangleBlock<R>));   // where no triangle is, filters read zeros; the bytes between, too: they go to files
-                for (size_t place = b * kLanes; place < std::min(order.size(), (b + 1) * kLanes); ++place) {
-                    if (order[place] == kPadding) continue;
-                    blocks[b].put(source.corners(order[place]), uint32_t(place % kLanes));
-                    blocks[b].id[place % kLanes] = order[place];
-                }
-            }
-        });
-        return blocks;
-    }
-
     struct Found {
         double t;   ///< the caller's
         uint32_t id, lane;
@@ -110,16 +92,17 @@ template <class R, TriangleTest test = TriangleTest::exact> class TriangleLeaf {
         const Corners& corners;
     };
 
-    /// Calls visit(block, lanes) for each block with triangles of the range that pass the filter, until it returns true; then returns true.
+    /// Calls visit(block, its number, lanes) for each block with triangles of the range that pass the filter, until it returns true; then returns true.
     template <class F> bool for_each_block(const Probe& probe, uint32_t first, uint32_t count, WorkCounters& work, F&& visit) const {
         work.filtered += count;
-        for (uint32_t block = first / kLanes, end = first + count; block * kLanes < end; ++block) {
-            const uint32_t start = block * kLanes;
-            uint32_t lanes = filter_(blocks_[block], probe.filter);
+        for (uint32_t number = first / kLanes, end = first + count; number * kLanes < end; ++number) {
+            const uint32_t start = number * kLanes;
+            const TriangleBlock<R>& block = blocks_[number];
+            uint32_t lanes = filter_(block, probe.filter);
             if (start < first) lanes &= ~uint32_t(0) << (first - start);
             if (end - start < kLanes) lanes &= (1u << (end - start)) - 1;
-            lanes = undecided(probe, blocks_[block], lanes);
-            if (lanes && visit(block, lanes)) return true;
+            lanes = undecided(probe, block, lanes);
+            if (lanes && visit(block, number, lanes)) return true;
         }
         return false;
     }
@@ -137,9 +120,9 @@ template <class R, TriangleTest test = TriangleTest::exact> class TriangleLeaf {
     }
 
     /// Calls found(Found) for each hit among the lanes until it returns true; then returns true.
-    template <class F> bool for_each_hit(const Probe& probe, uint32_t block, uint32_t lanes, double limit, WorkCounters& work, F&& found) const {
+    template <class F> bool for_each_hit(const Probe& probe, const TriangleBlock<R>& block, uint32_t lanes, double limit, WorkCounters& work, F&& found) const {
         for (; lanes; lanes &= lanes - 1) {
-            if (decide_lane(probe, blocks_[block], uint32_t(std::countr_zero(lanes)), limit, work, found)) return true;
+            if (decide_lane(probe, block, uint32_t(std::countr_zero(lanes)), limit, work, found)) return true;
         }
         return false;
     }
@@ -158,7 +141,7 @@ template <class R, TriangleTest test = TriangleTest::exact> class TriangleLeaf {
         return {f.t, probe.instance, f.id, 0, float(f.crossing.u), float(f.crossing.v), Kernel::error(probe.ray, f.t, f.corners)};
     }
 
-    LargeArray<TriangleBlock<R>> blocks_;
+    Blocks blocks_;
     decltype(Kernel::filter(Isa::best)) filter_;
 };
 

@@ -39,6 +39,8 @@ template <class R> class TriangleSource {
         return {position(t.x), position(t.y), position(t.z)};
     }
 
+    const TriangleView& mesh() const { return mesh_; }
+
   private:
     bool exact() const { return std::is_same_v<R, double> && mesh_.exact_positions.size() == mesh_.positions.size() && !mesh_.exact_positions.empty(); }
     Vec3 position(uint32_t i) const { return exact() ? quantized(mesh_.exact_positions[i]) : Vec3(mesh_.positions[i]); }

@@ -110,7 +110,7 @@ TEST_P(Intersects, EndsOnAnything) {
 TEST_P(Intersects, InstructionSetsChangeNoBit) {
     for (const Mesh& source : {geodesic_sphere(12), soup(1000, 0.1, 7)}) {
         const Mesh mesh = source.read_at(precision());
-        for (const char* word : {"brute", "bvh"}) {
+        for (const char* word : {"brute", "bvh", "compact"}) {
             const AcceleratorEntry& entry = *find_accelerator(word);
             const auto scalar = build(entry, mesh, options(Isa::scalar));
             for (const Isa isa : available_isas().subspan(1)) {

@@ -68,7 +68,7 @@ TYPED_TEST(Wide, BoxesAreEnteredAsOneAtATime) {
         const R limit = ray.limit(draws.coin() ? std::numeric_limits<double>::max() : draws.uniform(-1, 4));
         for (const Isa isa : available_isas()) {
             alignas(64) R entries[kWide];
-            const uint32_t bits = wide_box_test<R>(isa)(node, local, limit, entries);
+            const uint32_t bits = wide_box_test<WideNode<R>>(isa)(node, local, limit, entries);
             for (uint32_t i = 0; i < kWide; ++i) {
                 BoundsT<R> box;
                 for (int a = 0; a < 3; ++a) box.min[a] = node.planes[2 * a][i], box.max[a] = node.planes[2 * a + 1][i];

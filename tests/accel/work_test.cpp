@@ -87,6 +87,12 @@ TEST(RecordedWork, OfTheBvhIsKept) {
     expect_kept("bvh", records);
 }
 
+/// So of the compact one: its boxes are larger, and triangles have boxes of their own.
+TEST(RecordedWork, OfTheCompactBvhIsKept) {
+    const Record records[] = {{geodesic_sphere(71, 0.2), 75.9, 3.6}, {soup(100000, 0.02, 4), 209.5, 4.7}, {battens(1000), 1566.6, 1179.0}, {stadium(16, 16), 53.5, 3.1}};
+    expect_kept("compact", records);
+}
+
 /// A triangle in several cells is decided once: no more of them than in the BVH, where each is in one leaf.
 TEST(Work, OfTrianglesInManyCellsIsDoneOnce) {
     const Mesh mesh = geodesic_sphere(71, 0.2);

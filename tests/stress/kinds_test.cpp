@@ -27,6 +27,16 @@ TEST_P(StressKinds, HaveAboutAsManyTrianglesAsAskedFor) {
     }
 }
 
+/// What the compact BVH is for. Its triangles stay where they are, and of the hits nothing is lost: all rows of the table meet alike, below.
+TEST_P(StressKinds, TakeLittleMemoryWhenCompact) {
+    const StressScene scene = kind().make(100000, 1);
+    for (const StressMesh& mesh : scene.meshes) {
+        const auto compact = find_accelerator("compact")->over_triangles(mesh.view(), {});
+        EXPECT_LE(double(compact->stats().bytes), 32.0 * double(compact->stats().primitives)) << kind().name;
+        EXPECT_GE(double(compact->stats().bytes), 12.0 * double(compact->stats().primitives)) << "all that is kept is counted: a block has twelve for each triangle";
+    }
+}
+
 TEST_P(StressKinds, DependOnTheSeedAlone) {
     const StressScene a = kind().make(5000, 1), same = kind().make(5000, 1), other = kind().make(5000, 2);
     EXPECT_EQ(a.mesh().positions, same.mesh().positions);

@@ -29,7 +29,7 @@ class Render(InFolder):
     def test_the_same_bytes_however_it_was_made(self):
         self.render("-o", "first.png")
         first = (self.folder / "first.png").read_bytes()
-        for words in (["--threads", 1], ["--threads", 2], ["--tile", 8], ["--tile", 64], ["--accel", "brute"], ["--accel", "grid"], ["--accel", "octree"],
+        for words in (["--threads", 1], ["--threads", 2], ["--tile", 8], ["--tile", 64], ["--accel", "brute"], ["--accel", "grid"], ["--accel", "compact"], ["--accel", "octree"],
                       ["--isa", "scalar"], ["--full-kernel"], ["--lazy"], ["--progress", "json"]):
             self.render("-o", "other.png", *words)
             self.assertEqual((self.folder / "other.png").read_bytes(), first, words)

@@ -39,7 +39,7 @@ class Figures(Stress):
     def test_the_table_has_all_structures_and_rays_and_they_agree(self):
         said = self.stress("--generate", "scan:2000", *QUICK).stdout
         self.assertTrue(said.startswith("scan: 2028 triangles\n"), said)
-        for accelerator in ("bvh", "hlbvh", "grid", "octree"):
+        for accelerator in ("bvh", "hlbvh", "compact", "grid", "octree"):
             for precision in ("float", "double"):
                 self.assertRegex(said, rf"\n  {accelerator} +{precision} +[\d.e-]+ +[\d.]+ +[\d.]+ +[\d.-]+ +\d+ +\d+")
                 for rays in ("primary", "shadow", "diffuse", "random"):
@@ -71,7 +71,7 @@ class Figures(Stress):
         for scene in document["scenes"]:
             self.assertEqual(scene["seed"], 3)
             for size in scene["sizes"]:
-                self.assertEqual([one["accelerator"] for one in size["structures"]], ["bvh", "hlbvh", "grid", "octree"])
+                self.assertEqual([one["accelerator"] for one in size["structures"]], ["bvh", "hlbvh", "compact", "grid", "octree"])
                 for rays in range(4):
                     self.assertEqual(len({one["rays"][rays]["hash"] for one in size["structures"]}), 1, "the same hits, bit for bit")
                 self.assertEqual(size["disagreements"], [])
@@ -148,7 +148,7 @@ class Files(Stress):
         self.stress("--generate", "soup:300", "--generate", "hair:1000", *QUICK, "--csv", "out.csv")
         with open(self.folder / "out.csv", newline="") as file:
             rows = list(csv.DictReader(file))
-        self.assertEqual(len(rows), 2 * 8 * 4)
+        self.assertEqual(len(rows), 2 * 10 * 4)
         text = DOCS.read_text()
         told = re.findall(r"`(\w+)`", text[text.index("## The table for programs"):text.index("## Rays in files")])
         self.assertEqual(list(rows[0]), told)
@@ -230,7 +230,7 @@ class Budgets(Stress):
         self.assertIn("interrupted", said)
         document = json.loads((self.folder / "out.json").read_text())
         self.assertEqual((document["interrupted"], document["exit_code"]), (True, 2))
-        self.assertEqual(len(document["scenes"][0]["sizes"][0]["structures"]), 8)
+        self.assertEqual(len(document["scenes"][0]["sizes"][0]["structures"]), 10)
 
     def test_no_time_at_all(self):
         said = self.stress("--generate", "soup:2000", *QUICK, "--time", "0", code=1)

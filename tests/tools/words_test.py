@@ -137,7 +137,7 @@ class Info(InFolder):
     def test_features_are_the_tables(self):
         said = run("info", "--features", "--json")
         tables = json.loads(said.stdout)
-        for table, rows in {"importers": "gltf obj", "shapes": "sphere plane box", "accelerators": "brute bvh hlbvh grid octree", "instruction sets": "scalar",
+        for table, rows in {"importers": "gltf obj", "shapes": "sphere plane box", "accelerators": "brute bvh hlbvh compact grid octree", "instruction sets": "scalar",
                             "integrators": "cast whitted", "output layers": "depth normal coverage", "verbs": "render info"}.items():
             self.assertLessEqual(set(rows.split()), {row["name"] for row in tables[table]}, table)
         self.assertIn("accelerators:\n", run("info", "--features").stdout)

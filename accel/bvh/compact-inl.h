@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: Apache-2.0
+/// Boxes and triangles of the compact BVH in vectors, compiled once for each target of a file that includes it (hwy/foreach_target.h).
+#if defined(ALIDADE_COMPACT_INL) == defined(HWY_TARGET_TOGGLE)
+#ifdef ALIDADE_COMPACT_INL
+#undef ALIDADE_COMPACT_INL
+#else
+#define ALIDADE_COMPACT_INL
+#endif
+
+#include "accel/bvh/compact.h"
+
+#include "hwy/highway.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace alidade::HWY_NAMESPACE {
+
+namespace hn = hwy::HWY_NAMESPACE;
+
+/// As many planes as `d` has lanes, from `place` on, counted from the node's first. They belong to `axis`.
+template <class D, class R> HWY_INLINE HWY_ATTR hn::Vec<D> load_planes(D d, const WideNode<R>& node, int, size_t place) { return hn::Load(d, node.planes[0] + place); }
+template <class D> HWY_INLINE HWY_ATTR hn::Vec<D> load_planes(D d, const CompactNode& node, int axis, size_t place) {
+    const auto steps = hn::PromoteTo(hn::Rebind<int32_t, D>(), hn::LoadU(hn::Rebind<uint8_t, D>(), node.steps[0] + place));
+    return hn::MulAdd(hn::ConvertTo(d, steps), hn::Set(d, node.grid.step(axis)), hn::Set(d, node.grid.origin[axis]));   // fused or not: ByteGrid::plane
+}
+
+/// The triangles of a block in `lanes`, as tests of eight want them; in the other lanes there is anything.
+template <class R> HWY_INLINE HWY_ATTR const TriangleBlock<R>& load_block(const PackedBlocks<R>& blocks, uint32_t number, uint32_t) { return blocks[number]; }
+#if HWY_TARGET == HWY_AVX2 || HWY_TARGET == HWY_AVX3
+/// The coordinates of eight vertices, x, y and z in a vector each.
+HWY_INLINE HWY_ATTR void load_vertices(const Vec3f* positions, const uint32_t* vertices, float (*xyz)[kLanes]) {
+    const hn::FixedTag<float, 8> d;
+    const hn::FixedTag<double, 4> pairs;
+    const hn::FixedTag<float, 4> half;
+    const auto three = hn::FirstN(half, 3);   // nothing behind the last vertex is read
+    const auto two = [&](int lane) HWY_ATTR { return hn::Combine(d, hn::MaskedLoad(three, half, &positions[vertices[lane + 4]].x), hn::MaskedLoad(three, half, &positions[vertices[lane]].x)); };
+    const auto a = two(0), b = two(1), c = two(2), e = two(3);
+    const auto ab = hn::BitCast(pairs, hn::InterleaveLower(d, a, b)), ce = hn::BitCast(pairs, hn::InterleaveLower(d, c, e));       // x x y y in each half
+    const auto ab_z = hn::BitCast(pairs, hn::InterleaveUpper(d, a, b)), ce_z = hn::BitCast(pairs, hn::InterleaveUpper(d, c, e));   // z z 0 0
+    hn::Store(hn::BitCast(d, hn::InterleaveLower(pairs, ab, ce)), d, xyz[0]);
+    hn::Store(hn::BitCast(d, hn::InterleaveUpper(pairs, ab, ce)), d, xyz[1]);
+    hn::Store(hn::BitCast(d, hn::InterleaveLower(pairs, ab_z, ce_z)), d, xyz[2]);
+}
+
+HWY_INLINE HWY_ATTR TriangleBlock<float> load_block(const NumberedBlocks& blocks, uint32_t number, uint32_t lanes) {
+    TriangleBlock<float> block;
+    const uint32_t* const ids = blocks.boxes(number).child;
+    const Index3* const triangles = blocks.mesh().triangles.data();
+    const auto first = uint32_t(std::countr_zero(lanes));   // is in the other lanes, too: it is read anyway
+    uint32_t vertices[3][kLanes];
+    for (uint32_t lane = 0; lane < kLanes; ++lane) {
+        const uint32_t id = ids[lanes >> lane & 1 ? lane : first];
+        const Index3& t = triangles[id];
+        vertices[0][lane] = t.x, vertices[1][lane] = t.y, vertices[2][lane] = t.z, block.id[lane] = id;
+    }
+    for (int corner = 0; corner < 3; ++corner) load_vertices(blocks.mesh().positions.data(), vertices[corner], &block.v[3 * corner]);
+    return block;
+}
+#else
+HWY_INLINE HWY_ATTR TriangleBlock<float> load_block(const NumberedBlocks& blocks, uint32_t number, uint32_t lanes) { return blocks.block(number, lanes); }
+#endif
+
+}  // namespace alidade::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#endif

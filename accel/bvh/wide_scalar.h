@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: Apache-2.0
+/// The box tests and filters of Intersect::exact without vectors.
+#pragma once
+
+#include "accel/bvh/wide.h"
+
+namespace alidade {
+
+/// One box after the other, the oracle of the vector versions.
+template <class R> class ScalarBoxes {
+  public:
+    explicit ScalarBoxes(const LocalRay& ray) : ray_(ray) {}
+
+    R limit(double t) const { return ray_.limit(t); }
+
+    uint32_t enter(const auto& node, R limit, R* entries) const {
+        uint32_t bits = 0;
+        for (uint32_t i = 0; i < kWide; ++i) {
+            entries[i] = ray_.enter({{node.plane(0, i), node.plane(2, i), node.plane(4, i)}, {node.plane(1, i), node.plane(3, i), node.plane(5, i)}}, limit);
+            if (entries[i] <= limit) bits |= 1u << i;
+        }
+        return bits & node.places();
+    }
+
+  private:
+    WideRay<R> ray_;
+};
+
+template <class R> struct ScalarMachine {
+    using Boxes = ScalarBoxes<R>;
+    static decltype(auto) block(const auto& leaf, uint32_t number, uint32_t lanes) { return leaf.blocks().block(number, lanes); }
+    static uint32_t filter(const auto& leaf, const TriangleBlock<R>& block, const FilterRay<R>& ray) { return leaf.filter(block, ray); }
+};
+
+template <class Node> uint32_t enter_boxes_scalar(const Node& node, const LocalRay& ray, typename Node::Real limit, typename Node::Real* entries) {
+    return ScalarBoxes<typename Node::Real>(ray).enter(node, limit, entries);
+}
+
+}  // namespace alidade
