@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tracer/instance_set.h"
 
+#include "accel/local_ray.h"
 #include "core/clamp.h"
 #include "eval/placed.h"
 #include "tracer/instance_leaves.h"
@@ -29,6 +30,14 @@ bool first_crossing(const Geometry& geometry, const Ray& local, Wanted wanted, u
         return true;
     }
     return false;
+}
+
+/// Do structures look for the instance on this line? A line that passes by its box may seem to meet it all the same: from so far away that the instance is smaller than the roundings of the local ray.
+bool looked_for(const Instance& instance, const Ray& ray) {
+    const Bounds& box = instance.bounds;
+    if (instance.in_place || !inside_bounds(ray, box).empty()) return true;   // crossings in place lie in the bounds of their shape
+    const bool bounded = max_abs(box.min) <= kLargestCoordinate<double> && max_abs(box.max) <= kLargestCoordinate<double>;
+    return !bounded || local_ray(ray, box, false).enters_box();
 }
 
 }  // namespace
@@ -61,8 +70,8 @@ bool InstanceSet::intersect(std::span<const uint32_t> ids, const Ray& ray, Hit& 
         if (hit.t < ray.tmax) local.tmax = std::min(ray.tmax, hit.t + instance_slack(ray, hit.t));
         Hit candidate;
         const bool crossed = geometry.mesh ? geometry.triangles->intersect(local, candidate, work, id) : first_crossing(geometry, local, Wanted::first, id, candidate, work);
-        if (!crossed) continue;
-        if (!instance.in_place) candidate.t = clamp_to_bounds(candidate.t, ray, instance.bounds);   // else it is there already: crossings lie in the bounds of their shape
+        if (!crossed || !looked_for(instance, ray)) continue;
+        if (!instance.in_place) candidate.t = clamp_to_bounds(candidate.t, ray, instance.bounds);
         if (!comes_before(candidate.t, id, candidate.primitive, hit)) continue;
         hit = candidate;
         found = true;
@@ -81,7 +90,8 @@ bool InstanceSet::occluded(std::span<const uint32_t> ids, const Ray& ray, WorkCo
         if (!(instance.mask & ray.mask)) continue;
         const Geometry& geometry = scene_.geometries[instance.geometry];
         const Ray local = instance.local(ray);
-        if (geometry.mesh ? geometry.triangles->occluded(local, work) : first_crossing(geometry, local, Wanted::any, id, unused, work)) return true;
+        const bool crossed = geometry.mesh ? geometry.triangles->occluded(local, work) : first_crossing(geometry, local, Wanted::any, id, unused, work);
+        if (crossed && looked_for(instance, ray)) return true;
     }
     return false;
 }
@@ -107,6 +117,7 @@ void InstanceSet::all_hits(std::span<const uint32_t> ids, const Ray& ray, std::v
             for (int i = 0; i < crossings.count; ++i)
                 if (crossings.at[i].t >= ray.tmin && crossings.at[i].t <= ray.tmax) hits.push_back(hit_of(crossings.at[i], id));
         }
+        if (hits.size() > first && !looked_for(instance, ray)) hits.resize(first);
         for (size_t i = first; i < hits.size(); ++i) hits[i].t = clamp_to_bounds(hits[i].t, ray, instance.bounds);
     }
 }
