@@ -17,9 +17,13 @@ namespace alidade::HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 
 /// As many planes as `d` has lanes, from `place` on, counted from the node's first. They belong to `axis`.
-template <class D, class R> HWY_INLINE HWY_ATTR hn::Vec<D> load_planes(D d, const WideNode<R>& node, int, size_t place) { return hn::Load(d, node.planes[0] + place); }
+template <class D, class R> HWY_INLINE HWY_ATTR hn::Vec<D> load_planes(D d, const WideNode<R>& node, int, size_t place) {
+    const R* const planes = node.planes[0];
+    return hn::Load(d, planes + place);
+}
 template <class D> HWY_INLINE HWY_ATTR hn::Vec<D> load_planes(D d, const CompactNode& node, int axis, size_t place) {
-    const auto steps = hn::PromoteTo(hn::Rebind<int32_t, D>(), hn::LoadU(hn::Rebind<uint8_t, D>(), node.steps[0] + place));
+    const uint8_t* const bytes = node.steps[0];
+    const auto steps = hn::PromoteTo(hn::Rebind<int32_t, D>(), hn::LoadU(hn::Rebind<uint8_t, D>(), bytes + place));
     return hn::MulAdd(hn::ConvertTo(d, steps), hn::Set(d, node.grid.step(axis)), hn::Set(d, node.grid.origin[axis]));   // fused or not: ByteGrid::plane
 }
 
