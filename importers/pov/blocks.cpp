@@ -11,7 +11,33 @@ namespace alidade::pov {
 
 namespace {
 
-void read_items(Parser& p, Block& block, char close);
+/// A block of which some items have been read: they stand on a stack that all open blocks share, so that a finished one takes no more room than it needs.
+class OpenBlock {
+  public:
+    OpenBlock(Parser& p, WordId word) : word(word), p_(p), begin_(p.open_items.size()) {}
+    OpenBlock(const OpenBlock&) = delete;
+    OpenBlock& operator=(const OpenBlock&) = delete;
+    ~OpenBlock() {
+        p_.items->used -= items().size();
+        p_.open_items.erase(p_.open_items.begin() + std::ptrdiff_t(begin_), p_.open_items.end());
+    }
+
+    std::span<Item> items() const { return std::span(p_.open_items).subspan(begin_); }
+    void add(Item item) { p_.open_items.push_back(std::move(item)), ++p_.items->used; }
+    Ref<Block> finished() {
+        Ref<Block> block = Block::of(items(), p_.items);
+        block->word = word;
+        return block;
+    }
+
+    const WordId word;
+
+  private:
+    Parser& p_;
+    const size_t begin_;
+};
+
+void read_items(Parser& p, OpenBlock& block, char close, Place at);
 
 Item item_of(Item::Kind kind, Place at) {
     Item item;
@@ -21,10 +47,12 @@ Item item_of(Item::Kind kind, Place at) {
 
 Item block_item(Parser& p, Item::Kind kind, WordId word, char close, Place at) {
     const Nested nested(p, at);
-    Ref<Block> block(new Block(p.items));
-    block->word = word, block->place = at, block->defaults = uint32_t(p.defaults.size()), block->version = float(p.version);
-    block->items.reserve(4);                  // most have no more
-    read_items(p, *block, close);
+    const uint32_t defaults = uint32_t(p.defaults.size());
+    const float version = float(p.version);
+    OpenBlock open(p, word);
+    read_items(p, open, close, at);
+    const Ref<Block> block = open.finished();
+    block->place = at, block->defaults = defaults, block->version = version;
     Item item = item_of(kind, at);
     item.word = word, item.value = Value::of(Kind::block, block);
     return item;
@@ -47,8 +75,9 @@ Item vector_item(Parser& p, Place at) {
 }
 
 /// Words that begin a colour elsewhere mean something else here.
-bool colours_are_words(const Block& block) {
-    const WordId last = block.items.empty() || block.items.back().kind != Item::Kind::word ? block.word : block.items.back().word;
+bool colours_are_words(const OpenBlock& block) {
+    const std::span<const Item> items = block.items();
+    const WordId last = items.empty() || items.back().kind != Item::Kind::word ? block.word : items.back().word;
     return block.word == "image_map"_w || last == "assumed_gamma"_w || last == "gamma"_w;
 }
 
@@ -61,12 +90,12 @@ Item word_item(Parser& p, const Token& word) {
     return item;
 }
 
-Item read_item(Parser& p, const Block& block, const Token& token) {
+Item read_item(Parser& p, const OpenBlock& block, const Token& token) {
     if (token.is('[')) return block_item(p, Item::Kind::entry, block.word, ']', token.place());
     if (token.is('<')) return vector_item(p, token.place());
     if (token.is('{')) {                     // behind the sizes of `pattern W, H { ... }`
         WordId word = block.word;
-        for (const Item& item : block.items)
+        for (const Item& item : block.items())
             if (item.kind == Item::Kind::word) word = item.word;
         return block_item(p, Item::Kind::block, word, '}', token.place());
     }
@@ -87,12 +116,12 @@ void check_part(Parser& p, const Item& item) {
     p.check_depth(item.value, item.place);
 }
 
-void read_items(Parser& p, Block& block, char close) {
+void read_items(Parser& p, OpenBlock& block, char close, Place at) {
     for (;;) {
         const Token token = p.next();
         if (token.is(close)) return;
         if (token.is(',')) continue;
-        if (token.kind == TokenKind::end) p.fail_limit(block.place, fmt::format("{} is not closed", kWords[block.word]), fmt::format("{} is missing", close));
+        if (token.kind == TokenKind::end) p.fail_limit(at, fmt::format("{} is not closed", kWords[block.word]), fmt::format("{} is missing", close));
         p.check_items(token.place());
         Item item = read_item(p, block, token);
         check_part(p, item);

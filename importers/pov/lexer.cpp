@@ -4,13 +4,14 @@
 #include <array>
 #include <charconv>
 #include <fmt/format.h>
+#include <optional>
 
 namespace alidade::pov {
 
 namespace {
 
 constexpr size_t kLongestName = 200;
-constexpr size_t kUsualTokens = 1 << 16;   // more than a standard include has bytes: the room is made once
+constexpr size_t kUsualTokens = 1 << 18;   // of a part: the standard includes together have fewer bytes. What is not written to takes no memory
 
 constexpr double kPowersOfTen[] = {1, 1e1, 1e2, 1e3, 1e4, 1e5, 1e6, 1e7, 1e8, 1e9, 1e10, 1e11, 1e12, 1e13, 1e14, 1e15};
 
@@ -43,29 +44,25 @@ void append_utf8(std::string& out, uint32_t code) {
 
 class Lexer {
   public:
-    Lexer(const Source& source, uint16_t number, Names& names, std::vector<Token>& room) : text_(source.text()), number_(number), names_(names), room_(room) {}
+    Lexer(const Source& source, uint16_t number, Names& names, std::vector<Token>& room)
+        : text_(source.text()), number_(number), names_(names), tokens_(room), first_(room.size()) {}
 
     TokenList run(size_t max_tokens) {
-        list_.tokens.swap(room_);
-        list_.tokens.clear();
-        list_.tokens.reserve(std::max(std::min(text_.size(), max_tokens) + 2, kUsualTokens));    // the most there can be: growing would hold large lists twice
         while (skip_blanks() && at_ < text_.size()) {
-            if (list_.tokens.size() + list_.vectors.size() >= max_tokens) {
+            if (count() + list_.vectors.size() >= max_tokens) {
                 bad(at_, fmt::format("the file has more than {} tokens", max_tokens));
                 break;
             }
             lex_one();
         }
         start(TokenKind::end, text_.size());
-        match_directives();
-        if (list_.tokens.size() < 1'000'000) {
-            room_.swap(list_.tokens);
-            list_.tokens = room_;                    // no larger than it has to be
-        }
+        list_.tokens = {tokens_.data() + first_, count()};
         return std::move(list_);
     }
 
   private:
+    size_t count() const { return tokens_.size() - first_; }
+
     /// A NUL stands behind the last byte of a source.
     char peek() const { return text_.data()[at_]; }
     char peek(size_t ahead) const { return at_ + ahead < text_.size() ? text_[at_ + ahead] : '\0'; }
@@ -73,7 +70,7 @@ class Lexer {
     Token& start(TokenKind kind, size_t offset) {
         Token token;
         token.kind = kind, token.source = number_, token.offset = uint32_t(offset);
-        return list_.tokens.emplace_back(token);
+        return tokens_.emplace_back(token);
     }
     void with_text(TokenKind kind, size_t offset, std::string text) {
         start(kind, offset).id = uint32_t(list_.texts.size());
@@ -84,9 +81,8 @@ class Lexer {
     /// Blanks and comments; block comments nest. False if one is not closed.
     bool skip_blanks() {
         for (; at_ < text_.size(); ++at_) {
-            const char c = text_[at_];
-            if (kind_of(c) == kBlank) continue;
-            if (c != '/') return true;
+            skip_plain_blanks();
+            if (peek() != '/') return true;
             if (peek(1) == '/') {
                 at_ = std::min(text_.find('\n', at_), text_.size() - 1);
             } else if (peek(1) == '*') {
@@ -181,20 +177,28 @@ class Lexer {
         at_ = before;
         return false;
     }
-    void skip_plain_blanks() { while (kind_of(peek()) == kBlank) ++at_; }
+    void skip_plain_blanks() {
+        const char* at = text_.data() + at_;
+        while (kind_of(*at) == kBlank) ++at;
+        at_ = size_t(at - text_.data());
+    }
 
-    std::string_view take_name() {
-        const size_t begin = at_;
-        while (kind_of(peek()) >= kDigit) ++at_;
-        return text_.substr(begin, at_ - begin);
+    /// The number of the name that begins here, or nothing if it is too long.
+    std::optional<WordId> take_name() {
+        const char* const begin = text_.data() + at_;
+        const char* end = begin;
+        NameHash hash;
+        for (; kind_of(*end) >= kDigit; ++end) hash.add(*end);
+        at_ += size_t(end - begin);
+        if (size_t(end - begin) > kLongestName) return std::nullopt;
+        return names_.id({begin, size_t(end - begin)}, hash.value());
     }
 
     void lex_name() {
         const size_t begin = at_;
-        const std::string_view name = take_name();
-        if (name.size() > kLongestName) return bad(begin, fmt::format("a name has more than {} characters", kLongestName));
-        const WordId id = names_.id(name);
-        start(id < kWordCount ? TokenKind::word : TokenKind::name, begin).id = id;
+        const std::optional<WordId> id = take_name();
+        if (!id) return bad(begin, fmt::format("a name has more than {} characters", kLongestName));
+        start(*id < kWordCount ? TokenKind::word : TokenKind::name, begin).id = *id;
     }
 
     void lex_string() {
@@ -233,11 +237,12 @@ class Lexer {
     void lex_directive() {
         const size_t begin = at_++;
         if (!skip_blanks() || !is_letter(peek())) return;
-        const std::string_view name = take_name();
-        const WordId id = name.size() > kLongestName ? kWordCount : names_.id(name);
-        if (id >= kWordCount) return bad(begin, fmt::format("there is no directive #{}", name.substr(0, kLongestName)));
+        const size_t name = at_;
+        const WordId id = take_name().value_or(kWordCount);
+        if (id >= kWordCount) return bad(begin, fmt::format("there is no directive #{}", text_.substr(name, std::min(at_ - name, kLongestName))));
         Token& token = start(TokenKind::directive, begin);
         token.directive = {uint16_t(id), 0, kOpen};
+        match(token, uint32_t(count() - 1));
     }
 
     void lex_mark() {
@@ -257,42 +262,49 @@ class Lexer {
     }
 
     /// Links every #if, #while ... to its clauses and its #end, so that what is not taken is jumped over.
-    void match_directives() {
-        std::vector<uint32_t> opened, last;
-        for (uint32_t i = 0; i < list_.tokens.size(); ++i) {
-            Token& token = list_.tokens[i];
-            if (token.kind != TokenKind::directive) continue;
-            switch (token.directive.word) {
-                case "if"_w: case "ifdef"_w: case "ifndef"_w: case "while"_w: case "for"_w: case "switch"_w: case "macro"_w:
-                    opened.push_back(i), last.push_back(i);
-                    break;
-                case "else"_w: case "elseif"_w: case "case"_w: case "range"_w: case "end"_w: {
-                    token.directive.unmatched = opened.empty();
-                    if (opened.empty()) break;
-                    list_.tokens[last.back()].directive.next = i;
-                    last.back() = i;
-                    if (token.directive.word != "end"_w) break;
-                    token.directive.next = opened.back();
-                    opened.pop_back(), last.pop_back();
-                    break;
-                }
-                default: break;
+    void match(Token& token, uint32_t index) {
+        switch (token.directive.word) {
+            case "if"_w: case "ifdef"_w: case "ifndef"_w: case "while"_w: case "for"_w: case "switch"_w: case "macro"_w:
+                opened_.push_back({index, index});
+                break;
+            case "else"_w: case "elseif"_w: case "case"_w: case "range"_w: case "end"_w: {
+                token.directive.unmatched = opened_.empty();
+                if (opened_.empty()) break;
+                tokens_[first_ + opened_.back().last].directive.next = index;
+                opened_.back().last = index;
+                if (token.directive.word != "end"_w) break;
+                token.directive.next = opened_.back().first;
+                opened_.pop_back();
+                break;
             }
+            default: break;
         }
     }
+
+    /// An open structure: its directive, and the last of its clauses.
+    struct Structure {
+        uint32_t first, last;
+    };
 
     std::string_view text_;
     uint16_t number_;
     Names& names_;
-    std::vector<Token>& room_;
+    std::vector<Token>& tokens_;      ///< of this file from first_ on; has room for all
+    size_t first_;
+    std::vector<Structure> opened_;
     size_t at_ = 0;
     TokenList list_;
 };
 
 }  // namespace
 
-TokenList lex(const Source& source, uint16_t number, Names& names, size_t max_tokens, std::vector<Token>& room) {
-    return Lexer(source, number, names, room).run(max_tokens);
+TokenList lex(const Source& source, uint16_t number, Names& names, size_t max_tokens, TokenRoom& room) {
+    return Lexer(source, number, names, room.with_space(std::min(source.text().size(), max_tokens) + 2)).run(max_tokens);
+}
+
+std::vector<Token>& TokenRoom::with_space(size_t tokens) {
+    if (parts_.empty() || parts_.back().capacity() - parts_.back().size() < tokens) parts_.emplace_back().reserve(std::max(tokens, kUsualTokens));
+    return parts_.back();
 }
 
 }  // namespace alidade::pov

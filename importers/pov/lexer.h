@@ -5,6 +5,9 @@
 #include "importers/pov/source.h"
 #include "importers/pov/words.h"
 
+#include <deque>
+#include <span>
+
 namespace alidade::pov {
 
 /// Those up to `mark` are given out as they are; the others have to be looked at first.
@@ -44,14 +47,23 @@ static_assert(sizeof(Token) == 16);
 inline constexpr uint32_t kOpen = ~uint32_t(0);
 
 struct TokenList {
-    std::vector<Token> tokens;          ///< ends with one of kind `end`
+    std::span<const Token> tokens;      ///< in a TokenRoom; ends with one of kind `end`
     std::vector<std::string> texts;     ///< string literals with their escapes resolved; what is wrong with bad tokens
     std::vector<double> vectors;        ///< literals `<1, -2, 3>` of 2 to 5 numbers and nothing else: how many, and the numbers; most of a mesh's file
 };
 
+/// Where tokens live: they never move, and files stand one behind the other.
+class TokenRoom {
+  public:
+    /// A list that holds `tokens` more without growing: there are as many as a file can have at the most, since growing would hold large lists twice.
+    std::vector<Token>& with_space(size_t tokens);
+
+  private:
+    std::deque<std::vector<Token>> parts_;
+};
+
 /// What is wrong with the text (an open comment or string, a byte that means nothing) becomes a token `bad`: it is an error only if it is reached.
 /// More than `max_tokens`, with the numbers in vectors: the list ends with a bad token.
-/// `room` is for its work: memory that one file after the other is lexed in.
-TokenList lex(const Source& source, uint16_t number, Names& names, size_t max_tokens, std::vector<Token>& room);
+TokenList lex(const Source& source, uint16_t number, Names& names, size_t max_tokens, TokenRoom& room);
 
 }  // namespace alidade::pov

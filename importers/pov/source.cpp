@@ -3,7 +3,8 @@
 
 #include <algorithm>
 #include <cctype>
-#include <fstream>
+#include <cstdio>
+#include <sys/stat.h>
 
 namespace alidade::pov {
 
@@ -82,8 +83,14 @@ bool is_file(const fs::path& path) {
 
 std::optional<SourceFinder::Found> SourceFinder::find(const std::string& name) const {
     if (name.empty() || name.find('\0') != std::string::npos) return std::nullopt;
-    for (const fs::path& folder : folders_)
-        if (const fs::path path = folder / name; is_file(path) && allowed(path)) return Found{path.string(), false};
+    bool refused = false;
+    for (const fs::path& folder : folders_) {
+        const fs::path path = folder / name;
+        if (!is_file(path)) continue;
+        if (allowed(path)) return Found{path.string(), false};
+        refused = true;
+    }
+    if (refused) return std::nullopt;
     for (const fs::path& folder : folders_) {
         const fs::path asked = folder / name;
         if (const auto path = other_case(asked.parent_path(), asked.filename().string()); path && is_file(*path) && allowed(*path))
@@ -93,14 +100,12 @@ std::optional<SourceFinder::Found> SourceFinder::find(const std::string& name) c
 }
 
 std::optional<std::string> read_whole(const std::string& path, uint64_t limit) {
-    std::ifstream in(path, std::ios::binary | std::ios::ate);
-    if (!in) return std::nullopt;
-    const std::streamoff size = in.tellg();
-    if (size < 0 || uint64_t(size) > limit) return std::nullopt;
-    std::string text(size_t(size), '\0');
-    in.seekg(0);
-    in.read(text.data(), size);
-    text.resize(size_t(std::max<std::streamsize>(in.gcount(), 0)));
+    const std::unique_ptr<std::FILE, int (*)(std::FILE*)> in(std::fopen(path.c_str(), "rb"), std::fclose);
+    struct stat status{};
+    if (!in || fstat(fileno(in.get()), &status) != 0 || !S_ISREG(status.st_mode) || uint64_t(status.st_size) > limit) return std::nullopt;
+    std::setvbuf(in.get(), nullptr, _IONBF, 0);
+    std::string text(size_t(status.st_size), '\0');
+    text.resize(std::fread(text.data(), 1, text.size(), in.get()));
     return text;
 }
 

@@ -31,7 +31,7 @@ const InternalFunction* internal_of(const Parser& p, const Function& function) {
 NoiseGenerator usual_noise(const Parser& p) {
     NoiseGenerator noise = p.version_given && p.version < 3.5 - 1e-9 ? NoiseGenerator::original : NoiseGenerator::range_corrected;
     for (const Value& settings : p.globals) {
-        const std::vector<Item>& items = settings.as<Block>().items;
+        const std::span<const Item> items = settings.as<Block>().items;
         for (size_t i = 0; i + 1 < items.size(); ++i) {
             const bool here = items[i].kind == Item::Kind::word && items[i].word == "noise_generator"_w && items[i + 1].value.kind == Kind::number;
             const double number = items[i + 1].value.c[0];
@@ -47,7 +47,7 @@ namespace {
 void set_usual_gamma(const Parser& p, Build& build) {
     build.uncorrected = !p.version_given || p.version < 3.7 - 1e-9;
     for (const Value& settings : p.globals) {
-        const std::vector<Item>& items = settings.as<Block>().items;
+        const std::span<const Item> items = settings.as<Block>().items;
         for (size_t i = 0; i + 1 < items.size(); ++i) {
             if (items[i].kind != Item::Kind::word || items[i].word != "assumed_gamma"_w) continue;
             const Item& what = items[i + 1];

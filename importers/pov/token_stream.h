@@ -64,7 +64,7 @@ class TokenStream {
         TokenList list;
     };
     std::vector<std::unique_ptr<Unit>> units_;
-    std::vector<Token> room_;                ///< for the lexer
+    TokenRoom room_;
     std::vector<Frame> frames_;
     std::vector<Condition> conditions_;
     Token end_;

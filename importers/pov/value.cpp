@@ -2,6 +2,7 @@
 #include "importers/pov/value.h"
 
 #include <fmt/format.h>
+#include <memory>
 
 namespace alidade::pov {
 
@@ -10,6 +11,20 @@ void destroy(const Shared* unused) { delete unused; }
 Value Value::string(std::string text) { return of(Kind::string, Ref<String>(new String(std::move(text)))); }
 
 const std::string& Value::text() const { return as<String>().text; }
+
+Block::Block(std::span<Item> from, Ref<Meter> counted_by) : meter(std::move(counted_by)) {
+    Item* const first = reinterpret_cast<Item*>(reinterpret_cast<std::byte*>(this) + sizeof(Block));
+    std::uninitialized_move(from.begin(), from.end(), first);
+    items = {first, from.size()};
+    meter->used += items.size() + kWeight;
+    for (const Item& item : items)
+        if (item.value.shared) depth = std::max(depth, item.value.shared->depth + 1);
+}
+
+Block::~Block() {
+    meter->used -= items.size() + kWeight;
+    std::destroy(items.begin(), items.end());
+}
 
 std::string kind_name(const Value& value) {
     switch (value.kind) {

@@ -5,6 +5,7 @@
 #include "importers/pov/lexer.h"
 
 #include <array>
+#include <span>
 #include <utility>
 
 namespace alidade::pov {
@@ -140,25 +141,31 @@ struct Item {
     const Block& block() const { return value.as<Block>(); }
 };
 
-/// `word { items }` with every expression evaluated: what builders read.
+/// `word { items }` with every expression evaluated: what builders read. Most are small and there are many, so the items lie right behind the block.
 struct Block : Shared {
     static constexpr size_t kWeight = 2;    ///< a block takes the memory of so many items besides its own
-    explicit Block(Ref<Meter> m) : meter(std::move(m)) { meter->used += kWeight; }
+    /// Takes what the items hold.
+    static Ref<Block> of(std::span<Item> items, Ref<Meter> meter) { return Ref<Block>(new (Room{items.size()}) Block(items, std::move(meter))); }
     Block(const Block&) = delete;
     Block& operator=(const Block&) = delete;
-    ~Block() override { meter->used -= items.size() + kWeight; }
-    void add(Item item) {
-        if (item.value.shared) depth = std::max(depth, item.value.shared->depth + 1);
-        items.push_back(std::move(item)), ++meter->used;
-    }
+    ~Block() override;
+    static void operator delete(void* block) { ::operator delete(block); }
 
     WordId word = 0;
     Place place;
     uint32_t defaults = 0;            ///< how many #default stood before it: what is left out of a texture comes from them
     float version = 0;                ///< of the language where it stood; 3.7 where no #version was given
-    std::vector<Item> items;
+    std::span<const Item> items;
     Ref<Meter> meter;
     std::vector<Ref<Block>> layers;   ///< further textures of a declared layered texture
+
+  private:
+    struct Room {
+        size_t items;
+    };
+    static void* operator new(size_t size, Room room) { return ::operator new(size + room.items * sizeof(Item)); }
+    static void operator delete(void* block, Room) { ::operator delete(block); }
+    Block(std::span<Item> from, Ref<Meter> meter);
 };
 
 /// A macro: its body is a range of tokens of a file.

@@ -5,39 +5,40 @@
 
 namespace alidade::pov {
 
-namespace {
-
-/// FNV-1a.
-uint32_t hash_of(std::string_view name) {
-    uint32_t hash = 2166136261u;
-    for (const char c : name) hash = (hash ^ static_cast<unsigned char>(c)) * 16777619u;
-    return hash ^ hash >> 15;
-}
-
-}  // namespace
-
-Names::Names() {
-    rehash(4096);
-    for (std::string_view word : kWords) id(word);
-}
-
-void Names::rehash(size_t size) {
-    table_.assign(size, kFree);
-    for (WordId id = 0; id < hashes_.size(); ++id) {
-        size_t at = hashes_[id] & (size - 1);
-        while (table_[at] != kFree) at = (at + 1) & (size - 1);
-        table_[at] = id;
+Names::Names() : texts_(std::begin(kWords), std::end(kWords)) {
+    table_.resize(4096);
+    for (WordId id = 0; id < kWordCount; ++id) {
+        const uint32_t hash = hash_of(kWords[id]);
+        place_of(hash, [](WordId) { return false; }) = {hash, id};
     }
 }
 
-WordId Names::id(std::string_view name) {
-    const uint32_t hash = hash_of(name);
+uint32_t Names::hash_of(std::string_view name) {
+    NameHash hash;
+    for (const char c : name) hash.add(c);
+    return hash.value();
+}
+
+template <class Same>
+Names::Entry& Names::place_of(uint32_t hash, Same same) {
     size_t at = hash & (table_.size() - 1);
-    for (; table_[at] != kFree; at = (at + 1) & (table_.size() - 1))
-        if (const WordId known = table_[at]; hashes_[known] == hash && texts_[known] == name) return known;
+    while (table_[at].id != kFree && !(table_[at].hash == hash && same(table_[at].id))) at = (at + 1) & (table_.size() - 1);
+    return table_[at];
+}
+
+void Names::rehash(size_t size) {
+    std::vector<Entry> before(size);
+    before.swap(table_);
+    for (const Entry& entry : before)
+        if (entry.id != kFree) place_of(entry.hash, [](WordId) { return false; }) = entry;
+}
+
+WordId Names::id(std::string_view name, uint32_t hash) {
+    Entry& entry = place_of(hash, [&](WordId known) { return texts_[known] == name; });
+    if (entry.id != kFree) return entry.id;
     const WordId fresh = WordId(texts_.size());
-    texts_.emplace_back(name), hashes_.push_back(hash);
-    table_[at] = fresh;
+    texts_.push_back(identifiers_.emplace_back(name));
+    entry = {hash, fresh};
     if (2 * texts_.size() > table_.size()) rehash(2 * table_.size());
     return fresh;
 }

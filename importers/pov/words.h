@@ -69,11 +69,23 @@ consteval WordId operator""_w(const char* text, size_t length) {
     return WordId(at - std::begin(kWords));
 }
 
+/// FNV-1a, letter by letter, so that the lexer hashes a name while it looks for its end.
+class NameHash {
+  public:
+    void add(char c) { hash_ = (hash_ ^ static_cast<unsigned char>(c)) * 16777619u; }
+    uint32_t value() const { return hash_ ^ hash_ >> 15; }
+
+  private:
+    uint32_t hash_ = 2166136261u;
+};
+
 /// Names of a scene as numbers: the reserved words first, then identifiers as they are met.
 class Names {
   public:
     Names();
-    WordId id(std::string_view name);
+    WordId id(std::string_view name) { return id(name, hash_of(name)); }
+    /// `hash` is that of the name.
+    WordId id(std::string_view name, uint32_t hash);
     std::string_view text(WordId id) const { return texts_[id]; }
     size_t size() const { return texts_.size(); }
     /// The name nearest to `name` by edit distance (at most a third of its length) among those that `admit`s, or "".
@@ -82,11 +94,19 @@ class Names {
 
   private:
     static constexpr WordId kFree = ~WordId(0);
+    struct Entry {
+        uint32_t hash = 0;
+        WordId id = kFree;
+    };
+    static uint32_t hash_of(std::string_view name);
     void rehash(size_t size);
+    /// Where an entry of this hash stands, or the free place behind those that it could be; `same` tells whether it is the one.
+    template <class Same>
+    Entry& place_of(uint32_t hash, Same same);
 
-    std::deque<std::string> texts_;
-    std::vector<uint32_t> hashes_;     ///< of texts_
-    std::vector<WordId> table_;        ///< a power of two of places, at most half of them taken: a name stands at its hash or behind; asked for every name of a file
+    std::vector<std::string_view> texts_;
+    std::deque<std::string> identifiers_;   ///< what texts_ points to behind the reserved words
+    std::vector<Entry> table_;              ///< a power of two of places, at most half of them taken: a name stands at its hash or behind; asked for every name of a file
 };
 
 /// Insertions, deletions, replacements and swaps of neighbours that turn `a` into `b`, letters without case.

@@ -216,7 +216,7 @@ bool object(Build& build, Cursor& at, Draft& d) {
     const Block* inner = at.any_block();
     if (!inner || !is_object(inner->word)) build.p.fail(at.place(), "an object is expected in object { }");
     at.next();
-    const std::vector<Item>& items = at.block().items;
+    const std::span<const Item> items = at.block().items;
     if (build.shapes_alone || !std::any_of(items.begin(), items.end(), changes_texture)) return reference(build, *inner, d);
     constexpr size_t kMostCopies = 50'000;
     if (build.copying && ++build.copies_of_copies > kMostCopies) build.p.fail_limit(at.block().place, fmt::format("more than {} objects are copied in copies, because their textures change", kMostCopies));
