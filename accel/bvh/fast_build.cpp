@@ -15,8 +15,8 @@ namespace alidade {
 
 namespace {
 
-/// Full leaves that a subtree may hold. With four builds take half longer, and rays no less boxes: what lies above decides.
-constexpr uint32_t kTreeletLeaves = 16;
+/// Full leaves that a subtree may hold. With four builds take half longer, with 16 a tenth, and rays no less boxes: what lies above decides.
+constexpr uint32_t kTreeletLeaves = 64;
 /// Levels of a subtree that are divided by bits; below they are halved. The tree above has kDepthAbove levels, and 32 of halving.
 constexpr uint32_t kBitDepth = 8, kDepthAbove = 40;
 static_assert(kDepthAbove + 32 + kBitDepth + std::bit_width(kTreeletLeaves) <= kBvhDepth);
@@ -44,9 +44,9 @@ struct Coded {
 };
 
 /// By code, then by place, as they are given. Method: least digit first; ranges are counted, then moved, each by one thread.
-void sort_codes(std::vector<Coded>& codes, int threads) {
+void sort_codes(LargeVector<Coded>& codes, int threads) {
     if (codes.size() < kRange) return std::sort(codes.begin(), codes.end());
-    std::vector<Coded> other(codes.size());
+    LargeVector<Coded> other(codes.size());
     std::vector<std::array<uint32_t, kDigits>> next((codes.size() + kRange - 1) / kRange);
     for (int shift = 0; shift < kPasses * kDigitBits; shift += kDigitBits) {
         const auto digit = [shift](const Coded& c) { return c.code >> shift & (kDigits - 1); };
@@ -69,7 +69,7 @@ void sort_codes(std::vector<Coded>& codes, int threads) {
 /// Subtrees of one stretch of the curve.
 template <class R> class Treelets {
   public:
-    Treelets(const LargeVector<BvhReference<R>>& references, std::vector<Coded>& codes, const BvhLimits& limits) : references_(references), codes_(codes), limits_(limits) {}
+    Treelets(const LargeVector<BvhReference<R>>& references, LargeVector<Coded>& codes, const BvhLimits& limits) : references_(references), codes_(codes), limits_(limits) {}
 
     /// Of the references from `first` on, whose codes differ in no bit above `bit`.
     void add(uint32_t first, uint32_t end, int bit) {
@@ -141,7 +141,7 @@ template <class R> class Treelets {
     }
 
     const LargeVector<BvhReference<R>>& references_;
-    std::vector<Coded>& codes_;
+    LargeVector<Coded>& codes_;
     BvhLimits limits_;
 };
 
@@ -242,7 +242,7 @@ template <class R> class FastBuilder {
     BvhLimits limits_;
     std::vector<uint32_t>& order_;
     BuildStats& stats_;
-    std::vector<Coded> codes_;
+    LargeVector<Coded> codes_;
     std::vector<Treelets<R>> stretches_;
     std::vector<std::pair<uint32_t, uint32_t>> roots_;   ///< stretch, node
     LargeVector<BvhNode<R>> nodes_;

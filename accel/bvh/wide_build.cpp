@@ -155,7 +155,17 @@ template <class R> class Widener {
 
     /// The least cost of the children with so many places in all; then whether a place, and a node of its own, is cheaper.
     Joining joined(uint32_t node) const {
-        const Joining &left = joinings_[nodes_[node].first], &right = joinings_[nodes_[node].first + 1];
+        const uint32_t left = nodes_[node].first;
+        Joining best = nodes_[left].leaf() ? beside_leaf(joinings_[left + 1]) : shared_out(joinings_[left], joinings_[left + 1]);
+        best.cost[0] = float(share(node)) + best.cost[kWide - 1];
+        for (uint32_t i = 1; i < kWide; ++i) {
+            if (best.cost[0] < best.cost[i]) best.cost[i] = best.cost[0], best.to_left[i] = 0;
+        }
+        return best;
+    }
+
+    /// Of the ways that cost the same, that with the fewest places on the left.
+    static Joining shared_out(const Joining& left, const Joining& right) {
         Joining best;
         best.cost[0] = std::numeric_limits<float>::infinity();
         for (uint32_t places = 2; places <= kWide; ++places) {
@@ -165,10 +175,13 @@ template <class R> class Widener {
                 if (cost < best.cost[places - 1]) best.cost[places - 1] = cost, best.to_left[places - 1] = uint8_t(lefts);
             }
         }
-        best.cost[0] = float(share(node)) + best.cost[kWide - 1];
-        for (uint32_t i = 1; i < kWide; ++i) {
-            if (best.cost[0] < best.cost[i]) best.cost[i] = best.cost[0], best.to_left[i] = 0;
-        }
+        return best;
+    }
+
+    /// The same where the left child is a leaf, as of every other node: it costs nothing and takes one place, and more places never cost the right child more.
+    static Joining beside_leaf(const Joining& right) {
+        Joining best;
+        for (uint32_t i = 1; i < kWide; ++i) best.cost[i] = right.cost[i - 1], best.to_left[i] = 1;
         return best;
     }
 
@@ -184,7 +197,7 @@ template <class R> class Widener {
     BuildStats& stats_;
     int threads_;
     double root_area_;
-    std::vector<Joining> joinings_;
+    LargeVector<Joining> joinings_;
     std::vector<uint32_t> upper_;
     std::vector<Piece> pieces_;
     LargeVector<WideNode<R>> wide_;

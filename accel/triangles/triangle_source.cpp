@@ -3,16 +3,25 @@
 
 #include "accel/triangles/exact_sign.h"
 
+#include <algorithm>
+
 namespace alidade {
+
+namespace {
+
+template <class R> bool usable(const Vec3& p) { return std::abs(p.x) <= kLargestCoordinate<R> && std::abs(p.y) <= kLargestCoordinate<R> && std::abs(p.z) <= kLargestCoordinate<R>; }
+
+}  // namespace
+
+template <class R> TriangleSource<R>::TriangleSource(const TriangleView& mesh) : mesh_(mesh) {
+    for (uint32_t i = 0; i < mesh.positions.size() && all_usable_; ++i) all_usable_ = usable<R>(position(i));
+}
 
 template <class R> PrimitiveKind TriangleSource<R>::kind(uint32_t id) const {
     const Index3& t = mesh_.triangles[id];
     if (std::max({t.x, t.y, t.z}) >= mesh_.positions.size()) return PrimitiveKind::removed;
     const Corners c = corners(id);
-    for (const Vec3& p : c) {
-        for (int a = 0; a < 3; ++a)
-            if (!(std::abs(p[a]) <= kLargestCoordinate<R>)) return PrimitiveKind::removed;
-    }
+    if (!all_usable_ && !std::all_of(c.begin(), c.end(), usable<R>)) return PrimitiveKind::removed;
     return collinear(c[0], c[1], c[2]) ? PrimitiveKind::removed : PrimitiveKind::bounded;
 }
 

@@ -11,7 +11,7 @@ namespace alidade {
 /// R: the precision in which corners are taken, and kept afterwards.
 template <class R> class TriangleSource {
   public:
-    explicit TriangleSource(const TriangleView& mesh) : mesh_(mesh) {}
+    explicit TriangleSource(const TriangleView& mesh);
 
     size_t size() const { return mesh_.triangles.size(); }
     /// Removed are triangles that name a missing vertex, have a coordinate that is not finite or too large, or have no area.
@@ -46,6 +46,7 @@ template <class R> class TriangleSource {
     Vec3 position(uint32_t i) const { return exact() ? quantized(mesh_.exact_positions[i]) : Vec3(mesh_.positions[i]); }
 
     TriangleView mesh_;
+    bool all_usable_ = true;   ///< no position is too large, or not finite: most meshes have none, and each is in six triangles
 };
 
 extern template class TriangleSource<float>;
