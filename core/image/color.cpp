@@ -6,8 +6,10 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cmath>
 #include <fmt/format.h>
+#include <limits>
 
 namespace alidade {
 
@@ -41,16 +43,33 @@ tl::expected<Picture, std::string> colors_alone(Picture picture) {
 namespace image {
 namespace {
 
-/// The code whose encoded value k / 255 is nearest to linear_to_srgb(`linear`). Asked of the inverse curve at the 255 midpoints, so it is
-/// monotonic by construction and costs eight comparisons, not a power.
-uint8_t srgb_code(float linear) {
-    static const auto midpoints = [] {
-        std::array<float, 255> table{};
-        for (size_t k = 0; k < table.size(); ++k) table[k] = float(srgb_to_linear((double(k) + 0.5) / 255));
-        return table;
-    }();
-    return uint8_t(std::upper_bound(midpoints.begin(), midpoints.end(), linear) - midpoints.begin());
-}
+/// The code whose encoded value k / 255 is nearest to linear_to_srgb(a linear value). Asked of the inverse curve at the 255 midpoints, so it is monotonic by construction and needs no power;
+/// a value's exponent and five digits more tell all but the last two steps.
+class SrgbCodes {
+  public:
+    SrgbCodes() {
+        for (size_t k = 0; k < kMidpoints; ++k) midpoints_[k] = float(srgb_to_linear((double(k) + 0.5) / 255));
+        midpoints_[kMidpoints] = std::numeric_limits<float>::infinity();
+        for (uint32_t i = 0; i < kSteps; ++i) {
+            const float least = std::bit_cast<float>((kFirst + i) << kDropped);
+            first_[i] = uint8_t(std::upper_bound(midpoints_.begin(), midpoints_.end(), least) - midpoints_.begin());
+        }
+    }
+    uint8_t of(float linear) const {
+        if (!(linear > kLeast)) return 0;
+        if (linear >= 1) return 255;
+        uint8_t code = first_[(std::bit_cast<uint32_t>(linear) >> kDropped) - kFirst];
+        while (linear >= midpoints_[code]) ++code;
+        return code;
+    }
+
+  private:
+    static constexpr float kLeast = 0x1p-13f;   // below the first midpoint
+    static constexpr size_t kMidpoints = 255;
+    static constexpr uint32_t kDropped = 18, kFirst = std::bit_cast<uint32_t>(kLeast) >> kDropped, kSteps = (std::bit_cast<uint32_t>(1.0f) >> kDropped) - kFirst;
+    std::array<float, kMidpoints + 1> midpoints_{};
+    std::array<uint8_t, kSteps> first_{};
+};
 
 uint8_t linear_code(float value) { return uint8_t(std::lround(std::clamp(value, 0.0f, 1.0f) * 255)); }
 
@@ -78,25 +97,24 @@ bool is_transparent(const Picture& picture, const ColorChannels& colors) {
 
 std::vector<float> straight_colors(const Picture& picture, const ColorChannels& colors, bool with_alpha) {
     const size_t pixels = size_t(picture.width) * size_t(picture.height);
-    std::vector<float> out;
-    out.reserve(pixels * size_t(colors.count + with_alpha));
+    std::vector<float> out(pixels * size_t(colors.count + with_alpha));
+    float* to = out.data();
     for (size_t p = 0; p < pixels; ++p) {
         const float* pixel = &picture.values[p * size_t(picture.channels)];
         const float alpha = colors.alpha < 0 ? 1.0f : pixel[colors.alpha];
-        for (int c = 0; c < colors.count; ++c) out.push_back(alpha == 0 || alpha == 1 ? pixel[colors.index[c]] : pixel[colors.index[c]] / alpha);
-        if (with_alpha) out.push_back(alpha);
+        for (int c = 0; c < colors.count; ++c) *to++ = alpha == 0 || alpha == 1 ? pixel[colors.index[c]] : pixel[colors.index[c]] / alpha;
+        if (with_alpha) *to++ = alpha;
     }
     return out;
 }
 
 std::vector<uint8_t> encode_8bit(const Picture& picture, const ColorChannels& colors, bool with_alpha) {
+    static const SrgbCodes srgb;
     const std::vector<float> values = straight_colors(picture, colors, with_alpha);
-    const size_t channels = size_t(colors.count + with_alpha);
     std::vector<uint8_t> codes(values.size());
-    for (size_t i = 0; i < values.size(); ++i) {
-        if (std::isnan(values[i])) continue;
-        const bool is_alpha = with_alpha && i % channels == channels - 1;
-        codes[i] = is_alpha ? linear_code(values[i]) : srgb_code(values[i]);
+    for (size_t i = 0; i < values.size();) {
+        for (int c = 0; c < colors.count; ++c, ++i) codes[i] = srgb.of(values[i]);
+        if (with_alpha) codes[i] = std::isnan(values[i]) ? uint8_t(0) : linear_code(values[i]), ++i;
     }
     return codes;
 }

@@ -95,6 +95,23 @@ TEST_F(ImageFiles, PngCodesAreTheNearestOnTheStandardCurve) {
     for (size_t i = 0; i < std::size(rows); ++i) EXPECT_EQ(std::lround(read->at(int(i), 0)[1] * 255), rows[i].code) << rows[i].linear;
 }
 
+/// On either side of the value that is halfway between two codes, one step of a float away.
+TEST_F(ImageFiles, PngCodesChangeHalfwayBetweenTwo) {
+    Picture picture(255, 2, {"R", "G", "B"});
+    for (int k = 0; k < 255; ++k) {
+        const float halfway = float(srgb_to_linear((k + 0.5) / 255));
+        std::fill_n(picture.at(k, 0), 3, std::nextafter(halfway, 0.0f));
+        std::fill_n(picture.at(k, 1), 3, halfway);
+    }
+    ASSERT_TRUE(write_picture(path("a.png"), picture));
+    const auto read = read_picture(path("a.png"), Encoding::linear);
+    ASSERT_TRUE(read) << read.error();
+    for (int k = 0; k < 255; ++k) {
+        EXPECT_EQ(std::lround(read->at(k, 0)[1] * 255), k);
+        EXPECT_EQ(std::lround(read->at(k, 1)[1] * 255), k + 1);
+    }
+}
+
 /// All 256 codes come back as themselves, in every channel: decoding and encoding are inverses.
 TEST_F(ImageFiles, PngReadThenWrittenIsTheSamePicture) {
     Picture picture(256, 1, {"R", "G", "B"});
