@@ -20,10 +20,12 @@ namespace alidade::HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 using Four = hn::FixedTag<double, 4>;   // x, y, z, and a lane that decides nothing
 using V = hn::Vec<Four>;
+constexpr uint64_t kExponent = 0x7ffull << 52, kExponentOfOne = 1023ull << 52;   // of the bits of a double
 
 HWY_INLINE HWY_ATTR V first_three(V v, double last) { return hn::IfThenElse(hn::FirstN(Four(), 3), v, hn::Set(Four(), last)); }
 HWY_INLINE HWY_ATTR double greatest(V v) { return hn::GetLane(hn::MaxOfLanes(Four(), v)); }
-HWY_INLINE HWY_ATTR double least(V v) { return hn::GetLane(hn::MinOfLanes(Four(), v)); }
+/// One by one: a ray was written so just before, and a vector that reaches over several writes would wait for all of them.
+HWY_INLINE HWY_ATTR V three(const Vec3& v, double last) { return V{_mm256_setr_pd(v.x, v.y, v.z, last)}; }
 
 HWY_INLINE HWY_ATTR V quantized_lanes(V v) {
     const Four d;
@@ -34,18 +36,20 @@ HWY_INLINE HWY_ATTR V quantized_lanes(V v) {
 /// along an axis, or very long or short.
 HWY_ATTR bool vector_local_ray(const Ray& ray, const Bounds& bounds, bool move, LocalRay& local) {
     const Four d;
-    const V given = hn::LoadU(d, &ray.dir.x), inverse = hn::Div(hn::Set(d, 1), first_three(given, 1));
-    const int exponent = int(std::bit_cast<uint64_t>(greatest(hn::Abs(first_three(given, 0)))) >> 52) - 1023;
-    if (exponent < -300 || exponent > 300) return false;
-    const double to_local = power_of_two(exponent), to_caller = power_of_two(-exponent);
-    const V dir = first_three(hn::Mul(given, hn::Set(d, to_caller)), 1);
-    if (!(least(hn::Abs(dir)) >= kSmallestSlope<float>)) return false;
+    const hn::RebindToUnsigned<Four> bits;
+    const V given = three(ray.dir, 0), inverse = hn::Div(hn::Set(d, 1), first_three(given, 1));
+    const auto exponent = hn::And(hn::BitCast(bits, hn::MaxOfLanes(d, hn::Abs(given))), hn::Set(bits, kExponent));   // of the largest component, in all lanes
+    const double to_local = hn::GetLane(hn::BitCast(d, exponent));
+    if (!(to_local >= 0x1p-300 && to_local <= 0x1p300)) return false;
+    const V scale = hn::BitCast(d, hn::Sub(hn::Set(bits, 2 * kExponentOfOne), exponent)), dir = first_three(hn::Mul(given, scale), 1);
+    if (!hn::AllTrue(d, hn::Ge(hn::Abs(dir), hn::Set(d, kSmallestSlope<float>)))) return false;
+    const double to_caller = hn::GetLane(scale);
 
     alignas(32) static constexpr int64_t kFromZ[4] = {1, 2, 3, 3};   // a box is six numbers, one after the other
     constexpr double kMost = std::numeric_limits<double>::max();
     const V low = first_three(hn::LoadU(d, &bounds.min.x), -kMost);
     const V high = first_three(hn::TableLookupLanes(hn::LoadU(d, &bounds.min.z), hn::SetTableIndices(d, kFromZ)), kMost);
-    V origin = quantized_lanes(first_three(hn::LoadU(d, &ray.origin.x), 0));
+    V origin = quantized_lanes(three(ray.origin, 0));
     const V e = hn::Add(hn::Mul(hn::Abs(origin), hn::Set(d, 4 * kUnitRoundoff<double>)), hn::Set(d, kOriginPad<double>));
     const V a = hn::Mul(hn::Sub(low, hn::Add(origin, e)), inverse), b = hn::Mul(hn::Sub(high, hn::Sub(origin, e)), inverse);
     const V enter = hn::Min(a, b), leave = hn::Max(a, b), near = hn::MaxOfLanes(d, enter), far = hn::MinOfLanes(d, leave);
