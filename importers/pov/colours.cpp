@@ -30,12 +30,13 @@ const ColourWord* find_colour_word(const Token& token) {
     return nullptr;
 }
 
+/// `alpha` is an old name of `filter`.
 int component_of(const Token& token) {
     static constexpr WordId kOrder[] = {"red"_w, "green"_w, "blue"_w, "filter"_w, "transmit"_w};
     if (token.kind == TokenKind::word)
         for (int i = 0; i < 5; ++i)
             if (token.id == kOrder[i]) return i;
-    return -1;
+    return token.is_word("alpha"_w) ? 3 : -1;
 }
 
 /// IEC 61966-2-1. POV-Ray works in linear values with assumed_gamma 1; other gammas are applied when the scene is built.
@@ -44,9 +45,9 @@ double srgb_to_linear(double value) {
     return double(v <= 0.04045f ? v / 12.92f : std::pow((v + 0.055f) / 1.055f, 2.4f));
 }
 
-Value from_word(Parser& p, const ColourWord& entry) {
+Value from_word(Parser& p, const ColourWord& entry, Standing standing) {
     const Place at = p.peek().place();
-    const Value given = parse_expression(p);
+    const Value given = parse_expression(p, standing);
     if (!given.numeric()) p.fail(at, fmt::format("a colour is expected, not {}", kind_name(given)));
     if (given.terms > entry.terms && given.kind == Kind::vector) p.warn(at, fmt::format("{} components stand behind {}", given.terms, kWords[entry.word]));
     std::array<double, 5> c = promoted(given, entry.terms);
@@ -61,32 +62,32 @@ Value from_word(Parser& p, const ColourWord& entry) {
 bool begins_colour(const Token& token) {
     static const std::array<bool, kWordCount> begins = [] {
         std::array<bool, kWordCount> all{};
-        for (WordId word : {"color"_w, "colour"_w, "red"_w, "green"_w, "blue"_w, "filter"_w, "transmit"_w}) all[word] = true;
+        for (WordId word : {"color"_w, "colour"_w, "red"_w, "green"_w, "blue"_w, "filter"_w, "transmit"_w, "alpha"_w}) all[word] = true;
         for (const ColourWord& entry : kWordsOfColour) all[entry.word] = true;
         return all;
     }();
     return token.kind == TokenKind::word && begins[token.id];
 }
 
-Value parse_colour_components(Parser& p, Value colour) {
+Value parse_colour_components(Parser& p, Value colour, Standing standing) {
     for (;;) {
-        const int index = component_of(p.peek());
+        const int index = component_of(peek_behind(p, standing));
         if (index < 0) return colour;
         p.next();
-        colour.c[index] = double(float(parse_float(p)));
+        colour.c[index] = double(float(parse_float(p, standing)));
     }
 }
 
-Value parse_colour(Parser& p) {
+Value parse_colour(Parser& p, Standing standing) {
     Token token = p.next();
     const Nested nested(p, token.place());
     if (token.is_word("color"_w) || token.is_word("colour"_w)) token = p.next();
-    if (const ColourWord* entry = find_colour_word(token)) return parse_colour_components(p, from_word(p, *entry));
+    if (const ColourWord* entry = find_colour_word(token)) return parse_colour_components(p, from_word(p, *entry, standing), standing);
     p.put_back(token);
-    if (component_of(token) >= 0) return parse_colour_components(p, Value::colour({}));
-    const Value given = parse_expression(p);
+    if (component_of(token) >= 0) return parse_colour_components(p, Value::colour({}), standing);
+    const Value given = parse_expression(p, standing);
     if (!given.numeric()) p.fail(token.place(), fmt::format("a colour is expected, not {}", kind_name(given)));
-    return parse_colour_components(p, Value::colour(promoted(given, 5)));
+    return parse_colour_components(p, Value::colour(promoted(given, 5)), standing);
 }
 
 }  // namespace alidade::pov

@@ -78,3 +78,16 @@
 declare A = 7;
 default { finish { ambient 1 } }
 #debug concat(str(A, 0, 0), "\n")                           // expect 7
+//---- alpha is an old name of filter
+#declare C = color red 1 alpha .25;
+#debug concat(vstr(5, C, ",", 0, 2), "\n")                 // expect 1.00,0.00,0.00,0.25,0.00
+#declare D = alpha .5;
+#debug concat(vstr(5, D, ",", 0, 2), "\n")                 // expect 0.00,0.00,0.00,0.50,0.00
+//---- before version 1.5 operators stand in brackets alone
+#version 1.49
+#declare V = <1 -1 3>
+#debug concat(vstr(3, V, ",", 0, 0), "\n")                 // expect 1,-1,3
+#declare S = (2+3)
+#debug concat(str(S, 0, 0), "\n")                          // expect 5
+#version 1.5
+#debug concat(vstr(3, <1 -1 3>, ",", 0, 0), "\n")          // expect 0,3,0
