@@ -3,6 +3,7 @@
 #include "importers/pov/expressions.h"
 #include "importers/pov/operators.h"
 
+#include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
 
@@ -39,10 +40,28 @@ int component_of(const Token& token) {
     return token.is_word("alpha"_w) ? 3 : -1;
 }
 
-/// IEC 61966-2-1. POV-Ray works in linear values with assumed_gamma 1; other gammas are applied when the scene is built.
-double srgb_to_linear(double value) {
-    const float v = float(value);            // single precision throughout, as POV-Ray calculates it
-    return double(v <= 0.04045f ? v / 12.92f : std::pow((v + 0.055f) / 1.055f, 2.4f));
+constexpr double kSrgb = 0;
+
+/// What the scene's numbers mean, by the first `assumed_gamma` so far: powers of light, or kSrgb.
+double working_gamma(const Parser& p) {
+    for (const Value& settings : p.globals) {
+        const std::span<const Item> items = settings.as<Block>().items;
+        for (size_t i = 0; i + 1 < items.size(); ++i) {
+            if (items[i].kind != Item::Kind::word || items[i].word != "assumed_gamma"_w) continue;
+            const Item& given = items[i + 1];
+            return given.kind == Item::Kind::value && given.value.kind == Kind::number ? given.value.c[0] : kSrgb;
+        }
+    }
+    return 1;
+}
+
+/// A component in sRGB (IEC 61966-2-1) as a number of the scene: in single precision throughout, as POV-Ray calculates it.
+double from_srgb(double value, double gamma) {
+    constexpr double kNeutral = 0.01;        // so near to 1 a gamma counts as 1
+    const float v = float(value);
+    if (gamma == kSrgb) return double(v);
+    const float linear = v <= 0.04045f ? v / 12.92f : std::pow((v + 0.055f) / 1.055f, 2.4f);
+    return std::abs(gamma - 1) <= kNeutral ? double(linear) : double(std::pow(std::max(linear, 0.0f), float(1 / gamma)));
 }
 
 Value from_word(Parser& p, const ColourWord& entry, Standing standing) {
@@ -53,7 +72,7 @@ Value from_word(Parser& p, const ColourWord& entry, Standing standing) {
     std::array<double, 5> c = promoted(given, entry.terms);
     if (entry.transmit_only && given.kind != Kind::colour && given.terms <= 4) c[4] = c[3], c[3] = 0;
     if (entry.srgb)
-        for (int i = 0; i < 3; ++i) c[i] = srgb_to_linear(c[i]);
+        for (int i = 0; i < 3; ++i) c[i] = from_srgb(c[i], working_gamma(p));
     return Value::colour(c);
 }
 

@@ -221,6 +221,7 @@ std::vector<PovPicture> other_pictures() {
         {"ColouredShadows", usual + "plane { y, -2 pigment { rgb 1 } } sphere { <0,1,0>, 1 pigment { rgbf <1,.3,.2,.8> } } sphere { <2,1,0>, .6 pigment { rgb 1 } no_shadow }"},
         {"Layers", usual + sphere + "texture { pigment { rgb <.2,.3,1> } finish { reflection .2 phong .6 } } texture { pigment { rgbft <1,.6,.2,.4,.3> } finish { ambient .3 specular .5 } } }"},
         {"OldVersion", "camera { location <0,2,-6> look_at <0,.5,0> angle 50 right -1.2*x }\n" + kSun + "background { rgb .4 } " + sphere + "pigment { rgbft <.5,.8,.9,.5,.1> } }"},
+        {"SrgbColoursOfGamma22", "#version 3.7; global_settings { assumed_gamma 2.2 }" + kView + kSun + "sphere { <-1,.5,0>, 1 pigment { srgb <.8,.3,.5> } } sphere { <1,.5,0>, 1 pigment { srgbft <.8,.6,.2,.3,.2> } finish { ambient srgb .3 } } plane { y, -1 pigment { checker srgb .5 srgb <.1,.02,.7> } }"},
         {"Gamma22", "#version 3.6; global_settings { assumed_gamma 2.2 ambient_light <2,1,.5> }" + kView + kSun + sphere + "pigment { rgb <.5,.7,.6> } }"},
         {"Spotlights", kHead + kView + "light_source { <5,8,-6> rgb 1.2 spotlight radius 12 falloff 22 tightness 3 point_at 0 fade_distance 8 fade_power 2 } light_source { <-5,4,-6> rgb <.2,.3,.6> parallel point_at "
                              "0 } light_source { <0,9,0> rgb .2 shadowless } plane { y, -1 pigment { rgb .7 } finish { phong .5 } } sphere { 0, .8 pigment { rgb 1 } finish { phong 1 } }"},
