@@ -178,6 +178,12 @@ TEST_F(PovBuilders, SettingsDependOnTheVersion) {
     EXPECT_THAT(said(twice), HasSubstr("assumed_gamma was given before"));
 }
 
+TEST_F(PovBuilders, AnInteriorReadsRefractionAndRefractsAllTheSame) {
+    const std::string text = "sphere { 0, 1 interior { refraction .5 ior 1.5 } }";
+    EXPECT_EQ(said(text), "");
+    EXPECT_EQ(scene(text).interiors.at(0).ior, 1.5);
+}
+
 TEST_F(PovBuilders, WhatIsNotModelledIsSaidOnceWithItsCount) {
     const std::string text = "#version 3.7;\n#for(I, 1, 3) isosurface { function { x } } #end\nmedia { emission 3 }\nsphere { 0, 1 photons { target } pigment { aoi } cutaway_textures }";
     const std::string messages = said(text);
