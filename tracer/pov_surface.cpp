@@ -191,23 +191,29 @@ Color PovSurface::film(const PovFinish& f, double nl, double nd) const {
     return Color(1) + f.irid * Color(std::cos(phase.x), std::cos(phase.y), std::cos(phase.z));
 }
 
+/// The same of what a mirror brings, ahead of the exponent of the reflection: as a factor of what comes out of that.
+Color PovSurface::mirroring_film(const PovFinish& f, double nr, double nd) const {
+    const Color factor = film(f, nr, nd);
+    return f.reflection_exponent == 1 ? factor : glm::pow(glm::max(factor, Color(0)), Color(1 / f.reflection_exponent));
+}
+
 Color PovSurface::lit(const PovLayer& layer, const Vec3& wi, double nl, bool highlights) const {
     const PovFinish& f = *layer.finish;
     const bool back = nl < kEpsilon && !double_illuminate_;
     const double diffuse = back ? f.diffuse_back : f.diffuse;
     Color sum(0);
-    if (diffuse != 0) {
+    if (diffuse > 0) {              // negative numbers count as none, also below
         double intensity = (f.brilliance == 1 ? std::abs(nl) : std::pow(std::abs(nl), f.brilliance)) * diffuse * layer.opacity;
         if (f.crand > 0) intensity -= f.crand * grain(wi);
         sum = layer.color * intensity;
     }
     if (back || !highlights) return sum;
     double highlight = 0;
-    if (f.phong != 0) {
+    if (f.phong > 0) {
         const double k = dot(dir_ - layer.normal * (2 * dot(dir_, layer.normal)), wi);
         if (k > 0 && (f.phong_size < 60 || k > 0.0008)) highlight += f.phong * std::pow(k, f.phong_size);
     }
-    if (f.specular != 0) {
+    if (f.specular > 0) {
         const Vec3 h = wi - dir_;
         const double size = length(h), k = size > 0 ? dot(h, layer.normal) / size : 0;
         if (k > 0) highlight += f.specular * std::pow(k, 1 / f.roughness);
@@ -237,14 +243,14 @@ Vec3 PovSurface::mirrored(const Vec3& normal, const Vec3& facing) const {
 
 /// One ray for all layers of a texture that have the normal and the exponent of the layer `first`. A layer's share is not dimmed by those above it, but whether it is followed depends on them.
 void PovSurface::add_reflection(const CompiledScene& scene, const PovTexture& texture, size_t first, const RayState& state, double relative_ior, const Vec3& facing, Secondaries& out) const {
-    const Vec3& normal = layers_[first].normal;
+    const Vec3 &normal = layers_[first].normal, out_dir = mirrored(normal, facing);
     const double cosine = -dot(dir_, normal);
     Color weight(0);
     double importance = 0;
     for (size_t i = first; i < texture.end; ++i) {
         const PovLayer& l = layers_[i];
         if (!is_mirror(*l.finish) || !reflect_alike(l, layers_[first])) continue;
-        const Color plain = reflectivity(l, cosine, relative_ior), r = l.finish->irid != 0 ? plain * film(*l.finish, cosine, cosine) : plain;
+        const Color plain = reflectivity(l, cosine, relative_ior), r = l.finish->irid != 0 ? plain * mirroring_film(*l.finish, dot(out_dir, normal), cosine) : plain;
         const Color most = l.finish->reflection_fresnel ? plain : glm::max(l.finish->reflection_max, l.finish->reflection_min);
         const double own = std::min(1.0, std::abs(pov_grey(l.above))) * max_component(most);
         if (is_black(r) || state.importance * own < scene.scene.settings.adc_bailout) continue;
@@ -252,7 +258,7 @@ void PovSurface::add_reflection(const CompiledScene& scene, const PovTexture& te
         importance = std::max(importance, own);
     }
     if (is_black(weight)) return;
-    out.push_back({mirrored(normal, facing), weight * texture.share, RayKind::reflection, state.inside, importance, false, 1 / layers_[first].finish->reflection_exponent});
+    out.push_back({out_dir, weight * texture.share, RayKind::reflection, state.inside, importance, false, 1 / layers_[first].finish->reflection_exponent});
 }
 
 /// `totally`: the normal by which light is mirrored already, whatever the layers say; null: none.

@@ -50,6 +50,7 @@ class PovSurface {
     void add_layers(const CompiledScene& scene, const ShadePoint& point, const Material& material, double share, const PatternFrame& frame);
     Color lit(const PovLayer& layer, const Vec3& wi, double nl, bool highlights) const;
     Color film(const PovFinish& finish, double nl, double nd) const;
+    Color mirroring_film(const PovFinish& finish, double nr, double nd) const;
     Vec3 mirrored(const Vec3& normal, const Vec3& facing) const;
     Passage passage(const CompiledScene& scene, const ShadePoint& point, const RayState& state) const;
     void add_texture(const CompiledScene& scene, const PovTexture& texture, const Passage& passage, const RayState& state, const Vec3& facing, Secondaries& out) const;

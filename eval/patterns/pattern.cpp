@@ -55,7 +55,7 @@ tl::expected<Pattern, std::string> Pattern::make(const PatternSignal& signal, Pa
     in.noise = signal.noise;
     in.frequency = single(signal.frequency.value_or(out.row_->frequency));
     in.phase = single(signal.phase);
-    out.frequency_ = out.row_->frequency == 0 ? 0 : in.frequency;
+    out.frequency_ = in.frequency;
     out.wave_ = signal.wave.value_or(out.row_->wave);
     out.wave_exponent_ = single(signal.wave_exponent);
     out.displaced_ = out.row_->displaced && in.turbulence.amount != Vec3(0);

@@ -44,7 +44,7 @@ struct PatternOps {
     std::span<const PatternParameter> parameters;
     double (*value)(const Vec3& p, const PatternInput& in);   ///< before frequency, phase and wave; null where a pattern has no number (`average`, `facets`) or a source for it
     Wave wave = Wave::ramp;                                   ///< what it has if nothing else is asked for
-    double frequency = 1;                                     ///< 0: a pattern of blocks, which knows neither frequency nor phase
+    double frequency = 1;                                     ///< 0: a pattern of blocks, which knows neither frequency nor phase unless a frequency is given
     bool displaced = true;                                    ///< turbulence moves the point; if not, the pattern uses it by itself
     void (*prepare)(PatternInput& in) = nullptr;              ///< what is worth doing once
     /// The unit normal `n`, bent by a relief of its own; null where the value's slope bends it. Not a unit vector.

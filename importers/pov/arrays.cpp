@@ -34,7 +34,7 @@ Value parse_array(Parser& p, Place at) {
     const Nested nested(p, at);
     std::vector<uint32_t> sizes;
     uint64_t elements = 1;
-    while (p.peek_in_value().is('[')) {
+    while (p.peek_behind_value().is('[')) {
         p.next();
         const Place here = p.peek().place();
         const double size = parse_float(p);
@@ -49,7 +49,7 @@ Value parse_array(Parser& p, Place at) {
     if (sizes.empty()) p.fail(p.peek().place(), "the size of the array is expected in [ ]");
     Ref<Array> array(new Array(p.elements));
     array->resize(std::move(sizes), elements);
-    if (p.peek_in_value().is('{')) parse_initialisers(p, *array, 0, 0, elements);
+    if (p.peek_behind_value().is('{')) parse_initialisers(p, *array, 0, 0, elements);
     return Value::of(Kind::array, array);
 }
 

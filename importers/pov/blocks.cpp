@@ -138,7 +138,7 @@ Value parse_block(Parser& p, WordId word, Place at) {
 
 Value parse_declared_block(Parser& p, const Token& word) {
     Value value = parse_block(p, word.id, word.place());
-    while (word.id == "texture"_w && p.peek_in_value().is_word("texture"_w)) {
+    while (word.id == "texture"_w && p.peek_behind_value().is_word("texture"_w)) {
         const Token next = p.next();
         const Value layer = parse_block(p, next.id, next.place());
         value.as<Block>().layers.emplace_back(&layer.as<Block>());

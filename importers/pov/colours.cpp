@@ -3,6 +3,7 @@
 #include "importers/pov/expressions.h"
 #include "importers/pov/operators.h"
 
+#include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
 
@@ -30,29 +31,48 @@ const ColourWord* find_colour_word(const Token& token) {
     return nullptr;
 }
 
+/// `alpha` is an old name of `filter`.
 int component_of(const Token& token) {
     static constexpr WordId kOrder[] = {"red"_w, "green"_w, "blue"_w, "filter"_w, "transmit"_w};
     if (token.kind == TokenKind::word)
         for (int i = 0; i < 5; ++i)
             if (token.id == kOrder[i]) return i;
-    return -1;
+    return token.is_word("alpha"_w) ? 3 : -1;
 }
 
-/// IEC 61966-2-1. POV-Ray works in linear values with assumed_gamma 1; other gammas are applied when the scene is built.
-double srgb_to_linear(double value) {
-    const float v = float(value);            // single precision throughout, as POV-Ray calculates it
-    return double(v <= 0.04045f ? v / 12.92f : std::pow((v + 0.055f) / 1.055f, 2.4f));
+constexpr double kSrgb = 0;
+
+/// What the scene's numbers mean, by the first `assumed_gamma` so far: powers of light, or kSrgb.
+double working_gamma(const Parser& p) {
+    for (const Value& settings : p.globals) {
+        const std::span<const Item> items = settings.as<Block>().items;
+        for (size_t i = 0; i + 1 < items.size(); ++i) {
+            if (items[i].kind != Item::Kind::word || items[i].word != "assumed_gamma"_w) continue;
+            const Item& given = items[i + 1];
+            return given.kind == Item::Kind::value && given.value.kind == Kind::number ? given.value.c[0] : kSrgb;
+        }
+    }
+    return 1;
 }
 
-Value from_word(Parser& p, const ColourWord& entry) {
+/// A component in sRGB (IEC 61966-2-1) as a number of the scene: in single precision throughout, as POV-Ray calculates it.
+double from_srgb(double value, double gamma) {
+    constexpr double kNeutral = 0.01;        // so near to 1 a gamma counts as 1
+    const float v = float(value);
+    if (gamma == kSrgb) return double(v);
+    const float linear = v <= 0.04045f ? v / 12.92f : std::pow((v + 0.055f) / 1.055f, 2.4f);
+    return std::abs(gamma - 1) <= kNeutral ? double(linear) : double(std::pow(std::max(linear, 0.0f), float(1 / gamma)));
+}
+
+Value from_word(Parser& p, const ColourWord& entry, Standing standing) {
     const Place at = p.peek().place();
-    const Value given = parse_expression(p);
+    const Value given = parse_expression(p, standing);
     if (!given.numeric()) p.fail(at, fmt::format("a colour is expected, not {}", kind_name(given)));
     if (given.terms > entry.terms && given.kind == Kind::vector) p.warn(at, fmt::format("{} components stand behind {}", given.terms, kWords[entry.word]));
     std::array<double, 5> c = promoted(given, entry.terms);
     if (entry.transmit_only && given.kind != Kind::colour && given.terms <= 4) c[4] = c[3], c[3] = 0;
     if (entry.srgb)
-        for (int i = 0; i < 3; ++i) c[i] = srgb_to_linear(c[i]);
+        for (int i = 0; i < 3; ++i) c[i] = from_srgb(c[i], working_gamma(p));
     return Value::colour(c);
 }
 
@@ -61,32 +81,32 @@ Value from_word(Parser& p, const ColourWord& entry) {
 bool begins_colour(const Token& token) {
     static const std::array<bool, kWordCount> begins = [] {
         std::array<bool, kWordCount> all{};
-        for (WordId word : {"color"_w, "colour"_w, "red"_w, "green"_w, "blue"_w, "filter"_w, "transmit"_w}) all[word] = true;
+        for (WordId word : {"color"_w, "colour"_w, "red"_w, "green"_w, "blue"_w, "filter"_w, "transmit"_w, "alpha"_w}) all[word] = true;
         for (const ColourWord& entry : kWordsOfColour) all[entry.word] = true;
         return all;
     }();
     return token.kind == TokenKind::word && begins[token.id];
 }
 
-Value parse_colour_components(Parser& p, Value colour) {
+Value parse_colour_components(Parser& p, Value colour, Standing standing) {
     for (;;) {
-        const int index = component_of(p.peek());
+        const int index = component_of(peek_behind(p, standing));
         if (index < 0) return colour;
         p.next();
-        colour.c[index] = double(float(parse_float(p)));
+        colour.c[index] = double(float(parse_float(p, standing)));
     }
 }
 
-Value parse_colour(Parser& p) {
+Value parse_colour(Parser& p, Standing standing) {
     Token token = p.next();
     const Nested nested(p, token.place());
     if (token.is_word("color"_w) || token.is_word("colour"_w)) token = p.next();
-    if (const ColourWord* entry = find_colour_word(token)) return parse_colour_components(p, from_word(p, *entry));
+    if (const ColourWord* entry = find_colour_word(token)) return parse_colour_components(p, from_word(p, *entry, standing), standing);
     p.put_back(token);
-    if (component_of(token) >= 0) return parse_colour_components(p, Value::colour({}));
-    const Value given = parse_expression(p);
+    if (component_of(token) >= 0) return parse_colour_components(p, Value::colour({}), standing);
+    const Value given = parse_expression(p, standing);
     if (!given.numeric()) p.fail(token.place(), fmt::format("a colour is expected, not {}", kind_name(given)));
-    return parse_colour_components(p, Value::colour(promoted(given, 5)));
+    return parse_colour_components(p, Value::colour(promoted(given, 5)), standing);
 }
 
 }  // namespace alidade::pov

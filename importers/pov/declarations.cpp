@@ -31,7 +31,7 @@ Ref<Slot> element(Parser& p, const Token& name) {
 /// Behind floats, vectors and colours a semicolon must stand; behind all else it may.
 void end_declaration(Parser& p, bool needs_semicolon, const Token& name) {
     // Not peek(): it would obey the next #declare inside of this one, and that the next, until nothing nests any deeper.
-    const Token behind = p.peek_in_value();
+    const Token behind = p.peek_behind_value();
     if (behind.is(';')) return void(p.next());
     if (!needs_semicolon) return;
     if (p.version >= 3.5) p.fail(behind.place(), fmt::format("; is expected behind the value of {}, not {}", p.names.text(name.id), p.describe(behind)));
@@ -49,7 +49,7 @@ void declare(Parser& p, const Token& directive) {
     if (!into && !local) into = Ref<Slot>(p.symbols.find(name.id));    // now: a macro in the value may hide the name
     p.expect('=', "behind the name that is declared");
     const Place at = p.peek().place();
-    Value value = parse_value(p);
+    Value value = parse_value(p, Standing::in_declaration);
     if (value.kind == Kind::nothing) p.fail(at, "this has no value");
     if (value.kind == Kind::array) value = owned(p, std::move(value), at);
     Slot& slot = into ? *into : local ? p.symbols.local(name.id, depth) : p.symbols.global(name.id);
@@ -65,14 +65,14 @@ void undefine(Parser& p, const Token&) {
     if (!p.symbols.undefine(name.id)) p.warn(name.place(), fmt::format("{} is not declared, so #undef has nothing to do", p.names.text(name.id)));
 }
 
-void set_version(Parser& p, const Token& directive) {
+void set_version(Parser& p) {
+    if (p.peek().kind == TokenKind::name && p.names.text(p.peek().id) == "unofficial") p.next();   // a patched POV-Ray's own language
     const Place at = p.peek().place();
-    const double version = parse_float(p);
-    p.accept(';');
+    const double version = parse_float(p, Standing::in_declaration);    // holds for what stands behind it
     if (!(version >= 1 && version <= 3.7 + 1e-9)) p.warn(at, fmt::format("the language of version {} is not known, the scene is read as one of 3.7", version));
     p.version = std::clamp(version, 1.0, 3.7);
     p.version_given = true;
-    (void)directive;
+    if (p.peek_behind_value().is(';')) p.next();
 }
 
 }  // namespace
@@ -80,7 +80,7 @@ void set_version(Parser& p, const Token& directive) {
 void obey_declaration(Parser& p, const Token& directive) {
     switch (directive.directive.word) {
         case "undef"_w: return undefine(p, directive);
-        case "version"_w: return set_version(p, directive);
+        case "version"_w: return set_version(p);
         case "default"_w: p.defaults.emplace_back(directive.place(), parse_block(p, "default"_w, directive.place())); return;
         default: return declare(p, directive);
     }

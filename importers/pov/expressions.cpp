@@ -36,9 +36,9 @@ Value component(Parser& p, const Value& value, const Token& word) {
 }
 
 /// `.x`, `.red` ... behind a value.
-void take_components(Parser& p, Value& value) {
+void take_components(Parser& p, Value& value, Standing standing = Standing::in_brackets) {
     if (!value.numeric()) return;                 // behind a string, say, nothing is looked at: the next directive must wait
-    while (p.accept('.')) value = component(p, value, p.next());
+    while (peek_behind(p, standing).is('.')) p.next(), value = component(p, value, p.next());
 }
 
 Value vector_literal(Parser& p, Place at) {
@@ -100,12 +100,12 @@ bool take_plain(Parser& p, double& x) {
     return true;
 }
 
-Value factor(Parser& p);
+Value factor(Parser& p, Standing standing = Standing::in_brackets);
 
-Value factor_of_mark(Parser& p, const Token& token) {
+Value factor_of_mark(Parser& p, const Token& token, Standing standing) {
     const Nested nested(p, token.place());
     if (token.mark == '-' || token.mark == '+' || token.mark == '!') {
-        Value value = factor(p);
+        Value value = factor(p, standing);
         require_numeric(p, value, token.place());
         if (token.mark == '!') return Value::number(!truth(value.c[0]));
         if (token.mark == '-') negate(value);
@@ -120,13 +120,13 @@ Value factor_of_mark(Parser& p, const Token& token) {
     fail_no_value(p, token);
 }
 
-Value factor_without_components(Parser& p) {
+Value factor_without_components(Parser& p, Standing standing) {
     const Token token = p.next();
     switch (token.kind) {
         case TokenKind::vector: return p.vector(token);
         case TokenKind::string: return Value::string(p.text(token));
         case TokenKind::name: return identifier(p, token);
-        case TokenKind::mark: return factor_of_mark(p, token);
+        case TokenKind::mark: return factor_of_mark(p, token, standing);
         case TokenKind::word:
             if (const Builtin builtin = find_builtin(token.id)) return builtin(p, token.place());
             break;
@@ -135,10 +135,10 @@ Value factor_without_components(Parser& p) {
     fail_no_value(p, token);
 }
 
-Value factor(Parser& p) {
+Value factor(Parser& p, Standing standing) {
     if (double x; take_plain(p, x)) return Value::number(x);
-    Value value = factor_without_components(p);
-    take_components(p, value);
+    Value value = factor_without_components(p, standing);
+    take_components(p, value, standing);
     return value;
 }
 
@@ -157,28 +157,37 @@ void calculate(Parser& p, const Token& op, Value& left, double right) {
 bool is_product(const Token& token) { return token.mark == '*' || token.mark == '/'; }
 bool is_sum(const Token& token) { return token.mark == '+' || token.mark == '-'; }
 
-void continue_term(Parser& p, Value& left) {
-    while (is_product(p.peek())) {
+void continue_term(Parser& p, Value& left, Standing standing = Standing::in_brackets) {
+    while (is_product(peek_behind(p, standing))) {
         const Token op = p.next();
         if (double x; take_plain(p, x)) calculate(p, op, left, x);
-        else calculate(p, op, left, factor(p));
+        else calculate(p, op, left, factor(p, standing));
     }
 }
 
-void continue_expression(Parser& p, Value& left) {
-    continue_term(p, left);
-    while (is_sum(p.peek())) {
+void continue_expression(Parser& p, Value& left, Standing standing = Standing::in_brackets) {
+    continue_term(p, left, standing);
+    while (is_sum(peek_behind(p, standing))) {
         const Token op = p.next();
         double x = 0;
         const bool plain = take_plain(p, x);
-        if (plain && !is_product(p.peek())) {
+        if (plain && !is_product(peek_behind(p, standing))) {
             calculate(p, op, left, x);
             continue;
         }
-        Value right = plain ? Value::number(x) : factor(p);
-        continue_term(p, right);
+        Value right = plain ? Value::number(x) : factor(p, standing);
+        continue_term(p, right, standing);
         calculate(p, op, left, right);
     }
+}
+
+/// Before version 1.5, `<0 1 0> -1` were two values: operators stand in parentheses alone.
+bool has_plain_operators(const Parser& p) { return p.version >= 1.5; }
+
+Value expression_with_operators(Parser& p, Standing standing = Standing::in_brackets) {
+    Value value = factor(p, standing);
+    if (value.numeric()) continue_expression(p, value, standing);
+    return value;
 }
 
 bool is_comparison(const Token& token) {
@@ -186,10 +195,10 @@ bool is_comparison(const Token& token) {
 }
 
 Value comparison(Parser& p) {
-    Value left = parse_expression(p);
+    Value left = expression_with_operators(p);
     while (is_comparison(p.peek())) {
         const Token op = p.next();
-        const Value right = parse_expression(p);
+        const Value right = expression_with_operators(p);
         if (left.kind == Kind::string && right.kind == Kind::string) {
             left = Value::number(compared(op.mark, left.text(), right.text()));
         } else {
@@ -223,22 +232,18 @@ Ref<Slot> parse_reference(Parser& p, const Token& name, bool make) {
 Value continue_from_identifier(Parser& p, const Token& name) {
     Value value = identifier(p, name);
     take_components(p, value);
-    if (value.numeric()) continue_expression(p, value);
+    if (value.numeric() && has_plain_operators(p)) continue_expression(p, value);
     return value;
 }
 
 Value continue_from_value(Parser& p, Value value) {
     if (!value.numeric()) return value;
     take_components(p, value);
-    continue_expression(p, value);
+    if (has_plain_operators(p)) continue_expression(p, value);
     return value;
 }
 
-Value parse_expression(Parser& p) {
-    Value value = factor(p);
-    if (value.numeric()) continue_expression(p, value);
-    return value;
-}
+Value parse_expression(Parser& p, Standing standing) { return has_plain_operators(p) ? expression_with_operators(p, standing) : factor(p, standing); }
 
 Value parse_full(Parser& p) {
     Value left = comparison(p);
@@ -257,15 +262,15 @@ Value parse_full(Parser& p) {
     return first ? yes : no;
 }
 
-double parse_float(Parser& p) {
+double parse_float(Parser& p, Standing standing) {
     const Place at = p.peek().place();
     Value value;
     if (double x; take_plain(p, x)) {
-        if (const Token& behind = p.peek(); !is_product(behind) && !is_sum(behind)) return x;
+        if (const Token& behind = peek_behind(p, standing); !has_plain_operators(p) || (!is_product(behind) && !is_sum(behind))) return x;
         value = Value::number(x);
-        continue_expression(p, value);
+        continue_expression(p, value, standing);
     } else {
-        value = parse_expression(p);
+        value = parse_expression(p, standing);
     }
     if (value.kind != Kind::number) p.fail(at, fmt::format("a float is expected, not {}", kind_name(value)));
     return value.c[0];
@@ -318,11 +323,11 @@ Value parse_vector(Parser& p, Place at, std::vector<double>& list) {
     return v;
 }
 
-Value parse_value(Parser& p) {
+Value parse_value(Parser& p, Standing standing) {
     const Token token = p.peek();
-    if (begins_colour(token)) return parse_colour(p);
+    if (begins_colour(token)) return parse_colour(p, standing);
     if (token.kind != TokenKind::word || find_builtin(token.id)) {
-        Value value = parse_expression(p);
+        Value value = parse_expression(p, standing);
         if (value.kind == Kind::colour) value = Value::colour(value.c);          // what is kept of a colour is in single precision
         return value;
     }

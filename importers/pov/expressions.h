@@ -6,10 +6,16 @@
 
 namespace alidade::pov {
 
+/// Where a value stands. In brackets directives and macros may stand between its parts; behind `=` of a #declare one ends it, since it may use what is being
+/// declared: `#declare A = 2 #declare B = A*2` needs no semicolons.
+enum class Standing { in_brackets, in_declaration };
+/// What comes behind a part of a value.
+inline Token peek_behind(Parser& p, Standing standing) { return standing == Standing::in_declaration ? p.peek_behind_value() : p.peek(); }
+
 /// What may stand behind `=` of a #declare: any expression, colour, string, array, spline, function or block.
-Value parse_value(Parser& p);
+Value parse_value(Parser& p, Standing standing = Standing::in_brackets);
 /// A float, vector or colour expression without comparisons (those stand in brackets alone), or another value as it is.
-Value parse_expression(Parser& p);
+Value parse_expression(Parser& p, Standing standing = Standing::in_brackets);
 /// What stands in brackets: comparisons, & and |, `? :`.
 Value parse_full(Parser& p);
 /// The whole expression of which the first operand was read already: its dots and operators follow.
@@ -17,7 +23,7 @@ Value continue_from_value(Parser& p, Value first);
 /// The same from a name that was taken.
 Value continue_from_identifier(Parser& p, const Token& name);
 
-double parse_float(Parser& p);
+double parse_float(Parser& p, Standing standing = Standing::in_brackets);
 /// Three components; a float stands for all.
 std::array<double, 5> parse_vector(Parser& p, uint8_t terms = 3);
 std::string parse_string(Parser& p);
@@ -33,9 +39,9 @@ Ref<Slot> parse_reference(Parser& p, const Token& name, bool make);
 
 /// `color ...`, `rgb ...`, `red .3 green .2`
 bool begins_colour(const Token& token);
-Value parse_colour(Parser& p);
+Value parse_colour(Parser& p, Standing standing = Standing::in_brackets);
 /// `red .3`, `filter .5` ... behind a colour replace its components.
-Value parse_colour_components(Parser& p, Value colour);
+Value parse_colour_components(Parser& p, Value colour, Standing standing = Standing::in_brackets);
 /// A whole vector literal `<...>` behind its `<`. Where it has more than the five components of a vector, all its numbers are in `list`.
 Value parse_vector(Parser& p, Place at, std::vector<double>& list);
 

@@ -30,17 +30,17 @@ Macro* Parser::macro_of(const Token& token) const {
 }
 
 /// What a directive has looked at and left comes before the next token of the stream.
-Token Parser::resolve(Token token, bool in_value) {
+Token Parser::resolve(Token token, Waiting waiting) {
     for (;; token = stream.raw()) {
         switch (token.kind) {
             case TokenKind::directive:
-                if (in_value && (token.directive.word == "declare"_w || token.directive.word == "local"_w)) return token;
+                if (waiting == Waiting::directives || (waiting == Waiting::declarations && (token.directive.word == "declare"_w || token.directive.word == "local"_w))) return token;
                 check_budget(token.place());
                 obey(*this, token);
                 break;
             case TokenKind::name: {
                 Macro* macro = macro_of(token);
-                if (!macro || in_value) return token;
+                if (!macro || waiting != Waiting::nothing) return token;
                 check_budget(token.place());
                 call_macro(*this, token, Ref<Macro>(macro));
                 break;
@@ -74,9 +74,9 @@ void Parser::finish_frame() {
     symbols.leave();
 }
 
-Token Parser::peek_in_value() {
+Token Parser::peek_within(Waiting waiting) {
     if (has_ahead_) return ahead_;
-    const Token token = resolve(stream.raw(), true);
+    const Token token = resolve(stream.raw(), waiting);
     if (token.kind == TokenKind::directive || macro_of(token)) --stream.frame().at;
     else put_back(token);
     return token;

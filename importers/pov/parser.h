@@ -45,9 +45,13 @@ class Parser {
         has_ahead_ = false;
         return true;
     }
+    /// What is not obeyed yet when the next token is looked for; with declarations and directives, macros are not called either.
+    enum class Waiting { nothing, declarations, directives };
     /// What comes next, for a value that may go on: a #declare or #local ends it and is not obeyed yet (kind `directive`), and so does a macro, which may use
     /// what is being declared (kind `name`).
-    Token peek_in_value();
+    Token peek_in_value() { return peek_within(Waiting::declarations); }
+    /// The same where what stands there is a whole value to be declared: any directive may use it, and waits.
+    Token peek_behind_value() { return peek_within(Waiting::directives); }
     Token expect(char mark, const char* where);
     /// The name behind #declare, #ifdef ...: not expanded if it is a macro.
     Token raw_token();
@@ -109,10 +113,11 @@ class Parser {
     Macro* macro_of(const Token& token) const;
     Token fetch() {
         const Token& token = stream.raw();
-        return token.is_plain() ? token : resolve(token, false);
+        return token.is_plain() ? token : resolve(token, Waiting::nothing);
     }
     /// What is given out for `token`, which has been taken from the stream: directives are obeyed, macros are called.
-    Token resolve(Token token, bool in_value);
+    Token resolve(Token token, Waiting waiting);
+    Token peek_within(Waiting waiting);
     void finish_frame();
     std::string path_of_include(const std::string& name, Place at);
     /// The tokens of a file of the disk, or of what the scene has written to a file in memory.

@@ -173,6 +173,15 @@ TEST_F(PovBuilders, SettingsDependOnTheVersion) {
     EXPECT_EQ(now.adc_bailout, 0.1);
     EXPECT_EQ(now.ambient_light.y, 2);
     EXPECT_EQ(scene("#version 3.6; global_settings { assumed_gamma 2.2 }").settings.assumed_gamma, 2.2);
+    const std::string twice = "#version 3.6; global_settings { assumed_gamma 2.2 } global_settings { assumed_gamma 1 }";
+    EXPECT_EQ(scene(twice).settings.assumed_gamma, 2.2) << "the first holds";
+    EXPECT_THAT(said(twice), HasSubstr("assumed_gamma was given before"));
+}
+
+TEST_F(PovBuilders, AnInteriorReadsRefractionAndRefractsAllTheSame) {
+    const std::string text = "sphere { 0, 1 interior { refraction .5 ior 1.5 } }";
+    EXPECT_EQ(said(text), "");
+    EXPECT_EQ(scene(text).interiors.at(0).ior, 1.5);
 }
 
 TEST_F(PovBuilders, WhatIsNotModelledIsSaidOnceWithItsCount) {

@@ -67,9 +67,13 @@ void take_rainbow(Build& build, const Block& block, Rainbow& bow, std::optional<
 
 }  // namespace
 
+/// From version 3.7 on, what a background transmits is missing in it.
 void read_background(Build& build, const Block& block) {
     for (Cursor at(build, block); !at.done();) {
-        if (at.at_numeric()) build.scene.atmosphere.background = at.rgb("the background");
+        if (at.at_numeric()) {
+            const std::array<double, 5> c = at.colour("the background");
+            build.scene.atmosphere.background = Color(c[0], c[1], c[2]) * (build.scene.settings.filter_dims_by_colour ? 1 : 1 - c[4]);
+        }
         else at.skip_unmodelled();
     }
 }

@@ -16,7 +16,7 @@ void take_reflection_block(Build& build, const Block& block, PovFinish& f) {
     while (!at.done()) {
         if (at.accept("fresnel"_w)) f.reflection_fresnel = at.flag();
         else if (at.accept("falloff"_w)) f.reflection_falloff = at.number("the falloff");
-        else if (at.accept("exponent"_w)) f.reflection_exponent = at.number("the exponent");
+        else if (at.accept("exponent"_w)) f.reflection_exponent = double(float(at.number("the exponent")));
         else if (at.accept("metallic"_w)) f.reflection_metallic = at.at_number() ? at.number("metallic") : 1;
         else at.skip_unmodelled();
     }

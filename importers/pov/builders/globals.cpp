@@ -1,14 +1,20 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "importers/pov/builders/globals.h"
 
+#include <utility>
+
 namespace alidade::pov {
 
 namespace {
 
-/// `assumed_gamma NUMBER` or `assumed_gamma srgb`: what the scene's numbers mean.
+/// `assumed_gamma NUMBER` or `assumed_gamma srgb`: what the scene's numbers mean. The first holds.
 void take_gamma(Build& build, Cursor& at) {
     RenderSettings& s = build.scene.settings;
     const Place place = at.place();
+    if (std::exchange(build.gamma_given, true)) {
+        build.p.warn(place, "assumed_gamma was given before: this one is not used");
+        return (void)at.next();
+    }
     s.srgb_coded = at.accept("srgb"_w);
     build.uncorrected = false;
     s.assumed_gamma = s.srgb_coded ? 1 : at.number("the assumed gamma");

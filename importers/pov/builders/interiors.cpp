@@ -16,6 +16,7 @@ void read_interior(Build& build, const Block& block, Interior& in) {
         else if (at.accept("fade_distance"_w)) in.fade_distance = at.number("the distance of fading");
         else if (at.accept("fade_power"_w)) in.fade_power = at.number("the power of fading");
         else if (at.accept("fade_color"_w) || at.accept("fade_colour"_w)) in.fade_color = at.rgb("the colour of fading");
+        else if (at.at_word("refraction"_w)) at.skip();            // POV-Ray reads it, and refracts all the same
         else at.skip_unmodelled();
     }
 }

@@ -11,6 +11,13 @@ namespace {
 
 constexpr double kDegree = kPi / 180;
 
+/// An object that a light carries: from where it stands on, it follows the light's transformations.
+struct Carried {
+    const Block* block = nullptr;
+    Transform first;             ///< ahead of the modifiers in its block
+    Transform to_parent;
+};
+
 struct LightWords {
     Vec3 location{0}, point_at{0, 0, 1};
     Light light;
@@ -20,13 +27,16 @@ struct LightWords {
     bool area = false;
     ShadowGrid grid;             ///< of an area light: its words may stand before `area_light`
     Transform transform;
-    const Block* looks_like = nullptr;
-    const Block* projected_through = nullptr;
+    Carried looks_like, projected_through;
 };
 
+/// `spotlight`, `cylinder` and `shadowless` exclude each other: the last of them holds.
+void set_form(LightWords& w, bool spot, bool cylinder, bool shadowless) { w.spot = spot, w.cylinder = cylinder, w.light.shadowless = shadowless; }
+
 bool take_cone_word(LightWords& w, Cursor& at) {
-    if (at.accept("spotlight"_w)) w.spot = true, w.cylinder = false;
-    else if (at.accept("cylinder"_w)) w.cylinder = w.light.parallel = true, w.spot = false;
+    if (at.accept("spotlight"_w)) set_form(w, true, false, false);
+    else if (at.accept("cylinder"_w)) set_form(w, false, true, false), w.light.parallel = true;
+    else if (at.accept("shadowless"_w)) set_form(w, false, false, true);
     else if (at.accept("radius"_w)) w.radius = at.number("the radius of a light");
     else if (at.accept("falloff"_w)) w.falloff = at.number("the falloff of a light");
     else if (at.accept("tightness"_w)) w.tightness = at.number("the tightness of a light");
@@ -60,13 +70,16 @@ bool take_area_word(LightWords& w, Cursor& at) {
 }
 
 bool take_light_word(LightWords& w, Cursor& at) {
-    if (at.accept("shadowless"_w)) w.light.shadowless = true;
-    else if (at.accept("fade_distance"_w)) w.fade.distance = at.number("the distance of fading");
+    if (at.accept("fade_distance"_w)) w.fade.distance = at.number("the distance of fading");
     else if (at.accept("fade_power"_w)) w.fade.power = at.number("the power of fading");
     else if (at.accept("media_interaction"_w)) w.light.media_interaction = at.flag();
     else if (at.at_numeric()) w.light.intensity = at.rgb("the colour of a light");
     else return false;
     return true;
+}
+
+void move(LightWords& w, const Transform& t) {
+    for (Transform* moved : {&w.transform, &w.looks_like.to_parent, &w.projected_through.to_parent}) *moved = t * *moved;
 }
 
 void read_light(Build& build, const Block& block, LightWords& w) {
@@ -75,11 +88,11 @@ void read_light(Build& build, const Block& block, LightWords& w) {
     if (const Block* base = at.block_at("light_source"_w)) at.next(), read_light(build, *base, w);
     else w.location = at.vector("the location of a light");
     while (!at.done()) {
-        if (at.at_transform()) w.transform = at.transform() * w.transform;
-        else if (const Block* like = at.block_at("looks_like"_w)) at.next(), w.looks_like = like;
+        if (at.at_transform()) move(w, at.transform());
+        else if (const Block* like = at.block_at("looks_like"_w)) at.next(), w.looks_like = {like, Transform::translate(w.transform.point(w.location)), {}};
         else if (const Block* through = at.block_at("projected_through"_w)) {
-            if (w.projected_through) build.p.fail(through->place, "a light has one projected_through alone");
-            at.next(), w.projected_through = through;
+            if (w.projected_through.block) build.p.fail(through->place, "a light has one projected_through alone");
+            at.next(), w.projected_through = {through, {}, {}};
         } else if (take_cone_word(w, at) || take_area_word(w, at) || take_light_word(w, at)) continue;
         else if (at.at_word("media_attenuation"_w)) at.skip();
         else at.skip_unmodelled();
@@ -97,34 +110,26 @@ Transform facing(const Vec3& location, const Vec3& axis) {
     return t;
 }
 
-/// The objects of a block, placed by `to_parent`.
-Node build_objects(Build& build, const Block& block, const Transform& to_parent) {
+/// The object that a light carries, in another space than the light's parent if there is one.
+Node carried_node(Build& build, const Carried& carried, const Transform& into = {}) {
     Node out;
-    out.to_parent = to_parent;
-    for (Cursor at(build, block); !at.done();) {
-        const Block* object = at.any_block();
-        if (!object || !is_object(object->word)) {
-            at.skip_unmodelled();
-            continue;
-        }
-        at.next();
-        if (const auto built = build_object(build, *object)) out.children.push_back(built->node);
-    }
+    out.to_parent = into * carried.to_parent;
+    if (const auto built = build_object(build, *carried.block, carried.first)) out.children.push_back(built->node);
     return out;
 }
 
-/// The object that shows where the light is: it throws no shadow, and stands around the light. It follows the light's transformations.
+/// The object that shows where the light is: it throws no shadow.
 void add_looks(Build& build, const LightWords& w, Node& group) {
-    Node looks = build_objects(build, *w.looks_like, w.transform * Transform::translate(w.location));
+    Node looks = carried_node(build, w.looks_like);
     looks.flags.shadow = false;
     if (!looks.children.empty()) group.children.push_back(build.add_node(std::move(looks)));
 }
 
-/// What the light is projected through follows its transformations, too; it is kept in the space of the light's node, `placed`.
+/// What the light is projected through is kept in the space of the light's node, `placed`.
 void add_projector(Build& build, const LightWords& w, const Transform& placed, Light& light) {
     const auto into_node = inverse(placed);
-    if (!w.projected_through || !into_node) return;
-    light.projected_through = build.add_node(build_objects(build, *w.projected_through, *into_node * w.transform));
+    if (!w.projected_through.block || !into_node) return;
+    light.projected_through = build.add_node(carried_node(build, w.projected_through, *into_node));
 }
 
 /// What `spotlight` and `cylinder` make of radius, falloff and tightness, in whatever order the words stand.
@@ -172,7 +177,7 @@ NodeId build_light(Build& build, const Block& block) {
     node.what = LightId{uint32_t(build.scene.lights.size() - 1)};
     node.from = w.light.from;
     const NodeId light = build.add_node(std::move(node));
-    if (!w.looks_like) return light;
+    if (!w.looks_like.block) return light;
     Node group;
     group.children.push_back(light);
     add_looks(build, w, group);

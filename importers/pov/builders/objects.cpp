@@ -20,6 +20,7 @@ namespace {
 /// object alone, those behind it both.
 struct Draft {
     Node node;                            ///< the shape, or the children
+    Transform placed;                     ///< of what is wrapped
     Transform before;                     ///< of the object alone
     Transform transform;                  ///< behind the texture; of all, if there is none
     TextureLayers layers;
@@ -214,7 +215,7 @@ struct Copying {
 /// `object { NAME ... }`: the thing itself where its texture is changed, a child that it shares with other references where not.
 bool object(Build& build, Cursor& at, Draft& d) {
     const Block* inner = at.any_block();
-    if (!inner || !is_object(inner->word)) build.p.fail(at.place(), "an object is expected in object { }");
+    if (!inner || !is_object(inner->word)) build.p.fail(at.place(), fmt::format("an object is expected in {} {{ }}", kWords[at.block().word]));
     at.next();
     const std::span<const Item> items = at.block().items;
     if (build.shapes_alone || !std::any_of(items.begin(), items.end(), changes_texture)) return reference(build, *inner, d);
@@ -253,8 +254,11 @@ bool draft(Build& build, const Block& block, Draft& d) {
     const Nested nested(build.p, block.place);
     Cursor at(build, block);
     const Block* first = at.any_block();
-    if (block.word == "object"_w || (first && first->word == block.word && csg_of(block.word) == CsgKind::none)) {
+    const bool wraps = block.word == "object"_w || block.word == "looks_like"_w || block.word == "projected_through"_w;
+    const Transform placed = std::exchange(d.placed, Transform());
+    if (wraps || (first && first->word == block.word && csg_of(block.word) == CsgKind::none)) {
         if (!object(build, at, d)) return false;
+        d.transform = placed * d.transform;
     } else if (const CsgKind csg = csg_of(block.word); csg != CsgKind::none) {
         d.node.csg = csg;
         take_children(build, d, at);
@@ -309,9 +313,10 @@ bool is_object(WordId word) {
     return std::find(std::begin(kObjects), std::end(kObjects), word) != std::end(kObjects);
 }
 
-std::optional<BuiltObject> build_object(Build& build, const Block& block) {
+std::optional<BuiltObject> build_object(Build& build, const Block& block, const Transform& placed) {
     if (block.word == "light_source"_w) return BuiltObject{build_light(build, block), true};
     Draft d;
+    d.placed = placed;
     return draft(build, block, d) ? std::optional(finish(build, d)) : std::nullopt;
 }
 

@@ -83,3 +83,33 @@ Sum(<1,2,3> 4)                                              // expect 6
 #declare Ar = array[2] { 5, 6 }
 #declare Q = Ar #macro Ar() #end [1];
 #debug concat(str(Q, 0, 0), "\n")                           // expect 6
+//---- before version 3.5 declarations need no semicolons: each is finished before the next directive looks at it
+#version 3.1
+#declare A = 2
+#declare B = A*2
+#declare C = -B
+#if (C < 0) #debug concat(str(C, 0, 0), "\n") #end         // expect -4
+#declare D = color red A green B
+#declare E = D*2
+#debug concat(str(E.green, 0, 0), "\n")                    // expect 8
+#declare V = <1,2,A>
+#declare F = V.z + #if (A = 2) 3 #else 4 #end
+#debug concat(str(F, 0, 0), "\n")                          // expect 5
+#declare L = array[2]
+#declare L[0] = F
+#declare L[1] = L[0]
+#debug concat(str(L[1], 0, 0), "\n")                       // expect 5
+//---- in brackets directives may stand between the parts of a value
+#declare A = (1 #if (1) + 3 #end);
+#debug concat(str(A, 0, 0), "\n")                          // expect 4
+//---- a directive behind a declared texture finds it declared
+#declare T = texture { pigment { rgb x } }
+#ifdef (T) #debug "yes\n" #end                             // expect yes
+#default { texture { T } }
+//---- the version holds for the directive behind it
+#version 3.1
+#declare A = 2
+#debug concat(str(A, 0, 0), "\n")                          // expect 2
+//---- the version of a patched POV-Ray
+#version unofficial 3.5;
+#debug concat(str(version, 0, 1), "\n")                    // expect 3.5

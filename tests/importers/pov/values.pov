@@ -78,3 +78,28 @@
 declare A = 7;
 default { finish { ambient 1 } }
 #debug concat(str(A, 0, 0), "\n")                           // expect 7
+//---- alpha is an old name of filter
+#declare C = color red 1 alpha .25;
+#debug concat(vstr(5, C, ",", 0, 2), "\n")                 // expect 1.00,0.00,0.00,0.25,0.00
+#declare D = alpha .5;
+#debug concat(vstr(5, D, ",", 0, 2), "\n")                 // expect 0.00,0.00,0.00,0.50,0.00
+//---- before version 1.5 operators stand in brackets alone
+#version 1.49
+#declare V = <1 -1 3>
+#debug concat(vstr(3, V, ",", 0, 0), "\n")                 // expect 1,-1,3
+#declare S = (2+3)
+#debug concat(str(S, 0, 0), "\n")                          // expect 5
+#version 1.5
+#debug concat(vstr(3, <1 -1 3>, ",", 0, 0), "\n")          // expect 0,3,0
+//---- srgb is brought to the scene's assumed_gamma, the first that is given
+#version 3.7;
+global_settings { assumed_gamma 2.2 }
+global_settings { assumed_gamma 1 }
+#declare C = srgb <.5,.7,.02>;
+#debug concat(vstr(3, C, ",", 0, 5), "\n")                  // expect 0.49623,0.69420,0.05280
+#declare D = srgbft <-.5,.03,.2,.3,.4>;
+#debug concat(vstr(5, D, ",", 0, 5), "\n")                  // expect 0.00000,0.06348,0.21243,0.30000,0.40000
+//---- sRGB in a scene of sRGB
+global_settings { assumed_gamma srgb }
+#declare C = srgb <.5,.7,.02>;
+#debug concat(vstr(3, C, ",", 0, 5), "\n")                  // expect 0.50000,0.70000,0.02000
