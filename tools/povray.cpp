@@ -90,7 +90,7 @@ int render_to_file(const PovrayRequest& r, const CompiledScene& scene, const Ren
     const auto film = render(scene, options, monitor);
     if (!film) return fail(film.error());
     if (!film->complete && !state) return interrupted(output, false);
-    if (const auto files = write_film(output, film->picture); !files) return fail(fmt::format("{}: {}", output, files.error()));
+    if (const auto files = write_film(output, film->picture, r.bits > 8 ? 16 : 8); !files) return fail(fmt::format("{}: {}", output, files.error()));
     if (!film->complete) return interrupted(output, true);
     if (state) state->remove();
     if (r.verbose) fmt::print(stderr, "{}: {}x{}, rendered in {:.2f} s\n", output, r.width, r.height, film->stats.seconds);
@@ -129,7 +129,7 @@ int run_povray(const Verb& verb, const Words& words) {
     const auto request = parse_povray_words(words);
     if (!request) return fail(request.error());
     for (const std::string& note : request->notes) fmt::print(stderr, "alidade: warning: {}\n", note);
-    if (request->to_file && request->bits > 8) fmt::print(stderr, "alidade: warning: {} bits a colour are asked for: PNG files have 8\n", request->bits);
+    if (request->to_file && request->bits != 8 && request->bits != 16) fmt::print(stderr, "alidade: warning: {} bits a colour are asked for: PNG files have 8 or 16\n", request->bits);
     exit_on_signal();
     const int first = request->subset_start.value_or(request->initial_frame), last = request->subset_end.value_or(request->final_frame);
     if (first < request->initial_frame || last > request->final_frame || first > last) return fail("the subset of frames is empty or leaves the animation");

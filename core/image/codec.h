@@ -36,8 +36,13 @@ std::vector<float> straight_colors(const Picture& picture, const ColorChannels& 
 /// The same in 8 bits: colour sRGB-encoded, alpha linear, each rounded to the nearest code; NaN becomes 0.
 std::vector<uint8_t> encode_8bit(const Picture& picture, const ColorChannels& colors, bool with_alpha);
 
+/// And in 16.
+std::vector<uint16_t> encode_16bit(const Picture& picture, const ColorChannels& colors, bool with_alpha);
+
 Result<Stored> decode_png(std::span<const std::byte> bytes);
 Result<Bytes> encode_png(const Picture& picture);
+/// With 16 bits a sample.
+Result<Bytes> encode_deep_png(const Picture& picture);
 
 /// PGM and PPM, plain and raw (P2, P3, P5, P6), and PFM (Pf, PF).
 Result<Stored> decode_pnm(std::span<const std::byte> bytes);

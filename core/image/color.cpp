@@ -73,6 +73,9 @@ class SrgbCodes {
 
 uint8_t linear_code(float value) { return uint8_t(std::lround(std::clamp(value, 0.0f, 1.0f) * 255)); }
 
+/// Of 16 bits; NaN is 0.
+uint16_t deep_code(double encoded) { return encoded > 0 ? uint16_t(std::min(encoded, 1.0) * 65535 + 0.5) : uint16_t(0); }
+
 }  // namespace
 
 ColorChannels color_channels(const Picture& picture) {
@@ -115,6 +118,16 @@ std::vector<uint8_t> encode_8bit(const Picture& picture, const ColorChannels& co
     for (size_t i = 0; i < values.size();) {
         for (int c = 0; c < colors.count; ++c, ++i) codes[i] = srgb.of(values[i]);
         if (with_alpha) codes[i] = std::isnan(values[i]) ? uint8_t(0) : linear_code(values[i]), ++i;
+    }
+    return codes;
+}
+
+std::vector<uint16_t> encode_16bit(const Picture& picture, const ColorChannels& colors, bool with_alpha) {
+    const std::vector<float> values = straight_colors(picture, colors, with_alpha);
+    std::vector<uint16_t> codes(values.size());
+    for (size_t i = 0; i < values.size();) {
+        for (int c = 0; c < colors.count; ++c, ++i) codes[i] = deep_code(linear_to_srgb(double(values[i])));
+        if (with_alpha) codes[i] = deep_code(double(values[i])), ++i;
     }
     return codes;
 }

@@ -16,15 +16,26 @@
 namespace alidade::image {
 namespace {
 
-/// libpng's reader and what its callbacks need. libpng reports an error by longjmp, which skips destructors: so the functions that call
-/// setjmp (read_header, read_rows) own nothing, and everything that must be freed lives here or in their callers.
-struct Reader {
+constexpr const char* kNoColor = "PNG holds colour, but the picture has no channels R, G, B or Y";
+
+/// What libpng's callbacks need. It reports an error by longjmp, which skips destructors: so the functions that call
+/// setjmp (read_header, read_rows, write_rows) own nothing, and everything that must be freed lives here or in their callers.
+struct Codec {
     png_structp png = nullptr;
     png_infop info = nullptr;
-    std::span<const std::byte> rest;
     char error[160] = "";
+};
+
+struct Reader : Codec {
+    std::span<const std::byte> rest;
 
     ~Reader() { png_destroy_read_struct(&png, &info, nullptr); }
+};
+
+struct Writer : Codec {
+    Bytes bytes;
+
+    ~Writer() { png_destroy_write_struct(&png, &info); }
 };
 
 struct Header {
@@ -36,8 +47,8 @@ struct Header {
 };
 
 void on_error(png_structp png, png_const_charp message) {
-    auto* reader = static_cast<Reader*>(png_get_error_ptr(png));
-    std::snprintf(reader->error, sizeof reader->error, "%s", message);
+    auto* codec = static_cast<Codec*>(png_get_error_ptr(png));
+    std::snprintf(codec->error, sizeof codec->error, "%s", message);
     png_longjmp(png, 1);
 }
 
@@ -74,6 +85,27 @@ bool read_rows(Reader& reader, png_bytepp rows) {
     if (setjmp(png_jmpbuf(reader.png))) return false;
     png_read_image(reader.png, rows);
     png_read_end(reader.png, nullptr);
+    return true;
+}
+
+void on_write(png_structp png, png_bytep data, size_t size) {
+    auto* writer = static_cast<Writer*>(png_get_io_ptr(png));
+    const auto* bytes = reinterpret_cast<const std::byte*>(data);
+    writer->bytes.insert(writer->bytes.end(), bytes, bytes + size);
+}
+void on_flush(png_structp) {}
+
+/// Rows of 16-bit samples, encoded as sRGB.
+bool write_rows(Writer& writer, const Picture& picture, int color_type, png_bytepp rows) {
+    if (setjmp(png_jmpbuf(writer.png))) return false;
+    png_set_write_fn(writer.png, &writer, on_write, on_flush);
+    png_set_IHDR(writer.png, writer.info, png_uint_32(picture.width), png_uint_32(picture.height), 16, color_type, PNG_INTERLACE_NONE, PNG_COMPRESSION_TYPE_DEFAULT, PNG_FILTER_TYPE_DEFAULT);
+    png_set_sRGB(writer.png, writer.info, PNG_sRGB_INTENT_PERCEPTUAL);
+    png_set_compression_level(writer.png, 3);
+    png_write_info(writer.png, writer.info);
+    if constexpr (std::endian::native == std::endian::little) png_set_swap(writer.png);
+    png_write_image(writer.png, rows);
+    png_write_end(writer.png, nullptr);
     return true;
 }
 
@@ -124,7 +156,7 @@ Stored looked_up(const Reader& reader, const Header& header, std::vector<uint8_t
 Result<Stored> decode_png(std::span<const std::byte> bytes) {
     Reader reader;
     reader.rest = bytes;
-    reader.png = png_create_read_struct(PNG_LIBPNG_VER_STRING, &reader, on_error, on_warning);
+    reader.png = png_create_read_struct(PNG_LIBPNG_VER_STRING, static_cast<Codec*>(&reader), on_error, on_warning);
     if (reader.png) reader.info = png_create_info_struct(reader.png);
     if (!reader.info) return tl::unexpected(std::string("not enough memory"));
 
@@ -161,10 +193,26 @@ static Result<Bytes> written(const Picture& picture, uint32_t format, const void
 
 Result<Bytes> encode_png(const Picture& picture) {
     const ColorChannels colors = color_channels(picture);
-    if (colors.count == 0) return tl::unexpected(std::string("PNG holds colour, but the picture has no channels R, G, B or Y"));
+    if (colors.count == 0) return tl::unexpected(std::string(kNoColor));
     const bool with_alpha = is_transparent(picture, colors);
     const std::vector<uint8_t> codes = encode_8bit(picture, colors, with_alpha);
     return written(picture, (colors.count == 3 ? PNG_FORMAT_FLAG_COLOR : 0u) | (with_alpha ? PNG_FORMAT_FLAG_ALPHA : 0u), codes.data());
+}
+
+Result<Bytes> encode_deep_png(const Picture& picture) {
+    const ColorChannels colors = color_channels(picture);
+    if (colors.count == 0) return tl::unexpected(std::string(kNoColor));
+    const bool with_alpha = is_transparent(picture, colors);
+    std::vector<uint16_t> codes = encode_16bit(picture, colors, with_alpha);
+    std::vector<png_bytep> rows(size_t(picture.height));
+    for (size_t y = 0; y < rows.size(); ++y) rows[y] = reinterpret_cast<png_bytep>(&codes[y * (codes.size() / rows.size())]);
+    Writer writer;
+    writer.png = png_create_write_struct(PNG_LIBPNG_VER_STRING, static_cast<Codec*>(&writer), on_error, on_warning);
+    if (writer.png) writer.info = png_create_info_struct(writer.png);
+    if (!writer.info) return tl::unexpected(std::string("not enough memory"));
+    const int color_type = (colors.count == 3 ? PNG_COLOR_MASK_COLOR : 0) | (with_alpha ? PNG_COLOR_MASK_ALPHA : 0);
+    if (!write_rows(writer, picture, color_type, rows.data())) return tl::unexpected(std::string(writer.error));
+    return std::move(writer.bytes);
 }
 
 }  // namespace alidade::image
