@@ -115,6 +115,12 @@ TEST_F(PovBuilders, ASmoothTriangleAloneHasItsNormalsOnOneSide) {
     EXPECT_EQ(triangles("mesh { " + triangle("z") + " }"), 1u);
 }
 
+TEST_F(PovBuilders, ANormalWithoutLengthInAMeshIsX) {
+    const Scene s = scene("mesh { smooth_triangle { <-1,-1,0>, 0, <1,-1,0>, -z, <0,1,0>, -z } } mesh2 { vertex_vectors { 3, 0, x, y } normal_vectors { 3, -z, 0, -z } face_indices { 1, <0,1,2> } }");
+    EXPECT_EQ(std::get<Mesh>(s.shapes.at(0).geometry).normals.values.at(0), Vec3f(1, 0, 0));
+    EXPECT_EQ(std::get<Mesh>(s.shapes.at(1).geometry).normals.values.at(1), Vec3f(1, 0, 0));
+}
+
 /// Widths of timrom.ttf, whose em is 1000: A is 750 wide, of which 6 before its ink, a pair A V is 187 nearer.
 TEST_F(PovBuilders, LettersOfATextStandByWidthsAndKerning) {
     const Scene s = scene("text { ttf \"timrom.ttf\" \"AVA\" .5, <.1,.2,.3> }");

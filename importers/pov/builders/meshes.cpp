@@ -13,9 +13,10 @@ namespace alidade::pov {
 
 namespace {
 
-/// Of length 1, as POV-Ray has it; but one that is so to single precision stays as it is written: a second rounding would move it.
+/// Of length 1, as POV-Ray has it, which takes x for one without length; but one that is so to single precision stays as it is written: a second rounding would move it.
 Vec3f unit_normal(const Vec3& n) {
     constexpr double kSinglePrecision = 1e-6;
+    if (n == Vec3(0)) return Vec3f(1, 0, 0);
     return Vec3f(std::abs(dot(n, n) - 1) < kSinglePrecision ? n : normalized(n));
 }
 
