@@ -226,7 +226,7 @@ Ref<Slot> parse_reference(Parser& p, const Token& name, bool make) {
 Value kept(Value value) {
     const bool single = value.kind == Kind::colour || (value.kind == Kind::vector && value.terms == value.c.size());
     if (single)
-        for (double& x : value.c) x = float(x);
+        for (double& x : value.c) x = in_single(x);
     return value;
 }
 

@@ -98,7 +98,8 @@ void ask_listed(Questions& q) {
         q.number(e);
     for (const char* e : {"vnormalize(<1,2,3>)", "vcross(<1,2,3>, <4,5,6>)", "vrotate(<1,2,3>, <10,20,30>)", "vrotate(x, y*90)", "vaxis_rotate(x, z, 30)", "vaxis_rotate(<1,2,3>, <3,-1,2>, 77)",
                           "<1,2,3>*<4,5>", "2*y - x/3", "C", "C*2", "C + <1,2,3>", "color C filter .5", "rgb <.1,.2,.3>", "S1(.25)", "S1(-1)", "S1(9)", "S1(1.5)", "S2(.3)", "S2(1.25)", "S2(2.5)", "S3(1.1)",
-                          "S3(1.9)", "S3(.5)", "S3(2.6)", "S4(.2)", "S4(1.5)", "S4(2.9)", "T1(1, 2, 3)", "T2(1, 2, 3)", "T3(1, 2, 3)", "T4(1, 2, 3)", "T5(1, 2, 3)", "T6(1, 2, 3)", "T7(1, 2, 3)", "!<1,0,-2>", "S5(0)", "S5(2)", "S5(2.5)", "S5(3)", "S5(4.5)", "S5(5)"})
+                          "S3(1.9)", "S3(.5)", "S3(2.6)", "S4(.2)", "S4(1.5)", "S4(2.9)", "T1(1, 2, 3)", "T2(1, 2, 3)", "T3(1, 2, 3)", "T4(1, 2, 3)", "T5(1, 2, 3)", "T6(1, 2, 3)", "T7(1, 2, 3)", "!<1,0,-2>", "S5(0)", "S5(2)", "S5(2.5)", "S5(3)", "S5(4.5)", "S5(5)", "min_extent(Boxed)",
+                          "max_extent(Boxed)", "min_extent(Both)", "max_extent(Both)"})
         q.vector(e, 3);
     for (const char* e : {"rgbf .5", "rgbt .5", "rgbft .5", "rgbft <.1,.2,.3,.4,.5>", "color red .3 green .2", "C*.5", "color <1,2,3> transmit .25", "srgb <.2,.5,.9>", "srgb .01", "srgbt <.2,.5,.9,.3>", "V5", "V5*3", "<.1,.2,.3,.4,.5>",
                           "Same(<.1,.2,.3,.4,.5>)", "S5(3.7)"})
@@ -133,7 +134,7 @@ Questions questions() {
                  "#declare T7 = function { transform { matrix <1,0,.5, .2,0,.3, 0,0,1, 0,0,0> } }\n#declare FT = function(x, y, z) { T1(x, y, z).y + T5(y, z, x).z }\n";
     q.prelude += "#declare S5 = spline { linear_spline 0, 1 1, <1,2,3> 2, 9 3, 5 4, <1,2,3,4,5> 5, <6,7> }\n#declare FA = array[2] {function(x) { x*2 }, function(x, y) { x - y }}\n#declare SA = array[1]\n#declare SA[0] = S4;\n"
                  "#declare Sum = function(n, i) { sum(i, 1, n, i*i) + i }\n#declare Prod = function(n) { prod(k, n, n + 2, sum(j, 1, k, j*k)) }\n#declare Unnamed = function { u*100 + v*10 + x + y + z }\n"
-                 "#declare V5 = <.1,.2,.3,.4,.5>*.3;\n#macro Same(a) a #end\n#macro Of(a) a.y #end\n";
+                 "#declare Boxed = box { -1, 1 scale 1.1 }\n#declare Both = union { sphere { .1, .7 } triangle { <.1,.2,.3>, <.4,.7,.9>, <1.1,2.2,3.3> } }\n#declare V5 = <.1,.2,.3,.4,.5>*.3;\n#macro Same(a) a #end\n#macro Of(a) a.y #end\n";
     ask_listed(q);
     ask_strings(q);
     ask_turbulence(q);
