@@ -101,9 +101,11 @@ Bounds bounds(const ShapeGeometry& geometry) {
     return std::visit([](const auto& shape) { return bounds_of(shape); }, geometry);
 }
 
-/// Along the area of the first loop, in the sense of its first corner; of the others, if it has none. Loops are relative to their first point.
+/// Along the area of the first loop, in the sense of its first corner; of the others, if it has none; along the first corner, if none has, as that
+/// of a loop that crosses itself to a figure of eight. Loops are relative to their first point.
 /// Source   M. E. Newell's method: the sum of the cross products of neighbours is the normal times twice the area.
 Vec3 normal_of(const Polygon& polygon) {
+    Vec3 any(0);
     for (const auto& loop : polygon.loops) {
         Vec3 area(0), corner(0);
         for (size_t i = 2; i < loop.size(); ++i) {
@@ -112,8 +114,9 @@ Vec3 normal_of(const Polygon& polygon) {
             if (corner == Vec3(0)) corner = cross(loop[1] - loop[0], loop[i] - loop[0]);
         }
         if (area != Vec3(0)) return normalized(dot(area, corner) < 0 ? -area : area);
+        if (any == Vec3(0)) any = corner;
     }
-    return Vec3(0);
+    return any == Vec3(0) ? any : normalized(any);
 }
 
 uint32_t slot_count(const ShapeGeometry& geometry) {

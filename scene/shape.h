@@ -146,7 +146,7 @@ struct ShapeEntry {
 /// The box of a shape in its own space: infinite where the shape is, empty for a mesh without triangles. It holds every point of the shape.
 Bounds bounds(const ShapeGeometry& geometry);
 
-/// The unit normal of a polygon, or 0 if it has no area.
+/// The unit normal of a polygon, or 0 if all points of each loop are on a line.
 Vec3 normal_of(const Polygon& polygon);
 
 /// A shape with more material slots is refused by validate().

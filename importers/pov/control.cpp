@@ -44,10 +44,11 @@ auto within_frame(Parser& p, const Token& directive, Read read) {
     return value;
 }
 
+/// Words of the language are not, whatever they are worth (probed).
 bool name_is_defined(Parser& p) {
     p.expect('(', "before the name");
     const Token name = p.raw_token();
-    bool known = name.kind == TokenKind::word;
+    bool known = false;
     if (name.kind == TokenKind::name) known = p.symbols.find(name.id) && bool(parse_reference(p, name, false));
     p.expect(')', "behind the name");
     return known;
@@ -133,8 +134,9 @@ bool matches(Parser& p, const Token& clause, double value) {
         const double low = parse_float(p);
         bool match = std::fabs(value - low) < kEpsilon;
         if (clause.directive.word == "range"_w) {
-            p.expect(',', "between the ends of a range");
-            match = value >= low && value <= parse_float(p);
+            p.accept(',');
+            const double high = parse_float(p);
+            match = value >= low && value <= high;
         }
         p.expect(')', "behind the value of #case or #range");
         return match;

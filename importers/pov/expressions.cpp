@@ -29,7 +29,7 @@ Value component(Parser& p, const Value& value, const Token& word) {
     }
     for (const auto& [name, index] : kComponents)
         if (word.is_word(name)) {
-            if (value.terms == 1) p.fail(word.place(), "a float has no components");
+            if (value.terms == 1 && index > 0) p.fail(word.place(), "a float has no second component");
             return Value::number(value.c[index]);
         }
     p.fail(word.place(), fmt::format("a component (x, y, z, t, u, v, red, green, blue, filter, transmit, gray) is expected behind the dot, not {}", p.describe(word)));
@@ -76,10 +76,7 @@ Value identifier(Parser& p, const Token& name) {
     if (plain->value.numeric()) return plain->value;
     const Ref<Slot> slot = parse_reference(p, name, false);
     if (!slot) p.fail(name.place(), "this array element has no value yet");
-    if (slot->value.kind != Kind::function && slot->value.kind != Kind::spline) return slot->value;
-    const Value called = slot->value;             // which may be declared anew by directives in front of its arguments, and in them
-    if (!p.peek_in_value().is('(')) return called;
-    return called.kind == Kind::function ? call_function(p, called.as<Function>(), name.place()) : call_spline(p, called.as<Spline>(), name.place());
+    return called(p, slot->value, name.place());
 }
 
 [[noreturn]] void fail_no_value(Parser& p, const Token& token) {
@@ -102,12 +99,18 @@ bool take_plain(Parser& p, double& x) {
 
 Value factor(Parser& p, Standing standing = Standing::in_brackets);
 
+/// Each component by itself.
+Value negated(Value value) {
+    for (size_t i = 0; i < value.terms; ++i) value.c[i] = !truth(value.c[i]);
+    return value;
+}
+
 Value factor_of_mark(Parser& p, const Token& token, Standing standing) {
     const Nested nested(p, token.place());
     if (token.mark == '-' || token.mark == '+' || token.mark == '!') {
         Value value = factor(p, standing);
         require_numeric(p, value, token.place());
-        if (token.mark == '!') return Value::number(!truth(value.c[0]));
+        if (token.mark == '!') return negated(std::move(value));
         if (token.mark == '-') negate(value);
         return value;
     }
@@ -229,6 +232,18 @@ Ref<Slot> parse_reference(Parser& p, const Token& name, bool make) {
     return slot;
 }
 
+Value kept(Value value) {
+    const bool single = value.kind == Kind::colour || (value.kind == Kind::vector && value.terms == value.c.size());
+    if (single)
+        for (double& x : value.c) x = in_single(x);
+    return value;
+}
+
+Value called(Parser& p, Value value, Place at) {
+    if ((value.kind != Kind::function && value.kind != Kind::spline) || !p.peek_in_value().is('(')) return value;
+    return value.kind == Kind::function ? call_function(p, value.as<Function>(), at) : call_spline(p, value.as<Spline>(), at);
+}
+
 Value continue_from_identifier(Parser& p, const Token& name) {
     Value value = identifier(p, name);
     take_components(p, value);
@@ -327,9 +342,7 @@ Value parse_value(Parser& p, Standing standing) {
     const Token token = p.peek();
     if (begins_colour(token)) return parse_colour(p, standing);
     if (token.kind != TokenKind::word || find_builtin(token.id)) {
-        Value value = parse_expression(p, standing);
-        if (value.kind == Kind::colour) value = Value::colour(value.c);          // what is kept of a colour is in single precision
-        return value;
+        return kept(parse_expression(p, standing));
     }
     p.next();
     if (token.id != "array"_w && token.id != "spline"_w && token.id != "function"_w && !p.peek().is('{')) fail_no_value(p, token);

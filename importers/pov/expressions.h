@@ -18,6 +18,11 @@ Value parse_value(Parser& p, Standing standing = Standing::in_brackets);
 Value parse_expression(Parser& p, Standing standing = Standing::in_brackets);
 /// What stands in brackets: comparisons, & and |, `? :`.
 Value parse_full(Parser& p);
+/// As a value is kept when it is declared or handed to a macro: colours, and vectors of five, in single precision.
+Value kept(Value value);
+/// A function or a spline with the arguments that follow, if any do; of another value, itself. `at`: of its name. (By value: directives in front
+/// of the arguments, and in them, may declare the name anew.)
+Value called(Parser& p, Value value, Place at);
 /// The whole expression of which the first operand was read already: its dots and operators follow.
 Value continue_from_value(Parser& p, Value first);
 /// The same from a name that was taken.

@@ -69,8 +69,27 @@ void close(Parser& p) {
     p.symbols.undefine(name.id);
 }
 
-void skip_separators(TextFile& file) {
-    while (file.at < file.text.size() && std::string_view(" \t\r\n,").find(file.text[file.at]) != std::string_view::npos) ++file.at;
+bool ended(const TextFile& file) { return file.at >= file.text.size(); }
+
+/// Behind the comment that stands here, if one does: as in a scene, though not nested.
+bool skip_comment(TextFile& file) {
+    const std::string_view rest = std::string_view(file.text).substr(file.at);
+    const std::string_view end = rest.substr(0, 2) == "//" ? "\n" : rest.substr(0, 2) == "/*" ? "*/" : "";
+    if (end.empty()) return false;
+    const size_t found = rest.find(end, 2);
+    file.at = found == std::string_view::npos ? file.text.size() : file.at + found + end.size();
+    return true;
+}
+
+/// Blanks, commas and comments. Was there a comma?
+bool skip_separators(TextFile& file) {
+    bool comma = false;
+    while (!ended(file)) {
+        const char here = file.text[file.at];
+        if (std::string_view(" \t\r\n,").find(here) != std::string_view::npos) ++file.at, comma |= here == ',';
+        else if (!skip_comment(file)) break;
+    }
+    return comma;
 }
 
 std::optional<double> read_number(TextFile& file) {
@@ -87,7 +106,7 @@ std::optional<double> read_number(TextFile& file) {
 /// A float, a vector <...> or a string "...", as #write leaves them.
 std::optional<Value> read_value(TextFile& file) {
     skip_separators(file);
-    if (file.at >= file.text.size()) return std::nullopt;
+    if (ended(file)) return std::nullopt;
     if (file.text[file.at] == '"') {
         const size_t end = file.text.find('"', file.at + 1);
         if (end == std::string::npos) return std::nullopt;
@@ -112,23 +131,30 @@ std::optional<Value> read_value(TextFile& file) {
     return v;
 }
 
+/// `#read(FILE, names)`. Names for which nothing is left keep their values. With the last value the file is closed; behind a comma, which promises
+/// another, only with the next #read, so that a loop makes one more turn with what it had (probed).
 void read(Parser& p) {
     p.expect('(', "behind #read");
     const Token name = p.raw_token();
     const Ref<TextFile> file(&file_of(p, name));
     if (file->writing) p.fail(name.place(), fmt::format("the file {} is open for writing", file->path));
+    bool promised = true;
     while (p.accept(',')) {
         const Token into = p.raw_token();
         if (into.kind != TokenKind::name) p.fail(into.place(), fmt::format("a name is expected, not {}", p.describe(into)));
         const bool known_array = p.symbols.find(into.id) && p.symbols.find(into.id)->value.kind == Kind::array;
+        if (skip_separators(*file); ended(*file)) {
+            promised = false;
+            continue;
+        }
         const Ref<Slot> slot = known_array ? parse_reference(p, into, true) : Ref<Slot>(&p.symbols.declare(into.id));
         std::optional<Value> value = read_value(*file);
         if (!value) p.fail(into.place(), fmt::format("the file {} has no further number, vector or string here (byte {})", file->path, file->at));
         slot->value = std::move(*value);
+        promised = skip_separators(*file);
     }
     p.expect(')', "behind the names of #read");
-    skip_separators(*file);
-    if (file->at >= file->text.size()) p.symbols.undefine(name.id);
+    if (ended(*file) && !promised) p.symbols.undefine(name.id);
 }
 
 /// Floats as "%g"; vectors as "<%g,%g,%g> ", with a blank behind.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "importers/pov/function_values.h"
 
+#include "importers/pov/builders/transforms.h"
 #include "importers/pov/functions.h"
 #include "importers/pov/integers.h"
 #include "importers/pov/operators.h"
@@ -149,6 +150,10 @@ class Evaluation {
     }
 
     double word() {
+        for (auto counter = counters_.rbegin(); counter != counters_.rend(); ++counter)      // the innermost hides all others
+            if (counter->first == token().id) return ++at_, counter->second;
+        if (f_.usual && token().is_word("u"_w)) return ++at_, arguments_[0];
+        if (f_.usual && token().is_word("v"_w)) return ++at_, arguments_[1];
         const auto parameter = std::find(f_.parameters.begin(), f_.parameters.end(), token().id);
         if (parameter != f_.parameters.end()) return ++at_, arguments_[size_t(parameter - f_.parameters.begin())];
         if (token().kind == TokenKind::name) return identifier();
@@ -156,6 +161,7 @@ class Evaluation {
         if (token().is_word("true"_w) || token().is_word("on"_w) || token().is_word("yes"_w)) return ++at_, 1;
         if (token().is_word("false"_w) || token().is_word("off"_w) || token().is_word("no"_w)) return ++at_, 0;
         if (token().is_word("clock"_w)) return ++at_, p_.options.frame.clock;
+        if (token().is_word("sum"_w) || token().is_word("prod"_w)) return series(token().is_word("sum"_w));
         return built_in();
     }
 
@@ -168,6 +174,41 @@ class Evaluation {
         const bool fits = entry->arity ? values.size() == size_t(entry->arity) : entry->word == "select"_w ? values.size() == 3 || values.size() == 4 : !values.empty();
         if (!fits) p_.fail(at, fmt::format("{} does not take {} arguments", kWords[entry->word], values.size()));
         return entry->value(values);
+    }
+
+    /// `sum(i, first, last, term)` or `prod(...)`: i goes from first by ones, as long as it is not beyond last.
+    double series(bool adds) {
+        ++at_;
+        need('(');
+        if (at_end() || (token().kind != TokenKind::name && token().kind != TokenKind::word)) not_expected();
+        const WordId counter = token().id;
+        ++at_;
+        need(',');
+        const double first = logical();
+        need(',');
+        const double last = logical();
+        need(',');
+        const size_t term = at_;
+        double all = adds ? 0 : 1;
+        for (double i = first; i <= last; ++i) {
+            if (++p_.loop_turns > p_.options.limits.loop_turns) p_.fail_limit(f_.place, fmt::format("the loops of the scene have made more than {} turns: does one never end?", p_.options.limits.loop_turns));
+            at_ = term;
+            counters_.emplace_back(counter, i);
+            const double value = logical();
+            counters_.pop_back();
+            all = adds ? all + value : all * value;
+        }
+        if (first <= last) return need(')'), all;
+        skip_to_bracket();
+        return all;
+    }
+
+    /// Behind the bracket that closes what is open here.
+    void skip_to_bracket() {
+        for (int depth = 1; depth > 0; ++at_) {
+            if (at_end()) not_expected();
+            depth += token().is('(') - token().is(')');
+        }
     }
 
     std::vector<double> call_arguments() {
@@ -204,6 +245,10 @@ class Evaluation {
             if (!take('.')) p_.fail(at, "this function gives a colour, and a component of it is expected", "write .red, .green, .blue, .filter, .transmit or .gray behind it");
             return component(*colour);
         }
+        if (const auto moved = function_point(p_, inner, values, at)) {
+            if (!take('.')) p_.fail(at, "this function gives a point, and a component of it is expected", "write .x, .y or .z behind it");
+            return component({moved->x, moved->y, moved->z});
+        }
         if (const auto value = value_in_space(p_, inner, values, at)) return *value;
         check_count(p_, inner.parameters.size(), values.size(), at);
         if (calls_ >= kMostCalls) p_.fail_limit(at, fmt::format("more than {} functions call one another", kMostCalls));
@@ -225,6 +270,7 @@ class Evaluation {
     std::span<const double> arguments_;
     int calls_;
     size_t at_ = 0;
+    std::vector<std::pair<WordId, double>> counters_;      // of the sums and products around
 };
 
 }  // namespace
@@ -234,6 +280,13 @@ std::optional<std::array<double, 5>> function_colour(Parser& p, const Function& 
     if (!block || block->word != "pigment"_w) return std::nullopt;
     check_count(p, 3, arguments.size(), at);
     return space_functions(p).pigment(*block, {arguments[0], arguments[1], arguments[2]});
+}
+
+std::optional<Vec3> function_point(Parser& p, const Function& function, std::span<const double> arguments, Place at) {
+    const Block* block = block_of(function);
+    if (!block || block->word != "transform"_w) return std::nullopt;
+    if (arguments.size() != 3) p.fail(at, "the function of a transformation takes three arguments");
+    return build_transform(p, *block).point({arguments[0], arguments[1], arguments[2]});
 }
 
 double function_value(Parser& p, const Function& function, std::span<const double> arguments, Place at) {

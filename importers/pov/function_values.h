@@ -13,4 +13,7 @@ double function_value(Parser& p, const Function& function, std::span<const doubl
 /// Of the function of a pigment, its colour; nothing for others.
 std::optional<std::array<double, 5>> function_colour(Parser& p, const Function& function, std::span<const double> arguments, Place at);
 
+/// Of the function of a transformation, where it moves a point; nothing for others.
+std::optional<Vec3> function_point(Parser& p, const Function& function, std::span<const double> arguments, Place at);
+
 }  // namespace alidade::pov

@@ -2,7 +2,6 @@
 #include "importers/pov/functions.h"
 
 #include "importers/pov/blocks.h"
-#include "importers/pov/builders/transforms.h"
 #include "importers/pov/expressions.h"
 #include "importers/pov/function_values.h"
 #include "importers/pov/space_functions.h"
@@ -25,7 +24,16 @@ void read_parameters(Parser& p, Function& function) {
 }
 
 bool is_parameter(const Function& function, const Token& token) {
-    return std::find(function.parameters.begin(), function.parameters.end(), token.id) != function.parameters.end();
+    const auto holds = [&](const std::vector<WordId>& names) { return std::find(names.begin(), names.end(), token.id) != names.end(); };
+    return holds(function.parameters) || holds(function.counters);
+}
+
+/// The name behind `sum(` and `prod(` is a counter of its own.
+void note_counter(Function& function, const Token& token) {
+    const size_t n = function.parts.size();
+    if (token.kind != TokenKind::name || n < 2 || !function.parts[n - 1].token.is('(')) return;
+    const Token& word = function.parts[n - 2].token;
+    if ((word.is_word("sum"_w) || word.is_word("prod"_w)) && !is_parameter(function, token)) function.counters.push_back(token.id);
 }
 
 /// What an identifier is worth now. Array elements become their values.
@@ -74,7 +82,7 @@ Value parse_function(Parser& p, Place at) {
         p.accept(',');
         parse_float(p);
     }
-    if (function->parameters.empty()) function->parameters = {"x"_w, "y"_w, "z"_w};
+    if (function->parameters.empty()) function->parameters = {"x"_w, "y"_w, "z"_w}, function->usual = true;
     p.expect('{', "before the body of a function");
     if (p.peek().is_word("spline"_w)) {                            // such a function is a spline by another name
         Value spline = parse_spline(p, p.next().place());
@@ -92,6 +100,7 @@ Value parse_function(Parser& p, Place at) {
             add_apart(p, *function, part.token);
             continue;
         }
+        note_counter(*function, part.token);
         resolve(p, *function, part);
         function->parts.push_back(std::move(part));
     }
@@ -106,11 +115,7 @@ Value call_function(Parser& p, const Function& function, Place at) {
         arguments.push_back(parse_float(p));
         p.accept(',');
     }
-    if (const Block* block = block_of(function); block && block->word == "transform"_w) {
-        if (arguments.size() != 3) p.fail(at, "the function of a transformation takes three arguments");
-        const Vec3 q = build_transform(p, *block).point({arguments[0], arguments[1], arguments[2]});
-        return Value::vector(3, {q.x, q.y, q.z});
-    }
+    if (const auto moved = function_point(p, function, arguments, at)) return Value::vector(3, {moved->x, moved->y, moved->z});
     if (const auto colour = function_colour(p, function, arguments, at)) return Value::colour(*colour);
     return Value::number(function_value(p, function, arguments, at));
 }

@@ -51,8 +51,7 @@ Ref<Slot> argument(Parser& p) {
     if (!slot) p.fail(token.place(), "this array element has no value yet");
     if (p.peek().is(',') || p.peek().is(')')) return slot;
     Ref<Slot> fresh(new Slot);
-    fresh->value = continue_from_value(p, slot->value);
-    if (fresh->value.kind == Kind::colour) fresh->value = Value::colour(fresh->value.c);
+    fresh->value = kept(continue_from_value(p, called(p, slot->value, token.place())));
     return fresh;
 }
 

@@ -108,6 +108,7 @@ Value parse_spline(Parser& p, Place at) {
     }
     if (const std::optional<Spline::Type> type = type_of(p.peek())) spline->type = *type, p.next();
     p.accept(',');
+    Components last{};
     while (!p.accept('}')) {
         p.check_items(at);
         const double t = parse_float(p);
@@ -118,7 +119,10 @@ Value parse_spline(Parser& p, Place at) {
         p.accept(',');
         spline->terms = std::max(spline->terms, std::max<uint8_t>(value.terms, 2));
         const auto place = std::lower_bound(spline->knots.begin(), spline->knots.end(), t, [](const auto& knot, double x) { return knot.first < x; });
-        const std::pair<double, Components> knot{t, value.terms == 1 ? promoted(value, 5) : value.c};
+        const size_t given = std::max<size_t>(value.terms, 2);
+        const Components all = promoted(value, uint8_t(given));
+        std::copy_n(all.begin(), given, last.begin());                          // the others stay those of the entry before, a float is two (probed)
+        const std::pair<double, Components> knot{t, last};
         if (place != spline->knots.end() && place->first == t) *place = knot;
         else spline->knots.insert(place, knot);
     }

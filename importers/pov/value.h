@@ -46,6 +46,13 @@ class Ref {
     T* p_ = nullptr;
 };
 
+/// `x` in single precision. Not in a register: of neighbours that it converts to float and back together, g++ 12 (-ftree-slp-vectorize) leaves the
+/// rounding out.
+inline double in_single(double x) {
+    const volatile float rounded = float(x);
+    return rounded;
+}
+
 enum class Kind : uint8_t { nothing, number, vector, colour, string, array, block, function, spline, macro, file };
 
 /// "float", "vector of 3", ...: as messages say it.
@@ -72,7 +79,7 @@ struct Value {
     static Value colour(const std::array<double, 5>& c) {
         Value v;
         v.kind = Kind::colour, v.terms = 5;
-        for (int i = 0; i < 5; ++i) v.c[i] = double(float(c[i]));
+        for (int i = 0; i < 5; ++i) v.c[i] = in_single(c[i]);
         return v;
     }
     static Value string(std::string text);
@@ -191,6 +198,8 @@ struct Function : Shared {
         Value value;                ///< what an identifier was worth when the function was declared
     };
     std::vector<WordId> parameters;
+    bool usual = false;             ///< the parameters are x, y, z, which none were named; u and v are x and y then
+    std::vector<WordId> counters;   ///< that sum() and prod() in it count with
     std::vector<Part> parts;
     std::vector<std::string> texts;
     Place place;

@@ -103,6 +103,24 @@ TEST_F(PovBuilders, PolygonsAreLoopsThatEndWhereTheyBegan) {
     EXPECT_THAT(said("polygon { 2, <0,0>, <1,0> }"), HasSubstr("at least three points"));
 }
 
+/// POV-Ray draws neither of those with a normal along the plane, of length 0 or on the other side, unless they are in a mesh.
+TEST_F(PovBuilders, ASmoothTriangleAloneHasItsNormalsOnOneSide) {
+    const auto triangles = [&](const std::string& text) { return std::get<Mesh>(scene(text).shapes.at(0).geometry).triangles.size(); };
+    const auto triangle = [](const std::string& third) { return "smooth_triangle { <-1,-1,0>, -z, <1,-1,0>, <0,1,-.1>, <0,1,0>, " + third + " }"; };
+    EXPECT_EQ(triangles(triangle("<0,1,-1e-9>")), 1u);
+    for (const char* aside : {"z", "y", "0", "<0,1,1e-9>"}) {
+        EXPECT_EQ(triangles(triangle(aside)), 0u) << aside;
+        EXPECT_THAT(said(triangle(aside)), HasSubstr("not all on one side")) << aside;
+    }
+    EXPECT_EQ(triangles("mesh { " + triangle("z") + " }"), 1u);
+}
+
+TEST_F(PovBuilders, ANormalWithoutLengthInAMeshIsX) {
+    const Scene s = scene("mesh { smooth_triangle { <-1,-1,0>, 0, <1,-1,0>, -z, <0,1,0>, -z } } mesh2 { vertex_vectors { 3, 0, x, y } normal_vectors { 3, -z, 0, -z } face_indices { 1, <0,1,2> } }");
+    EXPECT_EQ(std::get<Mesh>(s.shapes.at(0).geometry).normals.values.at(0), Vec3f(1, 0, 0));
+    EXPECT_EQ(std::get<Mesh>(s.shapes.at(1).geometry).normals.values.at(1), Vec3f(1, 0, 0));
+}
+
 /// Widths of timrom.ttf, whose em is 1000: A is 750 wide, of which 6 before its ink, a pair A V is 187 nearer.
 TEST_F(PovBuilders, LettersOfATextStandByWidthsAndKerning) {
     const Scene s = scene("text { ttf \"timrom.ttf\" \"AVA\" .5, <.1,.2,.3> }");

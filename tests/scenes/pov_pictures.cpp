@@ -202,6 +202,9 @@ std::vector<PovPicture> other_pictures() {
         {"Poly6", usual + "poly { 6, <1,0,0,0,3,0,0,6.75,0,-3,0,0,0,0,0,0,0,0,0,0,3,0,-1,13.5,0,-6,0,0,0,0,15.1875,0,-13.5,0,3,0,0,0,0,0,0,"
                           "0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,1,0,0,6.75,0,-3,0,-0.1125,0,0,15.1875,0,-13.5,0,3,0,0,0,0,0,0,11.390625,0,-15.1875,0,6.75,0,-1> scale 1.4 rotate y*-25 translate y*.5 pigment { rgb <1,.3,.35> } finish { specular .5 } }"},
         {"Polygon", usual + "polygon { 15, <0,0>, <3,0>, <3,3>, <0,3>, <0,0>, <.5,.5>, <2.5,.5>, <1,2.5>, <.5,.5>, <2,2>, <2.8,2>, <2.8,2.8>, <2.5,2.2>, <2,2.8>, <2,2> translate <-1.5,-1,0> rotate <20,35,10> pigment { rgb <.9,.7,.2> } }"},
+        {"PatternsAfterColours", usual + "#declare P = pigment { gradient y }\nsphere { <-2,0,0>, 1 pigment { rgb 1 } scale <1,.3,1> pigment { gradient y scale .5 rotate 40*z } scale <1,3,1> } sphere { <0,0,0>, 1 finish { phong .5 } scale <1,.4,1> "
+                                         "pigment { gradient y warp { turbulence .3 } rotate 30 } scale <1,2,1> } sphere { <2,0,0>, 1 pigment { rgb 1 } scale <1,.4,1> pigment { P scale .5 } scale <1,2.5,1> }"},
+        {"PolygonsOfEight", usual + "polygon { 5, <0,0,0>, <1,1,0>, <0,1,0>, <1,0,0>, <0,0,0> } polygon { 5, <0,0,0>, <-1,-1,-1>, <-1,0,-1>, <0,-1,0>, <0,0,0> pigment { rgb <.9,.7,.2> } }"},
         {"Texts", usual + "text { ttf \"timrom.ttf\" \"AVog&\" .4, 0 scale 1.2 translate <-2,1.2,0> pigment { rgb <1,.7,.2> } finish { phong .7 } } text { ttf \"cyrvetic.ttf\" \"Ray8\" 1, <.05,.03,0> rotate y*25 translate <-2,-.1,0> pigment { rgb <.3,.8,.4> } } "
                           "text { ttf \"crystal.ttf\" \"a%B\" .02, .1*x rotate x*30 translate <-.5,-1.5,0> pigment { rgb .9 } } text { internal 4 \"P\" .3, 0 translate <1.2,-.6,0> pigment { rgb <.6,.6,1> } }"},
         {"Finish", usual + sphere + "texture { pigment { rgb <1,.2,.1> } finish { ambient .2 diffuse .5 brilliance 2.5 phong .8 phong_size 30 metallic .5 } } }"},

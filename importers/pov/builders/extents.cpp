@@ -281,8 +281,9 @@ Bounds Extents::of(const Block& block) {
     const Bounds box = box_of(reader_->object(block));
     if (box.empty()) return box;
     if (!box.finite()) return {Vec3(-kUnboundedExtent), Vec3(kUnboundedExtent)};
-    const Vec3 low(Vec3f(box.min)), size(Vec3f(box.max - box.min));
-    return {low, low + size};
+    const auto rounded = [](const Vec3& v) { return Vec3(in_single(v.x), in_single(v.y), in_single(v.z)); };
+    const Vec3 low = rounded(box.min);
+    return {low, rounded(low + rounded(box.max - box.min))};
 }
 
 }  // namespace alidade::pov

@@ -13,9 +13,10 @@ namespace alidade::pov {
 
 namespace {
 
-/// Of length 1, as POV-Ray has it; but one that is so to single precision stays as it is written: a second rounding would move it.
+/// Of length 1, as POV-Ray has it, which takes x for one without length; but one that is so to single precision stays as it is written: a second rounding would move it.
 Vec3f unit_normal(const Vec3& n) {
     constexpr double kSinglePrecision = 1e-6;
+    if (n == Vec3(0)) return Vec3f(1, 0, 0);
     return Vec3f(std::abs(dot(n, n) - 1) < kSinglePrecision ? n : normalized(n));
 }
 
@@ -235,7 +236,20 @@ void take_uvs(Build& build, const Mesh2Parts& parts, Mesh& mesh, Place place) {
 }  // namespace
 
 BuiltShape build_triangle(Build&, Cursor& at) { return one_triangle(at, false); }
-BuiltShape build_smooth_triangle(Build&, Cursor& at) { return one_triangle(at, true); }
+
+/// POV-Ray leaves out one that stands alone if its normals are not all on one side of its plane; in a mesh it draws it.
+BuiltShape build_smooth_triangle(Build& build, Cursor& at) {
+    const Place place = at.place();
+    const BuiltShape shape = one_triangle(at, true);
+    const Mesh& mesh = std::get<Mesh>(shape.geometry);
+    const auto corner = [&](size_t i) { return mesh.exact_positions.empty() ? Vec3(mesh.positions[i]) : mesh.exact_positions[i]; };
+    const Vec3 across = cross(corner(1) - corner(0), corner(2) - corner(0));
+    int side = 0;
+    for (const Vec3f& n : mesh.normals.values) side += (dot(Vec3(n), across) > 0) - (dot(Vec3(n), across) < 0);
+    if (std::abs(side) == 3) return shape;
+    build.p.tally(place, "a smooth triangle whose normals are not all on one side of it is left out, as POV-Ray does");
+    return {Mesh(), {}};
+}
 
 BuiltShape build_mesh(Build& build, Cursor& at) {
     Mesh mesh;

@@ -179,6 +179,22 @@ void set_uv_mapped(Build& build, TextureLayers& layers) {
     });
 }
 
+namespace {
+
+/// A pattern that takes the place of a plain colour keeps the transformations that the colour was given; one that is named has its own alone (probed).
+SignalId after_colour(Build& build, SignalId id, const Block& pigment, const Transform& given) {
+    const bool named = !pigment.items.empty() && pigment.items[0].kind == Item::Kind::value && pigment.items[0].value.kind == Kind::block;
+    Signal signal = build.scene.signals[id.index];
+    auto* pattern = std::get_if<PatternSignal>(&signal.what);
+    if (!pattern || named || given.is_identity()) return id;
+    std::vector<Warp>& warps = pattern->warps;
+    if (!warps.empty() && warps[0].kind == WarpKind::transform) warps[0].transform = warps[0].transform * given;
+    else warps.insert(warps.begin(), {WarpKind::transform, given, {}});
+    return build.add_signal(std::move(signal));
+}
+
+}  // namespace
+
 bool take_layer_part(Build& build, Cursor& at, TextureLayers& layers, const Transform& since) {
     const Block* block = at.any_block();
     if (!block || (block->word != "pigment"_w && block->word != "normal"_w && block->word != "finish"_w)) return false;
@@ -190,7 +206,9 @@ bool take_layer_part(Build& build, Cursor& at, TextureLayers& layers, const Tran
     const auto there = [&](SignalId id) { return since.is_identity() ? id : moved_in_space(build, id, since); };
     const auto here = [&](SignalId id) { return since.is_identity() ? id : moved_in_space(build, id, back); };
     if (block->word == "pigment"_w) {
-        layer->pigment = here(build_pigment(build, *block, there(layer->pigment)));
+        const bool was_colour = !std::holds_alternative<PatternSignal>(build.scene.signals[layer->pigment.index].what);
+        const SignalId made = build_pigment(build, *block, there(layer->pigment));
+        layer->pigment = here(was_colour ? after_colour(build, made, *block, since) : made);
     } else {
         layer->normal = here(build_normal(build, *block, layer->normal ? std::optional(there(*layer->normal)) : std::nullopt));
     }

@@ -30,7 +30,12 @@ Transform scaling(Parser& p, const Item& item) {
 Transform matrix(Parser& p, const Item& item) {
     const bool list = item.kind == Item::Kind::numbers && item.value.as<NumberList>().numbers.size() == 12;
     if (!list) p.fail(item.place, "twelve numbers in < > are expected behind matrix");
-    const std::vector<double>& m = item.value.as<NumberList>().numbers;
+    std::vector<double> m = item.value.as<NumberList>().numbers;
+    for (size_t i = 0; i < 3; ++i)
+        if (m[i] == 0 && m[3 + i] == 0 && m[6 + i] == 0) {
+            p.warn(item.place, fmt::format("a matrix that makes all {0} 0 is taken as one that leaves {0} as it is", "xyz"[i]));
+            m[4 * i] = 1;
+        }
     return {Mat3(m[0], m[1], m[2], m[3], m[4], m[5], m[6], m[7], m[8]), Vec3(m[9], m[10], m[11])};
 }
 

@@ -106,7 +106,7 @@ Value rand(Parser& p, Place at) {
 Value is_defined(Parser& p, Place) {
     p.expect('(', "behind defined");
     const Token name = p.raw_token();
-    bool known = name.kind == TokenKind::word;
+    bool known = false;                           // as words of the language are (probed)
     if (name.kind == TokenKind::name) known = p.symbols.find(name.id) && bool(parse_reference(p, name, false));
     p.expect(')', "behind the name");
     return Value::number(known);

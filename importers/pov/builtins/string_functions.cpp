@@ -64,11 +64,11 @@ Value vstr(Parser& p, Place) {
 Value concat(Parser& p, Place at) {
     p.expect('(', "behind concat");
     std::string all = parse_string(p);
-    while (p.accept(',')) {
+    while (!p.accept(')')) {
+        p.accept(',');                                    // as everywhere, commas may be left out
         all += parse_string(p);
         if (all.size() > p.options.limits.string_bytes) p.fail_limit(at, fmt::format("a string has more than {} bytes", p.options.limits.string_bytes));
     }
-    p.expect(')', "behind the strings of concat");
     return Value::string(std::move(all));
 }
 
@@ -83,13 +83,16 @@ Value asc(Parser& p, Place) {
     return Value::number(s.empty() ? 0 : static_cast<unsigned char>(s[0]));
 }
 
-/// The number that a string begins with, or 0.
+/// The number that a string begins with, decimal or after 0x hexadecimal, or 0.
 Value val(Parser& p, Place) {
     const std::string s = one_string(p);
-    const char* begin = s.c_str() + s.find_first_not_of(" \t\n+");
+    size_t begin = std::min(s.find_first_not_of(" \t\n"), s.size());
+    const bool negative = s[begin] == '-';
+    if (negative || s[begin] == '+') ++begin;
+    const bool hexadecimal = s[begin] == '0' && (s[begin + 1] == 'x' || s[begin + 1] == 'X');
     double x = 0;
-    if (s.find_first_not_of(" \t\n+") != std::string::npos) std::from_chars(begin, s.c_str() + s.size(), x);
-    return Value::number(x);
+    if (s[begin] != '-') std::from_chars(s.c_str() + begin + (hexadecimal ? 2 : 0), s.c_str() + s.size(), x, hexadecimal ? std::chars_format::hex : std::chars_format::general);
+    return Value::number(negative ? -x : x);
 }
 
 Value strlen_(Parser& p, Place) { return Value::number(double(one_string(p).size())); }
@@ -105,12 +108,13 @@ Value strcmp_(Parser& p, Place) {
     return Value::number(byte(at_a, a.end()) - byte(at_b, b.end()));
 }
 
-/// substr(string, first, length), counted from 1.
+/// substr(string, first, length), counted from 1. From 0 there is nothing, whatever the length (probed).
 Value substr(Parser& p, Place at) {
     p.expect('(', "behind substr");
     const std::string s = parse_string(p);
     const int first = to_int(next_float(p)), length = to_int(next_float(p));
     p.expect(')', "behind the arguments of substr");
+    if (first == 0 && length >= 0) return Value::string("");
     if (first < 1 || length < 0 || int64_t(first) + length - 1 > int64_t(s.size()))
         p.fail(at, fmt::format("the string has {} characters, there are no {} from number {}", s.size(), length, first));
     return Value::string(s.substr(size_t(first) - 1, size_t(length)));

@@ -14,10 +14,28 @@
 #switch (A) #case (1) #debug "1\n" #else #debug "other\n" #end   // expect 6
 // expect r
 // expect other
+#switch (2) #range (3, 1) #debug "in\n" #break #range (1 5) #debug "within\n" #break #end   // expect within
 //---- what is not taken is not read
 #if (0) #include "nowhere.inc" #declare = ; #elseif (1) #debug "second\n" #else #debug "third\n" #end   // expect second
 #ifdef (Nothing) #debug "defined\n" #else #debug "not\n" #end   // expect not
 #ifndef (Nothing) #debug "not\n" #end                       // expect not
+#ifdef (clock) #debug "defined\n" #else #debug "a word\n" #end   // expect a word
+//---- read: behind a last comma a loop makes one more turn with what it had, as POV-Ray's; names beyond the end keep their values
+#fopen F "numbers.txt" write
+#write (F, "1, 2, // two\n 3,\n")
+#fclose F
+#fopen F "numbers.txt" read
+#while (defined(F)) #read (F, N) #debug concat(str(N, 0, 0), "\n") #end   // expect 1
+// expect 2
+// expect 3
+// expect 3
+#fopen F "numbers.txt" write
+#write (F, "1, <2, 3>, /* 7, */ 4\n")
+#fclose F
+#fopen F "numbers.txt" read
+#declare D = 9;
+#read (F, A, B, C, D)
+#debug concat(str(A, 0, 0), str(B.y, 0, 0), str(C, 0, 0), str(D, 0, 0), str(defined(F), 0, 0), "\n")   // expect 13490
 //---- break leaves a macro
 #macro Q() #debug "q\n" #if (1) #break #end #debug "r\n" #end
 Q()                                                         // expect q
