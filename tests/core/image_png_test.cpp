@@ -200,6 +200,35 @@ TEST(LinearPng, KeepsLinearValues) {
     EXPECT_EQ(decode_stored_picture(*encode_linear_png(odd))->picture.values, (std::vector<float>{0, 0, 1}));
 }
 
+/// Half a step of 16 bits of the standard's curve, in every kind of picture; alpha is straight and on no curve.
+TEST(DeepPng, KeepsColoursToHalfAStep) {
+    for (const std::vector<std::string>& names : {std::vector<std::string>{"Y"}, {"Y", "A"}, {"R", "G", "B"}, {"R", "G", "B", "A"}}) {
+        const bool with_alpha = names.back() == "A";
+        Picture picture(5, 3, names);
+        const int channels = picture.channels;
+        for (int i = 0; i < 15 * channels; ++i) {
+            const bool is_alpha = with_alpha && i % channels == channels - 1;
+            picture.values[size_t(i)] = is_alpha ? 0.5f : float(i * i) / float(225 * channels * channels) * (with_alpha ? 0.5f : 1.0f);
+        }
+        const auto bytes = encode_picture(picture, ".png", 16);
+        ASSERT_TRUE(bytes) << bytes.error();
+        const auto stored = decode_stored_picture(*bytes);
+        ASSERT_TRUE(stored) << stored.error();
+        EXPECT_EQ(stored->levels, 65535u);
+        EXPECT_TRUE(stored->srgb);
+        ASSERT_EQ(stored->picture.names, names);
+        for (int i = 0; i < 15 * channels; ++i) {
+            const bool is_alpha = with_alpha && i % channels == channels - 1;
+            const double linear = double(picture.values[size_t(i)]) / (with_alpha ? 0.5 : 1);
+            EXPECT_NEAR(double(stored->picture.values[size_t(i)]), is_alpha ? 0.5 : linear_to_srgb(linear), 0.51 / 65535);
+        }
+    }
+    Picture odd(1, 1, {"R", "G", "B"});
+    odd.values = {NAN, -INFINITY, INFINITY};
+    EXPECT_EQ(decode_stored_picture(*encode_picture(odd, ".png", 16))->picture.values, (std::vector<float>{0, 0, 1}));
+    EXPECT_FALSE(encode_picture(Picture(1, 1, {"depth.Z"}), ".png", 16));
+}
+
 TEST(EncodePicture, GivesTheBytesOfAFile) {
     Picture picture(3, 2, {"R", "G", "B"});
     for (size_t i = 0; i < picture.values.size(); ++i) picture.values[i] = float(srgb_to_linear(double(i * 14) / 255));

@@ -58,6 +58,11 @@ class Povray(InFolder):
         self.assertEqual([x for x in range(10) if grey[90 + x]], [2, 3])
         self.assertEqual([y for y in range(10) if grey[10 * y + 2]], [5, 6, 7, 8, 9])
 
+    def test_bits_of_png_files(self):
+        for word, bits in (("+FN", 8), ("+FN8", 8), ("+FN16", 16), ("Bits_Per_Color=16", 16)):
+            self.render("+Is.pov", "+W8", "+H8", word)
+            self.assertEqual((self.folder / "s.png").read_bytes()[24], bits, word)
+
     def test_slips_exit_with_1_and_the_nearest_word(self):
         self.assertIn("did you mean 'Width='?", self.render("+Is.pov", "Widht=3", code=1))
         self.assertIn("'+~' is no word of POV-Ray", self.render("+Is.pov", "+~", code=1))
