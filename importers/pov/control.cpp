@@ -134,7 +134,8 @@ bool matches(Parser& p, const Token& clause, double value) {
         bool match = std::fabs(value - low) < kEpsilon;
         if (clause.directive.word == "range"_w) {
             p.expect(',', "between the ends of a range");
-            match = value >= low && value <= parse_float(p);
+            const double high = parse_float(p);              // read whatever the value is
+            match = value >= low && value <= high;
         }
         p.expect(')', "behind the value of #case or #range");
         return match;

@@ -14,6 +14,7 @@
 #switch (A) #case (1) #debug "1\n" #else #debug "other\n" #end   // expect 6
 // expect r
 // expect other
+#switch (1) #range (2, 3) #debug "r\n" #break #case (0) #debug "0\n" #break #else #debug "below\n" #end   // expect below
 //---- what is not taken is not read
 #if (0) #include "nowhere.inc" #declare = ; #elseif (1) #debug "second\n" #else #debug "third\n" #end   // expect second
 #ifdef (Nothing) #debug "defined\n" #else #debug "not\n" #end   // expect not
