@@ -15,8 +15,8 @@ namespace {
 /// Products nearer to 0 than this count as none: where POV-Ray looks at a light, or at a change of direction.
 constexpr double kEpsilon = 1e-10;
 
-double opacity(const RenderSettings& settings, const PigmentColor& c) {
-    return 1 - c.filter * (settings.filter_dims_by_colour ? max_component(c.color) : 1) - c.transmit;
+double opacity(const RenderSettings& settings, const PovFinish& f, const PigmentColor& c) {
+    return 1 - c.filter * (settings.filter_dims_by_colour && !f.uncolored ? max_component(c.color) : 1) - c.transmit;
 }
 
 /// Whatever its pigment is: mirrors and highlights lie on clear surfaces, too.
@@ -122,7 +122,7 @@ void PovSurface::add_layers(const CompiledScene& scene, const ShadePoint& point,
         layer.finish = &std::get<PovFinish>(material.layers[i]);
         const PigmentColor pigment = scene.textures->pigment(layer.finish->pigment, point, frame.at);
         layer.color = pigment.color;
-        layer.opacity = opacity(settings, pigment);
+        layer.opacity = opacity(settings, *layer.finish, pigment);
         layer.above = texture.through;
         layer.normal = layer.finish->normal ? scene.textures->bent(*layer.finish->normal, frame, normal_) : normal_;
         texture.through *= filter_of(*layer.finish, pigment);

@@ -220,7 +220,7 @@ std::vector<PovPicture> other_pictures() {
         {"Caustics", usual + "plane { y, -2 pigment { rgb .6 } } sphere { <0,1,0>, 1 texture { pigment { rgbf <1,.6,.3,.8> } } texture { pigment { rgbt <.9,.9,1,.6> } } interior { ior 1.3 caustics .4 } }"},
         {"ColouredShadows", usual + "plane { y, -2 pigment { rgb 1 } } sphere { <0,1,0>, 1 pigment { rgbf <1,.3,.2,.8> } } sphere { <2,1,0>, .6 pigment { rgb 1 } no_shadow }"},
         {"Layers", usual + sphere + "texture { pigment { rgb <.2,.3,1> } finish { reflection .2 phong .6 } } texture { pigment { rgbft <1,.6,.2,.4,.3> } finish { ambient .3 specular .5 } } }"},
-        {"LayersOfVersion31", "#version 3.1; #declare A = texture { pigment { rgbf <.8,1,.6,.8> } finish { phong .5 } } #declare B = texture { pigment { rgbf <1,.5,.2,.7> } } #declare T = texture { pigment { rgbf <.9,.3,1,.8> } } texture { pigment { "
+        {"LayersOfVersion31", "#version 3.1; #declare A = texture { pigment { rgbf <.8,1,.6,.8> } finish { phong .5 } } #declare B = texture { pigment { rgbf <.6,.5,.2,.7> } } #declare T = texture { pigment { rgbf <.9,.3,1,.8> } } texture { pigment { "
                               "rgbft <.2,.5,1,.5,.3> } } #declare M = material { texture { A } texture { B } } sphere { <-2,1,0>, 1 texture { A } texture { B } } #version 3.6; global_settings { assumed_gamma 1 } background { rgb <.5,.6,.7> }" + kView +
                               kSun + "sphere { <0,1,1>, 1 texture { T } } sphere { <2,1,0>, 1 material { M } } sphere { <-1,.5,-2>, .5 texture { A } texture { B } } box { -.4, .4 translate <1,.5,-2> texture { gradient y texture_map { [.5 T] [1 A] } } } "
                               "plane { y, -1 pigment { rgb 1 } }"},
