@@ -80,7 +80,7 @@ void dump_layer(std::string& out, const PovFinish& p) {
         .field("reflection_exponent", p.reflection_exponent, usual.reflection_exponent).field("reflection_metallic", p.reflection_metallic)
         .field("reflection_fresnel", p.reflection_fresnel).field("conserve_energy", p.conserve_energy)
         .field("irid", p.irid).field("irid_thickness", p.irid_thickness).field("irid_turbulence", p.irid_turbulence)
-        .field("ior", p.ior).field("caustics", p.caustics).field("refraction", p.refraction, usual.refraction);
+        .field("ior", p.ior).field("caustics", p.caustics).field("refraction", p.refraction, usual.refraction).field("uncolored", p.uncolored);
 }
 
 void dump_layer(std::string& out, const PovTextureMap& m) { Line(out, "  map").always("pattern", m.pattern).always("textures", m.textures); }

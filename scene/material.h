@@ -197,6 +197,7 @@ struct PovFinish {
     double irid = 0, irid_thickness = 0, irid_turbulence = 0;   ///< colours of a thin film
     std::optional<double> ior, caustics;      ///< before POV-Ray 3.1: those of the interior behind the surface, if the layer is the one on top
     double refraction = 1;                    ///< likewise: what passes the surface is multiplied by it, but in shadows
+    bool uncolored = false;                   ///< of all colours filter + transmit pass alike: POV-Ray 3.1 and before, of all layers but the lowest
 };
 
 /// POV-Ray's texture_map, and a list of textures: where `pattern` (a PatternSignal) has a value, the light of the textures beside it in the map is mixed. The signals of the map itself are not read.

@@ -15,14 +15,14 @@ namespace {
 /// Products nearer to 0 than this count as none: where POV-Ray looks at a light, or at a change of direction.
 constexpr double kEpsilon = 1e-10;
 
-double opacity(const RenderSettings& settings, const PigmentColor& c) {
-    return 1 - c.filter * (settings.filter_dims_by_colour ? max_component(c.color) : 1) - c.transmit;
+double opacity(const RenderSettings& settings, const PovFinish& f, const PigmentColor& c) {
+    return 1 - c.filter * (settings.filter_dims_by_colour && !f.uncolored ? max_component(c.color) : 1) - c.transmit;
 }
 
 /// Whatever its pigment is: mirrors and highlights lie on clear surfaces, too.
 bool shines(const PovFinish& f) { return f.specular != 0 || f.phong != 0 || f.crand != 0 || !is_black(f.reflection_min) || !is_black(f.reflection_max); }
 
-Color filter_of(const PigmentColor& c) { return c.color * c.filter + Color(c.transmit); }
+Color filter_of(const PovFinish& f, const PigmentColor& c) { return f.uncolored ? Color(c.filter + c.transmit) : c.color * c.filter + Color(c.transmit); }
 
 /// How a metal's highlight or reflection takes the colour of the surface: less and less towards grazing angles. `cosine` is of the angle from the normal.
 Color metallic(const Color& c, double amount, double cosine) {
@@ -122,10 +122,10 @@ void PovSurface::add_layers(const CompiledScene& scene, const ShadePoint& point,
         layer.finish = &std::get<PovFinish>(material.layers[i]);
         const PigmentColor pigment = scene.textures->pigment(layer.finish->pigment, point, frame.at);
         layer.color = pigment.color;
-        layer.opacity = opacity(settings, pigment);
+        layer.opacity = opacity(settings, *layer.finish, pigment);
         layer.above = texture.through;
         layer.normal = layer.finish->normal ? scene.textures->bent(*layer.finish->normal, frame, normal_) : normal_;
-        texture.through *= filter_of(pigment);
+        texture.through *= filter_of(*layer.finish, pigment);
         if (layer.finish->conserve_energy) {
             const Color left = Color(1) - reflectivity(layer, -dot(dir_, layer.normal), relative_ior(scene, point));
             texture.through *= glm::min(left, Color(1));
@@ -321,7 +321,7 @@ Color pov_transmitted(const CompiledScene& scene, const Material& material, cons
     Color through(1);
     for (const auto& layer : material.layers) {
         const PovFinish& finish = std::get<PovFinish>(layer);
-        through *= filter_of(scene.textures->pigment(finish.pigment, point, frame.at));
+        through *= filter_of(finish, scene.textures->pigment(finish.pigment, point, frame.at));
         if (is_black(through)) return through;
         through *= caustics(scene, finish, point, frame, dir);
     }

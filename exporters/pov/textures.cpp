@@ -4,6 +4,7 @@
 #include "exporters/pov/metal_rough.h"
 #include "scene/graph.h"
 
+#include <algorithm>
 #include <fmt/format.h>
 
 namespace alidade::pov_export {
@@ -30,6 +31,23 @@ void write_reflection(Sdl& sdl, const PovFinish& f) {
 bool has_old_words(const PovFinish& f) { return f.ior || f.caustics || f.refraction != 1; }
 bool has_old_words(const PovTextureMap&) { return false; }
 bool has_old_words(const GltfPbr&) { return false; }
+
+bool has_old_words(const Material& m) {
+    return std::any_of(m.layers.begin(), m.layers.end(), [](const auto& layer) { return std::visit([](const auto& what) { return has_old_words(what); }, layer); });
+}
+
+size_t uncolored_layers(const Material& m) {
+    return size_t(std::count_if(m.layers.begin(), m.layers.end(), [](const auto& layer) {
+        const auto* finish = std::get_if<PovFinish>(&layer);
+        return finish && finish->uncolored;
+    }));
+}
+
+/// The language in which a material's declaration says what it is, if it is not the scene's.
+const char* older_version(const Scene& scene, const Material& m) {
+    if (has_old_words(m) && scene.settings.filter_dims_by_colour) return "#version 3.0;";   // POV-Ray warns of such words in newer scenes, where they act otherwise
+    return uncolored_layers(m) ? "#version 3.1;" : nullptr;
+}
 
 /// Words that a finish could have below version 3.1, where caustics were counted otherwise.
 void write_old_words(Sdl& sdl, const PovFinish& f) {
@@ -110,11 +128,12 @@ void TextureWriter::declare_one(MaterialId id) {
     if (m.layers.empty()) return write_metal_rough(ref, {}, sky_, output_, texture_name(id));
     sdl_.line("#declare", texture_name(id), "=");
     losses_.wrote(ref);
-    const bool old = std::any_of(m.layers.begin(), m.layers.end(), [](const auto& part) { return std::visit([](const auto& what) { return has_old_words(what); }, part); });
-    const bool of_old = old && scene_.settings.filter_dims_by_colour;   // POV-Ray warns of such words in newer scenes, where they act otherwise
-    if (of_old) sdl_.line("#version 3.0;");
+    const char* version = older_version(scene_, m);
+    if (const size_t above = m.layers.size() - 1; version && uncolored_layers(m) < above)
+        losses_.add("layers that colour what passes them, under or over others that do not", above - uncolored_layers(m), "layers that do not");
+    if (version) sdl_.line(version);
     for (const auto& part : m.layers) std::visit([&](const auto& what) { layer(what); }, part);
-    if (of_old) sdl_.line(version_line(scene_));
+    if (version) sdl_.line(version_line(scene_));
 }
 
 void TextureWriter::declare(std::vector<bool> used, const std::vector<SignalId>& pigments) {

@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
+#include <optional>
+#include <span>
 
 namespace alidade::pov {
 
@@ -42,17 +44,22 @@ int component_of(const Token& token) {
 
 constexpr double kSrgb = 0;
 
-/// What the scene's numbers mean, by the first `assumed_gamma` so far: powers of light, or kSrgb.
-double working_gamma(const Parser& p) {
-    for (const Value& settings : p.globals) {
-        const std::span<const Item> items = settings.as<Block>().items;
-        for (size_t i = 0; i + 1 < items.size(); ++i) {
-            if (items[i].kind != Item::Kind::word || items[i].word != "assumed_gamma"_w) continue;
-            const Item& given = items[i + 1];
-            return given.kind == Item::Kind::value && given.value.kind == Kind::number ? given.value.c[0] : kSrgb;
-        }
+/// What `assumed_gamma` says among items of global_settings: powers of light, or kSrgb.
+std::optional<double> given_gamma(std::span<const Item> items) {
+    for (size_t i = 0; i + 1 < items.size(); ++i) {
+        if (items[i].kind != Item::Kind::word || items[i].word != "assumed_gamma"_w) continue;
+        const Item& given = items[i + 1];
+        return given.kind == Item::Kind::value && given.value.kind == Kind::number ? given.value.c[0] : kSrgb;
     }
-    return 1;
+    return std::nullopt;
+}
+
+/// What the scene's numbers mean, by the first `assumed_gamma` so far, which may stand in the same block.
+double working_gamma(Parser& p, Place at) {
+    for (const Value& settings : p.globals)
+        if (const std::optional<double> gamma = given_gamma(settings.as<Block>().items)) return *gamma;
+    if (const std::optional<double> gamma = given_gamma(p.open_items)) return *gamma;
+    p.fail(at, "a colour in sRGB stands before assumed_gamma", "begin with global_settings { assumed_gamma 1 }");
 }
 
 /// A component in sRGB (IEC 61966-2-1) as a number of the scene: in single precision throughout, as POV-Ray calculates it.
@@ -71,8 +78,10 @@ Value from_word(Parser& p, const ColourWord& entry, Standing standing) {
     if (given.terms > entry.terms && given.kind == Kind::vector) p.warn(at, fmt::format("{} components stand behind {}", given.terms, kWords[entry.word]));
     std::array<double, 5> c = promoted(given, entry.terms);
     if (entry.transmit_only && given.kind != Kind::colour && given.terms <= 4) c[4] = c[3], c[3] = 0;
-    if (entry.srgb)
-        for (int i = 0; i < 3; ++i) c[i] = from_srgb(c[i], working_gamma(p));
+    if (entry.srgb) {
+        const double gamma = working_gamma(p, at);
+        for (int i = 0; i < 3; ++i) c[i] = from_srgb(c[i], gamma);
+    }
     return Value::colour(c);
 }
 

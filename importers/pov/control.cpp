@@ -135,7 +135,7 @@ bool matches(Parser& p, const Token& clause, double value) {
         bool match = std::fabs(value - low) < kEpsilon;
         if (clause.directive.word == "range"_w) {
             p.accept(',');
-            const double high = parse_float(p);
+            const double high = parse_float(p);              // read whatever the value is
             match = value >= low && value <= high;
         }
         p.expect(')', "behind the value of #case or #range");

@@ -66,6 +66,27 @@ TEST_F(PovFile, EveryKindOfShapeComesBack) {
     EXPECT_GE(kinds, 12u);
 }
 
+/// What only the language of POV-Ray 3.1 says is declared in it.
+TEST_F(PovFile, LayersThatColourNothingAreDeclaredInAnOlderLanguage) {
+    Scene scene = triangle_scene();
+    scene.signals = {{ConstantSignal{Vec4(1, 0.5, 0.7, 1), 0.5, 0}, {}}};
+    PovFinish finish;
+    finish.pigment = SignalId{0};
+    PovFinish above = finish;
+    above.uncolored = true;
+    scene.materials = {{"glass", {finish, above, above}, {}}};
+    scene.nodes[0].materials = {MaterialId{0}};
+    EXPECT_THAT(exported(scene), HasSubstr("#version 3.1;"));
+    EXPECT_THAT(lost_, Not(HasSubstr("layers")));
+    const Scene read = again();
+    const auto marked = [](const auto& layer) { return std::get<PovFinish>(layer).uncolored; };
+    for (const Material& m : read.materials) EXPECT_EQ(std::count_if(m.layers.begin(), m.layers.end(), marked), std::ptrdiff_t(m.layers.size()) - 1);
+    EXPECT_EQ(read.materials.at(0).layers.size(), 3u);
+    scene.materials[0].layers[1] = finish;
+    exported(scene);
+    EXPECT_THAT(lost_, HasSubstr("layers that colour what passes them"));
+}
+
 TEST_F(PovFile, ASceneOfEverythingIsRead) {
     EXPECT_THAT(exported(sample_scene()), HasSubstr("clipped_by"));
     for (const char* what : {"animations", "skins", "morph targets"}) EXPECT_THAT(lost_, HasSubstr(what));

@@ -196,6 +196,97 @@ TEST_F(PovBuilders, SettingsDependOnTheVersion) {
     EXPECT_THAT(said(twice), HasSubstr("assumed_gamma was given before"));
 }
 
+/// For each layer of the last material that has several, from the bottom up: is it marked as uncoloured?
+std::string marks(const Scene& scene) {
+    std::string out;
+    for (const Material& m : scene.materials) {
+        if (m.layers.size() < 2) continue;
+        out.clear();
+        for (const auto& layer : m.layers) out += std::get<PovFinish>(layer).uncolored ? '1' : '0';
+    }
+    return out;
+}
+
+/// By what POV-Ray lets through `plane { z, 0 A B }` and the like: up to version 3.1 a layer that is put over another colours nothing. It matters where it is put there, in an object, in a
+/// declaration of textures or of a material; maps and meshes take textures as they are.
+TEST_F(PovBuilders, UpToVersion31LayersOverTheLowestColourNothing) {
+    const std::string a = "texture { pigment { rgbf <.8,1,.6,.8> } } ", b = "texture { pigment { rgbf <1,.5,.7,.5> } } ", c = "texture { pigment { rgbft <.3,1,1,.5,.3> } } ";
+    const std::string old = "\n#version 3.1; ", now = "\n#version 3.6; ", t = "#declare T = " + a + b, in_z = "plane { z, 0 ", m = "#declare M = material { " + a + b + "} ";
+    const auto of = [&](const std::string& text) { return marks(scene(text)); };
+    EXPECT_EQ(of(old + in_z + a + b + c + "}"), "011");
+    EXPECT_EQ(of("#version 3.0; " + in_z + a + b + "}" + now), "01") << "whatever the version is at the end";
+    for (const char* version : {"3.11", "3.4", "3.5", "3.7"}) EXPECT_EQ(of(fmt::format("#version {}; ", version) + in_z + a + b + "}"), "00") << version;
+    EXPECT_EQ(of(old + t + now + in_z + "texture { T } }"), "01") << "declared";
+    EXPECT_EQ(of(now + t + old + in_z + "texture { T } }"), "01") << "or used";
+    EXPECT_EQ(of(now + t + old + "#declare U = texture { T }" + now + in_z + "texture { U } }"), "01") << "or declared again";
+    EXPECT_EQ(of(old + t + now + in_z + "texture { T } " + c + "}"), "010");
+    EXPECT_EQ(of(now + t + old + in_z + "texture { T } " + c + "}"), "011");
+    EXPECT_EQ(of(now + t + old + in_z + c + "texture { T } }"), "011");
+    EXPECT_EQ(of(now + in_z + a + b + old + c + "}"), "001");
+    EXPECT_EQ(of(old + m + now + in_z + "material { M } }"), "01");
+    EXPECT_EQ(of(now + m + old + in_z + "material { M } }"), "01");
+    EXPECT_EQ(of(now + m + old + "#declare N = material { M } " + now + in_z + "material { N } }"), "01");
+    const std::string mesh = "mesh { triangle { <-9,-9,0>, <9,-9,0>, <0,19,0> texture { T } } }";
+    EXPECT_EQ(of(old + t + now + mesh), "01");
+    EXPECT_EQ(of(now + t + old + mesh), "00");
+    EXPECT_EQ(of(old + "#declare O = " + in_z + a + b + "} " + now + "object { O }"), "01");
+    EXPECT_EQ(of(now + "#declare O = " + in_z + "} " + old + "object { O " + a + b + "}"), "01");
+}
+
+/// POV-Ray draws `pigment { rgb C scale 2 }` as C, and what moves a plain colour moves a pattern that takes its place.
+TEST_F(PovBuilders, APlainColourKeepsItsModifiersForAPattern) {
+    const auto pigment = [&](const std::string& text) {
+        const Scene s = scene(text);
+        const auto* finish = s.materials.empty() ? nullptr : std::get_if<PovFinish>(&s.materials.back().layers.front());
+        return finish ? s.signals.at(finish->pigment.index) : Signal();
+    };
+    const Signal colour = pigment("sphere { 0, 1 pigment { rgb <1,.5,.2> scale 2 turbulence .4 frequency 2 } }");
+    const auto* plain = std::get_if<ConstantSignal>(&colour.what);
+    ASSERT_TRUE(plain);
+    EXPECT_LT(length(Vec3(plain->value) - Vec3(1, 0.5, 0.2)), 1e-7);
+    for (const char* text : {"sphere { 0, 1 texture { scale .5 pigment { gradient x } } }", "sphere { 0, 1 texture { pigment { rgb 1 scale .5 } pigment { gradient x } } }",
+                             "#declare P = pigment { rgb 1 scale .5 } sphere { 0, 1 pigment { P gradient x } }", "#default { pigment { rgb 1 scale .5 } } sphere { 0, 1 pigment { gradient x } }",
+                             "#declare T = texture { pigment { rgb 1 } scale .5 } sphere { 0, 1 texture { T pigment { gradient x } } }"}) {
+        const Signal gradient = pigment(text);
+        const auto* pattern = std::get_if<PatternSignal>(&gradient.what);
+        ASSERT_TRUE(pattern) << text;
+        ASSERT_EQ(pattern->warps.size(), 1u) << text;
+        EXPECT_EQ(pattern->warps[0].transform.linear[0][0], 0.5) << text;
+    }
+}
+
+/// POV-Ray takes them below version 3.0, and draws what it draws of the blocks.
+TEST_F(PovBuilders, WordsOfOldTexturesStandForBlocks) {
+    const std::string old = "#version 2.0\nsphere { <0 0 0> 1 texture { ";
+    const auto same = [&](const std::string& words, const std::string& blocks) {
+        const auto surfaces = [](Scene s) {
+            for (Signal& each : s.signals) each.from = {};
+            for (Material& each : s.materials) each.from = {};
+            s.nodes.clear(), s.roots.clear(), s.files.clear();
+            return dump(s);
+        };
+        EXPECT_EQ(surfaces(scene(old + words + " } }")), surfaces(scene(old + blocks + " } }"))) << words;
+        EXPECT_EQ(said(old + words + " } }"), "") << words;
+    };
+    same("color red 1 phong 1 phong_size 20", "pigment { color red 1 } finish { phong 1 phong_size 20 }");
+    same("checker color red 1 color green 1", "pigment { checker color red 1 color green 1 }");
+    same("0.3 wood turbulence .5 color_map { [0 1 color red 1 color green 1] } scale <.3 .3 .3>", "finish { crand .3 } pigment { wood ramp_wave turbulence .5 color_map { [0 1 color red 1 color green 1] } } scale <.3 .3 .3>");
+    same("color red 1 waves .4 frequency 3 phase .2 ambient .3", "pigment { color red 1 } normal { waves .4 frequency 3 phase .2 } finish { ambient .3 }");
+    same("pigment { color red 1 } bumps .4", "pigment { color red 1 } normal { bumps .4 }");
+    EXPECT_THAT(said("#version 3.0; sphere { 0, 1 texture { color red 1 phong 1 } }"), HasSubstr("error: phong cannot stand in texture"));
+}
+
+/// POV-Ray refuses srgb before assumed_gamma, and shows .5 as 128 of 255 wherever it stands behind it.
+TEST_F(PovBuilders, SrgbStandsBehindAssumedGamma) {
+    const auto ambient = [&](const char* gamma) { return scene(fmt::format("#version 3.7; global_settings {{ assumed_gamma {} ambient_light srgb .5 }} sphere {{ 0, 1 }}", gamma)).settings.ambient_light.x; };
+    const double linear = std::pow((0.5 + 0.055) / 1.055, 2.4);
+    EXPECT_NEAR(ambient("1"), linear, 1e-6);
+    EXPECT_NEAR(ambient("2.2"), std::pow(linear, 1 / 2.2), 1e-6);
+    EXPECT_NEAR(ambient("srgb"), 0.5, 1e-6);
+    EXPECT_THAT(said("#version 3.7; global_settings { ambient_light srgb .5 assumed_gamma 1 }"), HasSubstr("s.pov:1:52: error: a colour in sRGB stands before assumed_gamma"));
+    EXPECT_THAT(said("sphere { 0, 1 pigment { srgb .5 } }"), HasSubstr("error: a colour in sRGB stands before assumed_gamma"));
+}
+
 TEST_F(PovBuilders, AnInteriorReadsRefractionAndRefractsAllTheSame) {
     const std::string text = "sphere { 0, 1 interior { refraction .5 ior 1.5 } }";
     EXPECT_EQ(said(text), "");

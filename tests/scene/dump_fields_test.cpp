@@ -249,6 +249,7 @@ const Change kSurfaceChanges[] = {
     [](Scene& s) { pov(s).ior = 1; },
     [](Scene& s) { pov(s).caustics = 0; },
     [](Scene& s) { pov(s).refraction = 0.5; },
+    [](Scene& s) { pov(s).uncolored = true; },
     [](Scene& s) { s.interiors[0].ior = 1.5; },
     [](Scene& s) { s.interiors[0].dispersion = 2; },
     [](Scene& s) { s.interiors[0].dispersion_samples = 8; },

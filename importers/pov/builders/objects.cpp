@@ -64,13 +64,12 @@ bool take_layer(Build& build, Draft& d, Cursor& at) {
     return taken;
 }
 
-void add_all(TextureLayers& layers, TextureLayers more) { layers.insert(layers.end(), more.begin(), more.end()); }
-
-void add_layers(Build& build, Draft& d, TextureLayers more, Place at) {
-    begin_texture(d, at);
+/// Of the texture or material `block`.
+void add_textures(Build& build, Draft& d, TextureLayers more, const Block& block) {
+    begin_texture(d, block.place);
     if (d.uv_mapped) set_uv_mapped(build, more);
     move_in_space(build, more, inverse(d.transform).value_or(Transform()));   // what stood between the layers moves those before it alone
-    add_all(d.layers, std::move(more));
+    add_layers(d.layers, std::move(more), block.version);
 }
 
 /// The layers of `material { ... }`, moved by what stands behind them in it.
@@ -78,8 +77,8 @@ TextureLayers read_material(Build& build, const Block& block, std::optional<Inte
     const Nested nested(build.p, block.place);
     TextureLayers layers;
     for (Cursor at(build, block); !at.done();) {
-        if (const Block* base = at.block_at("material"_w)) at.next(), layers = read_material(build, *base, interior);
-        else if (const Block* texture = at.block_at("texture"_w)) at.next(), add_all(layers, build_texture(build, *texture));
+        if (const Block* base = at.block_at("material"_w)) at.next(), layers.clear(), add_layers(layers, read_material(build, *base, interior), block.version);
+        else if (const Block* texture = at.block_at("texture"_w)) at.next(), add_layers(layers, build_texture(build, *texture), texture->version);
         else if (const Block* inside = at.block_at("interior"_w)) at.next(), interior = add_interior(build, *inside);
         else if (at.at_transform()) move_layers(build, layers, at.transform());
         else at.skip_unmodelled();
@@ -89,7 +88,7 @@ TextureLayers read_material(Build& build, const Block& block, std::optional<Inte
 
 void add_material(Build& build, Draft& d, const Block& block) {
     TextureLayers layers = read_material(build, block, d.node.interior);
-    if (!layers.empty()) add_layers(build, d, std::move(layers), block.place);
+    if (!layers.empty()) add_textures(build, d, std::move(layers), block);
 }
 
 bool take_surface(Build& build, Draft& d, Cursor& at) {
@@ -98,7 +97,7 @@ bool take_surface(Build& build, Draft& d, Cursor& at) {
     if (at.at_word("uv_mapping"_w)) {
         if (!d.layers.empty()) build.p.fail(at.place(), "uv_mapping must stand before the texture");
         d.uv_mapped = true;
-    } else if (const Block* texture = at.block_at("texture"_w)) add_layers(build, d, build_texture(build, *texture), texture->place);
+    } else if (const Block* texture = at.block_at("texture"_w)) add_textures(build, d, build_texture(build, *texture), *texture);
     else if (const Block* material = at.block_at("material"_w)) add_material(build, d, *material);
     else if (const Block* interior = at.block_at("interior"_w)) d.node.interior = add_interior(build, *interior);
     else return false;

@@ -104,6 +104,16 @@ bool take_wave(Cursor& at, PatternSignal& s) {
 
 }  // namespace
 
+namespace {
+
+/// A wave that a pattern has of its own (wood, marble) stays where another takes its place.
+void keep_wave(PatternSignal& s) {
+    const PatternOps* before = s.pattern.empty() ? nullptr : find_pattern(s.pattern);
+    if (before && before->wave != Wave::ramp && !s.wave) s.wave = before->wave;
+}
+
+}  // namespace
+
 bool take_pattern(Build& build, Cursor& at, PatternSignal& s, double* depth) {
     if (at_picture(at)) {
         const Block& block = *at.any_block();
@@ -124,6 +134,7 @@ bool take_pattern(Build& build, Cursor& at, PatternSignal& s, double* depth) {
     if (row ? row->source != SourceKind::none : word != "magnet"_w) return false;
     s.parameters.clear(), s.source.reset(), s.picture.reset();
     s.noise = build.noise;
+    keep_wave(s);
     if (!row) return take_magnet(build, at, s);
     at.next();
     s.pattern = row->name;

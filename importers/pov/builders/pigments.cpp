@@ -7,6 +7,7 @@
 #include "scene/graph.h"
 
 #include <fmt/format.h>
+#include <utility>
 
 namespace alidade::pov {
 
@@ -54,29 +55,35 @@ bool take_maps(Build& build, Cursor& at, PatternSignal& s) {
     return true;
 }
 
-/// False where what stands there is none of a pattern's, and nothing is read.
-bool take_patterned(Build& build, Cursor& at, Signal& pigment) {
-    const auto* known = std::get_if<PatternSignal>(&pigment.what);
-    PatternSignal s = known ? *known : PatternSignal();
-    if (take_pattern(build, at, s)) read_list(build, at, s);
-    else if (!take_maps(build, at, s) && !take_pattern_modifier(build, at, s)) return false;
-    pigment.what = std::move(s);
+/// False where what stands there is none of a pattern's, and nothing is read. `loose`: what a plain colour keeps for a pattern that may take its place.
+bool take_patterned(Build& build, Cursor& at, Signal& pigment, PatternSignal& loose) {
+    auto* known = std::get_if<PatternSignal>(&pigment.what);
+    PatternSignal& s = known ? *known : loose;
+    if (!take_pattern(build, at, s)) return take_maps(build, at, s) || take_pattern_modifier(build, at, s);
+    read_list(build, at, s);
+    if (!known) pigment.what = std::exchange(loose, {});
     return true;
+}
+
+PatternSignal loose_of(const Build& build, SignalId plain) {
+    const auto known = build.loose_modifiers.find(plain);
+    return known == build.loose_modifiers.end() ? PatternSignal() : known->second;
 }
 
 bool is_quick_color(Cursor& at) { return at.accept("quick_color"_w) || at.accept("quick_colour"_w); }
 
-void read_pigment(Build& build, Cursor& at, Signal& pigment) {
+void read_pigment(Build& build, Cursor& at, Signal& pigment, PatternSignal& loose) {
     while (!at.done()) {
         if (const Block* base = at.block_at("pigment"_w)) {
             at.next();
-            pigment = Signal(build.scene.signals[build_pigment(build, *base, usual_pigment(build, *base)).index]);
+            const SignalId id = build_pigment(build, *base, usual_pigment(build, *base));
+            pigment = Signal(build.scene.signals[id.index]), loose = loose_of(build, id);
         } else if (at.at_numeric()) {
             const std::array<double, 5> c = at.colour("a pigment");
             pigment.what = ConstantSignal{Vec4(c[0], c[1], c[2], 1), c[3], c[4]};
         } else if (is_quick_color(at)) {
             if (at.at_numeric()) at.next();
-        } else if (!take_patterned(build, at, pigment)) {
+        } else if (!take_patterned(build, at, pigment, loose)) {
             at.refuse_misplaced();
             tally_pattern(build, at.peek(), "pigment");
             pigment.what = ConstantSignal{Vec4(0.5, 0.5, 0.5, 1)};
@@ -110,23 +117,36 @@ SignalId build_pigment(Build& build, const Block& block, SignalId start, size_t 
     if (known != build.pigments.end()) return known->second;
     Signal pigment = build.scene.signals[start.index];
     Cursor at(build, block, skipped);
-    read_pigment(build, at, pigment);
-    // A modifier without a pattern, and a colour instead of one, leave one colour everywhere.
-    if (auto* pattern = std::get_if<PatternSignal>(&pigment.what)) {
-        if (pattern->pattern.empty()) pigment = Signal(build.scene.signals[start.index]);
-        else if (pattern->pattern != kImageMap && (pattern->pattern != "average" || pattern->map.empty())) add_default_map(build, *pattern);
-    }
+    PatternSignal loose = loose_of(build, start);
+    read_pigment(build, at, pigment, loose);
+    auto* pattern = std::get_if<PatternSignal>(&pigment.what);
+    if (pattern && pattern->pattern != kImageMap && (pattern->pattern != "average" || pattern->map.empty())) add_default_map(build, *pattern);
     pigment.from = build.position(block.place);
+    const bool plain = !pattern;
     const SignalId id = build.add_signal(std::move(pigment));
+    if (plain) build.loose_modifiers.emplace(id, std::move(loose));
     build.pigments.emplace(key, id);
     return id;
 }
+
+namespace {
+
+/// A plain colour looks the same wherever it is; a pattern that takes its place is where it was.
+SignalId moved_plain(Build& build, SignalId id, const Transform& transform) {
+    PatternSignal loose = loose_of(build, id);
+    move(loose, transform);
+    const SignalId there = build.add_signal(Signal(build.scene.signals[id.index]));
+    build.loose_modifiers.emplace(there, std::move(loose));
+    return there;
+}
+
+}  // namespace
 
 SignalId moved(Build& build, SignalId id, const Transform& transform) {
     Signal signal = build.scene.signals[id.index];
     if (auto* pattern = std::get_if<PatternSignal>(&signal.what)) move(*pattern, transform);
     else if (auto* relief = std::get_if<ReliefSignal>(&signal.what)) move(relief->pattern, transform);
-    else return id;
+    else return moved_plain(build, id, transform);
     return build.add_signal(std::move(signal));
 }
 

@@ -22,7 +22,7 @@ std::vector<MapEntry> read_colour_map(Build& build, const Block& block);
 /// A colour: red, green, blue, filter, transmit.
 SignalId add_colour(Build& build, const std::array<double, 5>& c, Place at);
 
-/// The same signal, moved behind all that it has: another one, unless it is the same everywhere.
+/// The same signal, moved behind all that it has: another one.
 SignalId moved(Build& build, SignalId signal, const Transform& transform);
 
 /// The same, but for what is looked up at (u, v, 0).

@@ -133,10 +133,17 @@ PatternSignal* pattern_in(Signal& signal) {
     return relief ? &relief->pattern : std::get_if<PatternSignal>(&signal.what);
 }
 
+/// Of one that is referred to: as declared, where it was declared.
+TextureLayers declared_texture(Build& build, const Block& block) {
+    TextureLayers layers;
+    add_layers(layers, build_texture(build, block), block.version);
+    return layers;
+}
+
 /// The layers of a `texture` block, without the further textures of a declared one.
 void read_texture(Build& build, Cursor& at, Draft& d) {
     while (!at.done()) {
-        if (const Block* base = at.block_at("texture"_w)) at.next(), d.layers = build_texture(build, *base);
+        if (const Block* base = at.block_at("texture"_w)) at.next(), d.layers = declared_texture(build, *base);
         else if (take_layer_part(build, at, d.layers) || take_map(build, at, d)) continue;
         else if (at.at_transform()) move_layers(build, d.layers, at.transform());
         else if (at.accept("uv_mapping"_w)) d.uv_mapped = true;
@@ -156,10 +163,21 @@ PovFinish changed_default(Build& build, const Block& block, const PovFinish& bef
     }
     const auto* top = std::get_if<PovFinish>(&layers.back());
     if (!top) build.p.tally(block.place, "a map of textures as the default texture is not modelled yet: it is left out");
-    return top ? *top : before;
+    if (!top) return before;
+    PovFinish lowest = *top;
+    lowest.uncolored = false;
+    return lowest;
 }
 
 }  // namespace
+
+void add_layers(TextureLayers& layers, TextureLayers more, float version) {
+    const size_t first = std::max<size_t>(layers.size(), 1);
+    layers.insert(layers.end(), more.begin(), more.end());
+    if (version > 3.1F) return;
+    for (size_t i = first; i < layers.size(); ++i)
+        if (auto* finish = std::get_if<PovFinish>(&layers[i])) finish->uncolored = true;
+}
 
 void move_layers(Build& build, TextureLayers& layers, const Transform& t) {
     if (!t.is_identity()) replace_signals(layers, [&](SignalId id) { return moved(build, id, t); });
@@ -179,22 +197,6 @@ void set_uv_mapped(Build& build, TextureLayers& layers) {
     });
 }
 
-namespace {
-
-/// A pattern that takes the place of a plain colour keeps the transformations that the colour was given; one that is named has its own alone (probed).
-SignalId after_colour(Build& build, SignalId id, const Block& pigment, const Transform& given) {
-    const bool named = !pigment.items.empty() && pigment.items[0].kind == Item::Kind::value && pigment.items[0].value.kind == Kind::block;
-    Signal signal = build.scene.signals[id.index];
-    auto* pattern = std::get_if<PatternSignal>(&signal.what);
-    if (!pattern || named || given.is_identity()) return id;
-    std::vector<Warp>& warps = pattern->warps;
-    if (!warps.empty() && warps[0].kind == WarpKind::transform) warps[0].transform = warps[0].transform * given;
-    else warps.insert(warps.begin(), {WarpKind::transform, given, {}});
-    return build.add_signal(std::move(signal));
-}
-
-}  // namespace
-
 bool take_layer_part(Build& build, Cursor& at, TextureLayers& layers, const Transform& since) {
     const Block* block = at.any_block();
     if (!block || (block->word != "pigment"_w && block->word != "normal"_w && block->word != "finish"_w)) return false;
@@ -206,9 +208,7 @@ bool take_layer_part(Build& build, Cursor& at, TextureLayers& layers, const Tran
     const auto there = [&](SignalId id) { return since.is_identity() ? id : moved_in_space(build, id, since); };
     const auto here = [&](SignalId id) { return since.is_identity() ? id : moved_in_space(build, id, back); };
     if (block->word == "pigment"_w) {
-        const bool was_colour = !std::holds_alternative<PatternSignal>(build.scene.signals[layer->pigment.index].what);
-        const SignalId made = build_pigment(build, *block, there(layer->pigment));
-        layer->pigment = here(was_colour ? after_colour(build, made, *block, since) : made);
+        layer->pigment = here(build_pigment(build, *block, there(layer->pigment)));
     } else {
         layer->normal = here(build_normal(build, *block, layer->normal ? std::optional(there(*layer->normal)) : std::nullopt));
     }
@@ -237,9 +237,9 @@ TextureLayers build_texture(Build& build, const Block& block, size_t skipped) {
     Cursor at(build, block, skipped);
     read_texture(build, at, d);
     for (const Ref<Block>& layer : block.layers) {
-        const TextureLayers more = build_texture(build, *layer);
+        TextureLayers more = build_texture(build, *layer);
         if (d.layers.size() + more.size() > kMostLayers) build.p.fail_limit(block.place, fmt::format("the texture has more than {} layers", kMostLayers));
-        d.layers.insert(d.layers.end(), more.begin(), more.end());
+        add_layers(d.layers, std::move(more), block.version);
     }
     return std::move(d.layers);
 }

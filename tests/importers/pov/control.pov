@@ -15,6 +15,7 @@
 // expect r
 // expect other
 #switch (2) #range (3, 1) #debug "in\n" #break #range (1 5) #debug "within\n" #break #end   // expect within
+#switch (1) #range (2, 3) #debug "r\n" #break #case (0) #debug "0\n" #break #else #debug "below\n" #end   // expect below
 //---- what is not taken is not read
 #if (0) #include "nowhere.inc" #declare = ; #elseif (1) #debug "second\n" #else #debug "third\n" #end   // expect second
 #ifdef (Nothing) #debug "defined\n" #else #debug "not\n" #end   // expect not

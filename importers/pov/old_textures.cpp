@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "importers/pov/old_textures.h"
+
+#include "eval/patterns/registry.h"
+#include "importers/pov/words.h"
+
+#include <algorithm>
+
+namespace alidade::pov {
+
+namespace {
+
+constexpr WordId kFinish[] = {"ambient"_w, "diffuse"_w, "brilliance"_w, "phong"_w, "phong_size"_w, "specular"_w, "roughness"_w, "metallic"_w, "crand"_w, "reflection"_w, "ior"_w, "refraction"_w, "caustics"_w, "irid"_w};
+/// Patterns that are reliefs there, and what is said of reliefs alone.
+constexpr WordId kNormal[] = {"bumps"_w, "dents"_w, "ripples"_w, "waves"_w, "wrinkles"_w, "bump_map"_w, "bump_size"_w, "frequency"_w, "phase"_w};
+constexpr WordId kPigment[] = {"color_map"_w, "colour_map"_w, "image_map"_w, "quick_color"_w, "quick_colour"_w, "turbulence"_w, "octaves"_w, "omega"_w, "lambda"_w};
+
+template <size_t N> bool contains(const WordId (&list)[N], WordId word) { return std::find(std::begin(list), std::end(list), word) != std::end(list); }
+
+bool is_block(const Item& item) { return item.value.kind == Kind::block; }
+WordId word_of(const Item& item) { return is_block(item) ? item.block().word : item.word; }
+
+WordId home_of(WordId word) {
+    if (contains(kFinish, word)) return "finish"_w;
+    if (contains(kNormal, word)) return "normal"_w;
+    return contains(kPigment, word) || find_pattern(kWords[word]) ? "pigment"_w : WordId(0);
+}
+
+}  // namespace
+
+std::vector<WordId> homes_in_texture(std::span<const Item> items) {
+    std::vector<WordId> homes;
+    const bool mapped = items.size() > 1 && std::any_of(items.begin() + 1, items.end(), [](const Item& i) { return is_block(i) && (word_of(i) == "texture"_w || word_of(i) == "texture_map"_w); });
+    for (const Item& item : items) {
+        const bool value = !is_block(item) && item.kind != Item::Kind::word;
+        WordId home = homes.empty() ? "finish"_w : homes.back();                  // a value goes with the word before it; in front it is that of crand
+        if (!value) home = home_of(word_of(item));
+        else if (item.value.kind == Kind::colour) home = "pigment"_w;
+        homes.push_back(mapped && home == "pigment"_w ? WordId(0) : home);        // the pattern of textures
+    }
+    return homes;
+}
+
+}  // namespace alidade::pov
