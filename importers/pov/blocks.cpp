@@ -7,7 +7,6 @@
 #include "importers/pov/old_textures.h"
 
 #include <fmt/format.h>
-#include <iterator>
 
 namespace alidade::pov {
 
@@ -26,15 +25,11 @@ class OpenBlock {
 
     std::span<Item> items() const { return std::span(p_.open_items).subspan(begin_); }
     void add(Item item) { p_.open_items.push_back(std::move(item)), ++p_.items->used; }
-    std::vector<Item> taken() {
-        std::vector<Item> all(std::make_move_iterator(p_.open_items.begin() + std::ptrdiff_t(begin_)), std::make_move_iterator(p_.open_items.end()));
-        p_.open_items.resize(begin_);
-        p_.items->used -= all.size();
-        return all;
-    }
-    Ref<Block> finished() {
-        Ref<Block> block = Block::of(items(), p_.items);
-        block->word = word;
+    Ref<Block> finished(uint32_t defaults, float version) {
+        std::vector<Item> grouped;
+        if (word == "texture"_w && version < 3) grouped = with_blocks_for_old_words(items(), p_.items, defaults, version);
+        Ref<Block> block = Block::of(grouped.empty() ? items() : std::span(grouped), p_.items);
+        block->word = word, block->defaults = defaults, block->version = version;
         return block;
     }
 
@@ -53,48 +48,14 @@ Item item_of(Item::Kind kind, Place at) {
     return item;
 }
 
-Item word_of(Place at, WordId word) {
-    Item item = item_of(Item::Kind::word, at);
-    item.word = word;
-    return item;
-}
-
-/// Puts each run of words that a texture of version 3.0 has in a pigment, a normal or a finish into such a block.
-void group_old_words(Parser& p, OpenBlock& texture, uint32_t defaults, float version) {
-    const std::vector<WordId> homes = homes_in_texture(texture.items());
-    std::vector<Item> items = texture.taken();
-    for (size_t i = 0; i < items.size();) {
-        if (!homes[i]) {
-            texture.add(std::move(items[i++]));
-            continue;
-        }
-        Item part = item_of(Item::Kind::block, items[i].place);
-        {
-            OpenBlock run(p, homes[i]);
-            if (homes[i] == "finish"_w && items[i].kind == Item::Kind::value && items[i].value.numeric()) run.add(word_of(part.place, "crand"_w));
-            for (const WordId home = homes[i]; i < items.size() && homes[i] == home; ++i) {
-                const bool waves = items[i].kind == Item::Kind::word && (items[i].word == "marble"_w || items[i].word == "wood"_w);
-                const Place place = items[i].place;
-                run.add(std::move(items[i]));
-                if (waves) run.add(word_of(place, "ramp_wave"_w));     // they get triangles in a pigment alone
-            }
-            const Ref<Block> block = run.finished();
-            block->place = part.place, block->defaults = defaults, block->version = version;
-            part.word = block->word, part.value = Value::of(Kind::block, block);
-        }
-        texture.add(std::move(part));
-    }
-}
-
 Item block_item(Parser& p, Item::Kind kind, WordId word, char close, Place at) {
     const Nested nested(p, at);
     const uint32_t defaults = uint32_t(p.defaults.size());
     const float version = float(p.version);
     OpenBlock open(p, word);
     read_items(p, open, close, at);
-    if (word == "texture"_w && version < 3) group_old_words(p, open, defaults, version);
-    const Ref<Block> block = open.finished();
-    block->place = at, block->defaults = defaults, block->version = version;
+    const Ref<Block> block = open.finished(defaults, version);
+    block->place = at;
     Item item = item_of(kind, at);
     item.word = word, item.value = Value::of(Kind::block, block);
     return item;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// `word { ... }` -> Block: words, values, blocks and entries, with every expression evaluated. No word is known here: that is the builders' part,
+/// `word { ... }` -> Block: words, values, blocks and entries, with every expression evaluated. No word is known here but for textures of old versions (old_textures.h): that is the builders' part,
 /// so that a scene can be read to its end whatever stands in it.
 #pragma once
 

@@ -26,8 +26,7 @@ WordId home_of(WordId word) {
     return contains(kPigment, word) || find_pattern(kWords[word]) ? "pigment"_w : WordId(0);
 }
 
-}  // namespace
-
+/// For each item of a texture: "pigment", "normal" or "finish", where it belongs if it stands in no block of that name; 0 if it is none of theirs.
 std::vector<WordId> homes_in_texture(std::span<const Item> items) {
     std::vector<WordId> homes;
     const bool mapped = items.size() > 1 && std::any_of(items.begin() + 1, items.end(), [](const Item& i) { return is_block(i) && (word_of(i) == "texture"_w || word_of(i) == "texture_map"_w); });
@@ -39,6 +38,47 @@ std::vector<WordId> homes_in_texture(std::span<const Item> items) {
         homes.push_back(mapped && home == "pigment"_w ? WordId(0) : home);        // the pattern of textures
     }
     return homes;
+}
+
+Item plain_word(WordId word, Place at) {
+    Item item;
+    item.kind = Item::Kind::word, item.place = at, item.word = word;
+    return item;
+}
+
+/// What stands in the block in place of `run`, whose home it is; takes what they hold.
+std::vector<Item> contents(WordId home, std::span<Item> run) {
+    std::vector<Item> out;
+    if (home == "finish"_w && run[0].kind == Item::Kind::value && run[0].value.numeric()) out.push_back(plain_word("crand"_w, run[0].place));
+    for (Item& item : run) {
+        const bool waves = item.kind == Item::Kind::word && (item.word == "marble"_w || item.word == "wood"_w);
+        const Place at = item.place;
+        out.push_back(std::move(item));
+        if (waves) out.push_back(plain_word("ramp_wave"_w, at));     // they get triangles in a pigment alone
+    }
+    return out;
+}
+
+}  // namespace
+
+std::vector<Item> with_blocks_for_old_words(std::span<Item> items, const Ref<Meter>& meter, uint32_t defaults, float version) {
+    const std::vector<WordId> homes = homes_in_texture(items);
+    std::vector<Item> out;
+    for (size_t i = 0, end; i < items.size(); i = end) {
+        end = i + 1;
+        if (!homes[i]) {
+            out.push_back(std::move(items[i]));
+            continue;
+        }
+        while (end < items.size() && homes[end] == homes[i]) ++end;
+        Item part = plain_word(homes[i], items[i].place);
+        std::vector<Item> inside = contents(homes[i], items.subspan(i, end - i));
+        const Ref<Block> block = Block::of(inside, meter);
+        block->word = part.word, block->place = part.place, block->defaults = defaults, block->version = version;
+        part.kind = Item::Kind::block, part.value = Value::of(Kind::block, block);
+        out.push_back(std::move(part));
+    }
+    return out;
 }
 
 }  // namespace alidade::pov

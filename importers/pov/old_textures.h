@@ -6,8 +6,7 @@
 
 namespace alidade::pov {
 
-/// The words of the blocks in which later versions have the items of a texture, one an item: pigment, normal, finish, or 0 for what belongs to a texture itself. A number in front is that of
-/// `crand`.
-std::vector<WordId> homes_in_texture(std::span<const Item> items);
+/// The items of a texture with each run of words that belongs into a pigment, a normal or a finish in such a block. Takes what they hold.
+std::vector<Item> with_blocks_for_old_words(std::span<Item> items, const Ref<Meter>& meter, uint32_t defaults, float version);
 
 }  // namespace alidade::pov

@@ -102,10 +102,6 @@ bool take_wave(Cursor& at, PatternSignal& s) {
     return false;
 }
 
-}  // namespace
-
-namespace {
-
 /// A wave that a pattern has of its own (wood, marble) stays where another takes its place.
 void keep_wave(PatternSignal& s) {
     const PatternOps* before = s.pattern.empty() ? nullptr : find_pattern(s.pattern);
