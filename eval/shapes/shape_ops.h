@@ -61,8 +61,18 @@ struct ShapeOps {
     /// Those of crossings() that are wanted, bit for bit; the box is that of bounds(). Null: they take as long as all.
     Crossings (*wanted)(const ShapeGeometry&, const Bounds& own, const Ray&, Wanted) = nullptr;
 
-    Crossings crossings_wanted(const ShapeGeometry& shape, const Bounds& own, const Ray& ray, Wanted what) const { return wanted ? wanted(shape, own, ray, what) : crossings(shape, ray); }
+    /// As `wanted`, for directions of any length: the forms multiply them with themselves, which must neither overflow nor be lost.
+    Crossings crossings_wanted(const ShapeGeometry& shape, const Bounds& own, const Ray& ray, Wanted what) const {
+        const double speed = max_abs(ray.dir);
+        if (!(speed >= 1 / kLargestSpeed && speed <= kLargestSpeed)) [[unlikely]] return crossings_at_unit_speed(shape, own, ray);
+        return wanted ? wanted(shape, own, ray, what) : crossings(shape, ray);
+    }
     Vec3 normal_at(const ShapeGeometry& shape, const Vec3& point, uint32_t part) const { return normal ? normal(shape, point, part) : surface(shape, point, part).normal; }
+
+  private:
+    static constexpr double kLargestSpeed = 0x1p100;
+    /// All crossings, found with the direction times a power of two, in the ray's own t.
+    Crossings crossings_at_unit_speed(const ShapeGeometry& shape, const Bounds& own, const Ray& ray) const;
 };
 
 /// The parts of an extrusion from here on are its sides; those before are its two flat faces.

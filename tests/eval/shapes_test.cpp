@@ -108,6 +108,23 @@ TEST_P(EveryShape, WhatIsWantedIsFoundExactly) {
     EXPECT_GT(left_out, std::string(row.name) == "polynomial" ? kSamples / 8 : -1);
 }
 
+/// The length of a direction only says in what t is counted: by a power of two the crossings are the same bits, where squares of it overflow and where they are lost, too.
+TEST_P(EveryShape, DirectionsMayHaveAnyLength) {
+    for_samples(4, 46, [&](const ShapeGeometry& shape, const Ray& ray, const Crossings& crossings) {
+        for (const int power : {-900, -600, -100, 100, 634, 900}) {
+            Ray scaled = ray;
+            for (int axis = 0; axis < 3; ++axis) scaled.dir[axis] = std::ldexp(ray.dir[axis], power);
+            scaled.tmin = -kInf, scaled.tmax = kInf;
+            const Crossings got = row.crossings_wanted(shape, row.bounds(shape), scaled, Wanted::all);
+            ASSERT_EQ(got.count, crossings.count) << power;
+            for (int i = 0; i < got.count; ++i) {
+                ASSERT_EQ(std::ldexp(got.at[size_t(i)].t, power), crossings.at[size_t(i)].t) << power;
+                ASSERT_EQ(got.at[size_t(i)].part, crossings.at[size_t(i)].part) << power;
+            }
+        }
+    });
+}
+
 /// A ray from a hit point meets the surface there again: within the errors of both, along the normal.
 TEST_P(EveryShape, IsMetAgainFromItsHitPoints) {
     for (const double distance : {4.0, 1e4, 1e8}) {
