@@ -4,6 +4,8 @@
 #include "core/powers_of_two.h"
 #include "eval/shapes/bracketed_root.h"
 
+#include <algorithm>
+
 namespace alidade {
 
 namespace {
@@ -126,6 +128,20 @@ int certain_sign(const Univariate& f, double from, double to) {
     return part.sign(slack, kHalvings);
 }
 
+/// f = x^zeros g: near 0, powers of x are lost below the least number, and no bracket could tell where f is 0 from where it only vanishes. So g is asked, and 0 is put in:
+/// once where f changes its sign there, twice where it is positive on both sides.
+int with_roots_at_zero(std::span<const double> g, int zeros, RootRange& range, double* roots) {
+    RootRange all;
+    int count = real_roots_in(g, all, roots);
+    const bool odd = zeros % 2 != 0;
+    range.sign = odd ? -all.sign : all.sign;
+    const int more = odd ? 1 : g.front() > 0 ? 2 : 0;
+    double* const at = std::lower_bound(roots, roots + count, 0.0);
+    std::copy_backward(at, roots + count, roots + count + more);
+    std::fill_n(at, more, 0.0);
+    return count + more;
+}
+
 }  // namespace
 
 int real_roots(std::span<const double> coefficients, double* roots) {
@@ -142,6 +158,10 @@ int real_roots_in(std::span<const double> coefficients, RootRange& range, double
     if (std::all_of(coefficients.begin(), coefficients.end() - 1, [](double a) { return a == 0; })) {
         for (int i = 0; i < degree; ++i) roots[i] = 0;
         return degree;
+    }
+    if (coefficients.front() == 0) {
+        const auto zeros = std::find_if(coefficients.begin(), coefficients.end(), [](double a) { return a != 0; }) - coefficients.begin();
+        return with_roots_at_zero(coefficients.subspan(size_t(zeros)), int(zeros), range, roots);
     }
     const int exponent = bound_exponent(coefficients);
     Univariate chain[kMostRoots + 1];

@@ -40,6 +40,31 @@ TEST(PolynomialRoots, OfKnownRoots) {
     }
 }
 
+/// x^m (x - a) (x - b) ...: 0 is told exactly, once where the sign changes there, and twice where the polynomial is positive on both sides.
+TEST(PolynomialRoots, AtZeroAreExact) {
+    struct Case {
+        int zeros;
+        std::vector<double> others, want;
+    };
+    const Case cases[] = {{1, {-2, 3}, {-2, 0, 3}}, {2, {1, 2}, {0, 0, 1, 2}}, {2, {-1, 2}, {-1, 2}}, {3, {-2, -1}, {-2, -1, 0}}, {11, {-329024.5, -131072, 1048576, 2097152}, {-329024.5, -131072, 0, 1048576, 2097152}}};
+    for (const auto& [zeros, others, want] : cases) {
+        std::vector<double> c = product(others);
+        c.insert(c.begin(), size_t(zeros), 0);
+        double got[kMostRoots];
+        RootRange range;
+        ASSERT_EQ(real_roots_in(c, range, got), int(want.size())) << zeros;
+        for (size_t i = 0; i < want.size(); ++i) {
+            EXPECT_NEAR(got[i], want[i], 1e-11 * std::abs(want[i])) << zeros;
+        }
+        EXPECT_EQ(range.sign, c.size() % 2 == 1 ? 1 : -1) << "before the first root";
+    }
+    double got[kMostRoots];
+    RootRange range;
+    EXPECT_EQ(real_roots_in(std::vector<double>{0, 1, 0, 1}, range, got), 1) << "x (1 + x^2)";
+    EXPECT_EQ(got[0], 0);
+    EXPECT_EQ(range.sign, -1);
+}
+
 TEST(PolynomialRoots, NoneNorEndless) {
     double got[kMostRoots];
     EXPECT_EQ(real_roots(std::vector<double>{1, 0, 1}, got), 0);
