@@ -16,13 +16,13 @@ bool same_bits(const Hit& a, const Hit& b) {
     return bits(a) == bits(b);
 }
 
+}  // namespace
+
 std::string describe(const Hit& hit) {
     if (!hit.valid()) return "no hit";
     return fmt::format("t {:a} instance {} primitive {} part {} u {:a} v {:a} error {:a}", hit.t, hit.instance, hit.primitive, hit.part, hit.u, hit.v,
                        hit.error.along_normal);
 }
-
-}  // namespace
 
 std::string difference(const Hit& got, const Hit& want) {
     return same_bits(got, want) ? "" : fmt::format("got  {}\nwant {}\n", describe(got), describe(want));

@@ -9,6 +9,9 @@
 
 namespace alidade::numerics {
 
+/// In hex floats.
+std::string describe(const Hit& hit);
+
 /// What differs, in hex floats; empty if every bit of the hits is the same.
 std::string difference(const Hit& got, const Hit& want);
 std::string difference(const std::vector<Hit>& got, const std::vector<Hit>& want);
