@@ -6,6 +6,7 @@
 #include "accel/leaf.h"
 #include "accel/shaft.h"
 
+#include <algorithm>
 #include <array>
 
 namespace alidade {
@@ -39,12 +40,14 @@ class CustomLeaf {
     static constexpr bool kMovesRay = false;
 
     struct Probe {
-        Probe(const CustomLeaf&, const Ray& r, const LocalRay&, uint32_t) : ray(r) {}   // the instance of a hit is the set's own affair
+        Probe(const CustomLeaf& leaf, const Ray& r, const LocalRay&, uint32_t) : ray(r) {   // the instance of a hit is the set's own affair
+            if (leaf.shared_) asked.fill(kNoId);
+        }
         const Ray& ray;
-        mutable std::array<uint32_t, 32> asked = filled_with(kNoId);   ///< at its number's place, the last id that was: cells of a grid or an octree share primitives, and to ask one again changes nothing
+        mutable std::array<uint32_t, 32> asked;   ///< where primitives are shared: at its number's place, the last id that was. To ask one again changes nothing
     };
 
-    CustomLeaf(const Source& source, const std::vector<uint32_t>& order, const AccelOptions&) : set_(source.set()), ids_(order) {}
+    CustomLeaf(const Source& source, const std::vector<uint32_t>& order, const AccelOptions&) : set_(source.set()), ids_(order), shared_(has_repeats(order)) {}
 
     bool closest(const Probe& probe, uint32_t first, uint32_t count, Hit& hit, WorkCounters& work) const {
         bool found = false;
@@ -73,14 +76,14 @@ class CustomLeaf {
     size_t bytes() const { return ids_.capacity() * sizeof(uint32_t); }
 
   private:
-    static constexpr std::array<uint32_t, 32> filled_with(uint32_t value) {
-        std::array<uint32_t, 32> all{};
-        all.fill(value);
-        return all;
+    static bool has_repeats(std::vector<uint32_t> ids) {
+        std::sort(ids.begin(), ids.end());
+        return std::adjacent_find(ids.begin(), ids.end()) != ids.end();
     }
 
     /// Shows `ask` the ids of the range that were not asked lately, as many at once as follow each other, until it returns true; then returns true.
     template <class F> bool for_each_new(const Probe& probe, uint32_t first, uint32_t count, WorkCounters& work, F&& ask) const {
+        if (!shared_) return work.filtered += count, count > 0 && ask(ids(first, count));
         const uint32_t end = first + count;
         for (uint32_t place = first; place < end;) {
             const uint32_t start = place;
@@ -100,6 +103,7 @@ class CustomLeaf {
 
     std::shared_ptr<const PrimitiveSet> set_;
     std::vector<uint32_t> ids_;
+    bool shared_;   ///< do cells of a grid or an octree share primitives?
 };
 
 }  // namespace alidade

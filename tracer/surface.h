@@ -37,7 +37,7 @@ class Surface {
     Color scatter(const Vec3& wi, bool highlights = true) const;
     /// Reflectance of the diffuse lobe: all of it that a sky lights (the mirror ray sees the sky itself).
     Color diffuse() const;
-    const Color& albedo() const { return albedo_; }
+    Color albedo() const { return pov_ ? pov_->albedo() : albedo_; }
     const Vec3& normal() const { return normal_; }
     /// That, turned to the eye where it looks away from it: at silhouettes of smooth meshes, and where a relief bends it.
     Vec3 normal_towards_eye() const { return dot(normal_, wo_) < 0 ? -normal_ : normal_; }
