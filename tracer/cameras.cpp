@@ -53,8 +53,8 @@ Ray CameraRays::at(double x, double y, const Vec2& lens) const {
     ray.mask = kMaskCamera;
     const bool parallel = camera_.projection == Projection::orthographic;
     ray.origin = parallel ? camera_.location + offset : camera_.location;
-    ray.dir = normalized(parallel ? camera_.direction : camera_.direction + offset);
-    if (!has_lens()) return ray;
+    ray.dir = parallel ? camera_.direction : camera_.direction + offset;
+    if (!has_lens()) return ray.dir = normalized(ray.dir), ray;
     // The plane of focus is parallel to the picture's.
     const Vec3 in_focus = ray.at(dot(camera_.focal_point - ray.origin, unit_normal_) / dot(ray.dir, unit_normal_));
     const Vec2 disc = concentric_disc(lens) * (camera_.aperture / 2);

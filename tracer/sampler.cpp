@@ -6,12 +6,15 @@
 namespace alidade {
 namespace {
 
-uint32_t reversed(uint32_t x) {
-    x = __builtin_bswap32(x);
-    x = ((x & 0x0f0f0f0fu) << 4) | ((x & 0xf0f0f0f0u) >> 4);
-    x = ((x & 0x33333333u) << 2) | ((x & 0xccccccccu) >> 2);
-    return ((x & 0x55555555u) << 1) | ((x & 0xaaaaaaaau) >> 1);
+constexpr uint64_t reversed(uint64_t x) {
+    x = __builtin_bswap64(x);
+    x = (x & 0x0f0f0f0f0f0f0f0fu) << 4 | (x >> 4 & 0x0f0f0f0f0f0f0f0fu);
+    x = (x & 0x3333333333333333u) << 2 | (x >> 2 & 0x3333333333333333u);
+    return (x & 0x5555555555555555u) << 1 | (x >> 1 & 0x5555555555555555u);
 }
+constexpr uint32_t reversed(uint32_t x) { return uint32_t(reversed(uint64_t(x)) >> 32); }
+
+double to_unit(uint32_t x) { return x * 0x1p-32; }
 
 /// Owen's nested uniform scrambling of the binary digits of a number, the lowest digit first, as a hash: a digit is flipped by those below it.
 /// Source   Laine and Karras, "Stratified Sampling for Stochastic Transparency", EGSR 2011, in Burley's use, "Practical Hash-based Owen
@@ -25,8 +28,12 @@ uint32_t scrambled_from_below(uint32_t x, uint32_t seed) {
     return x;
 }
 
-/// The same of the digits of x / 2^32, the highest first.
-uint32_t owen_scrambled(uint32_t x, uint32_t seed) { return reversed(scrambled_from_below(reversed(x), seed)); }
+/// The same of the digits of x / 2^32 and y / 2^32, the highest first; of one seed each, the lower half that of x.
+Vec2 owen_scrambled(uint32_t x, uint32_t y, uint64_t seeds) {
+    const uint64_t digits = reversed(uint64_t(x) << 32 | y);   // of x below those of y
+    const uint64_t scrambled = reversed(uint64_t(scrambled_from_below(uint32_t(digits >> 32), uint32_t(seeds >> 32))) << 32 | scrambled_from_below(uint32_t(digits), uint32_t(seeds)));
+    return {to_unit(uint32_t(scrambled >> 32)), to_unit(uint32_t(scrambled))};
+}
 
 /// The second dimension of Sobol's sequence, direction numbers of the polynomial x + 1, from the first, which is the reversed index. The matrix of that
 /// map is Pascal's triangle modulo 2, a Kronecker power of (1 1; 0 1): one step for each factor.
@@ -47,30 +54,28 @@ using Order = std::array<uint16_t, 16>;
 constexpr Order kOfLight = {0x0001, 0x0003, 0x0004, 0x000d, 0x0011, 0x0032, 0x0045, 0x00db, 0x0114, 0x0305, 0x041f, 0x0a33, 0x1987, 0x29e5, 0x6070, 0xf927};
 constexpr Order kOfLens = {0x0001, 0x0003, 0x0004, 0x000a, 0x0017, 0x002a, 0x0068, 0x00f4, 0x0116, 0x02db, 0x06e2, 0x08f9, 0x1b17, 0x31dd, 0x4000, 0x8000};
 
-/// The sums of an order for all values of the lower and of the upper eight digits.
+/// The sums of an order for all values of the lower and of the upper eight digits, of reversed indices.
 struct OrderSums {
-    std::array<uint16_t, 256> of[2];
+    std::array<uint32_t, 256> of[2];
 
     explicit constexpr OrderSums(const Order& order) : of{} {
         for (size_t half = 0; half < 2; ++half)
             for (size_t digits = 0; digits < 256; ++digits)
                 for (size_t k = 0; k < 8; ++k)
-                    if (digits >> k & 1) of[half][digits] = uint16_t(of[half][digits] ^ order[8 * half + k]);
+                    if (digits >> (7 - k) & 1) of[half][digits] ^= reversed(uint32_t(order[8 * half + k]));
     }
 };
 constexpr OrderSums kSumsOfLight(kOfLight), kSumsOfLens(kOfLens);
 
-uint32_t in_order(const OrderSums& sums, uint32_t index) { return (index & ~0xffffu) ^ sums.of[0][index & 0xff] ^ sums.of[1][index >> 8 & 0xff]; }
-
-double to_unit(uint32_t x) { return x * 0x1p-32; }
+uint32_t in_order(const OrderSums& sums, uint32_t reversed_index) { return (reversed_index & 0xffffu) ^ sums.of[0][reversed_index >> 24] ^ sums.of[1][reversed_index >> 16 & 0xff]; }
 
 /// Sobol's (0, 2)-sequence for each pair of coordinates, each in an order of its own; shuffled for each order, and scrambled for each domain.
 Vec2 sobol(const SampleDomain& domain, uint32_t index, uint32_t) {
     const uint64_t shuffle = domain.order.bits(0), scramble = domain.own.bits(1);
     // The index is shuffled by a scrambling, which permutes aligned blocks of 2^k, so that each stays a net. The first dimension is that index, reversed.
     uint32_t first = scrambled_from_below(reversed(index), uint32_t(shuffle));
-    if (domain.coordinates != Coordinates::pixel) first = reversed(in_order(domain.coordinates == Coordinates::light ? kSumsOfLight : kSumsOfLens, reversed(first)));
-    return {to_unit(owen_scrambled(first, uint32_t(scramble))), to_unit(owen_scrambled(sobol_second(first), uint32_t(scramble >> 32)))};
+    if (domain.coordinates != Coordinates::pixel) first = in_order(domain.coordinates == Coordinates::light ? kSumsOfLight : kSumsOfLens, first);
+    return owen_scrambled(first, sobol_second(first), scramble);
 }
 
 /// The place of `index` in a permutation of 0 .. count - 1: a Feistel network over the next power of four, walked until it lands inside.

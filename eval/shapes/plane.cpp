@@ -37,7 +37,7 @@ Crossings plane_crossings(const ShapeGeometry& geometry, const Ray& ray) {
     const Equation plane(std::get<Plane>(geometry));
     Crossings out;
     const double rise = dot(plane.normal, ray.dir), t = -plane.height(ray.origin) / rise;
-    if (!is_finite(ray) || !std::isfinite(t)) return out;
+    if (!std::isfinite(rise) || !std::isfinite(t)) return out;   // one of them is not where the ray is not
     out.add(t, 0);
     out.begins_inside = rise > 0;
     return out;
