@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-/// The BVH of triangles: eight boxes a node, tested at once.
+/// The BVH: eight boxes a node, tested at once.
 #pragma once
 
 #include "accel/bvh/build.h"
+#include "accel/custom_leaf.h"
 #include "accel/query.h"
 #include "accel/triangles/triangle_leaf.h"
 
@@ -23,7 +24,7 @@ template <class R> struct alignas(64) WideNode {
     }
 };
 
-/// A block of triangles in a node's place: the highest bit, the block's index, the number of its triangles less one.
+/// A block of triangles in a node's place, or some primitives of a set: the highest bit, the index of the block or of the first, the number of them less one.
 struct WideLeaf {
     static constexpr uint32_t kBit = 1u << 31, kCountBits = 3;
     static constexpr size_t kMaxBlocks = size_t(1) << (31 - kCountBits);
@@ -36,28 +37,32 @@ struct WideLeaf {
 };
 
 /// The binary tree with the inner nodes between joined, so that the area of all wide nodes is the least that there is. Depth-first order.
-/// Replaces the nodes, depth and cost of `stats`. The same for any number of threads.
-template <class R> LargeVector<WideNode<R>> widened(const LargeVector<BvhNode<R>>& nodes, BuildStats& stats, int threads = 1);
+/// Replaces the nodes, depth and cost of `stats`. The same for any number of threads. Leaves are numbered by their blocks.
+template <class R> LargeVector<WideNode<R>> widened(const LargeVector<BvhNode<R>>& nodes, BuildStats& stats, int threads = 1, uint32_t block = kLanes);
 
-/// What its move to the start may shift an origin by, relatively; the factor that pads far ends.
-inline constexpr double kMoved = 0x1p-52;
-template <class R> inline constexpr R kWidened = 1 + kSlabPad * kUnitRoundoff<R>;
+/// Pads of an origin, in units of its roundoff. Triangles are met by the ray that boxes see; what a set promises of its primitives is computed from where the caller's ray begins, however far that is
+/// (docs/numerics.md, "Sets").
+inline constexpr int kTriangleUnits = 4, kSetUnits = 64;
+/// What its move to the start may shift an origin by, relatively, for a pad of one unit.
+inline constexpr double kMoved = 0x1p-54;
+/// The factor that pads far ends.
+template <class R, int kUnits = kTriangleUnits> inline constexpr R kWidened = 1 + kUnits / kTriangleUnits * kSlabPad * kUnitRoundoff<R>;
 
 /// A ray made ready for tests of eight boxes: a SlabRay that starts where hits begin. None is behind it then, and the pad of far ends is a factor of the inverse
 /// (docs/numerics.md, "Eight at once").
-template <class R> class WideRay {
+template <class R, int kUnits = kTriangleUnits> class WideRay {
   public:
     explicit WideRay(const LocalRay& ray) : start_(ray.tmin) {
         for (int a = 0; a < 3; ++a) {
             const bool flat = std::abs(ray.dir[a]) < kSmallestSlope<R>;
             const R o = R(ray.origin[a] + start_ * ray.dir[a]);
             const R drift = flat ? R(4 * ((std::abs(ray.dir[a]) + 0x1p-300) * ray.reach)) : R(0);
-            const R e = 4 * kUnitRoundoff<R> * std::abs(o) + (R(kMoved * std::abs(ray.origin[a])) + (kOriginPad<R> + drift));
+            const R e = kUnits * kUnitRoundoff<R> * std::abs(o) + (R(kUnits * kMoved * std::abs(ray.origin[a])) + (kOriginPad<R> + drift));
             negative_[a] = !flat & (ray.dir[a] < 0);
             const R outward = negative_[a] ? -e : e;
             near_origin_[a] = o + outward, far_origin_[a] = o - outward;
             near_inverse_[a] = flat ? std::numeric_limits<R>::infinity() : R(ray.inverse[a]);
-            far_inverse_[a] = near_inverse_[a] * kWidened<R>;
+            far_inverse_[a] = near_inverse_[a] * kWidened<R, kUnits>;
         }
     }
 
@@ -101,9 +106,11 @@ template <class Node, class Leaf> struct WideTraversals {
     void operator()(const Node* nodes, const LocalRay& ray, AllQuery<Leaf>& query, WorkCounters& work) const { all(nodes, ray, query, work); }
 };
 
-/// Those for these instructions, as edge_filter() chooses: of WideNodes and packed blocks, or of CompactNodes and numbered ones.
+/// Those for these instructions, as edge_filter() chooses: of WideNodes and packed blocks, of CompactNodes and numbered ones, or of WideNodes and a set.
 template <class Node, class Leaf> const WideTraversals<Node, Leaf>& wide_traversals(Isa isa);
 template <class R, TriangleTest test> using PackedTraversals = WideTraversals<WideNode<R>, TriangleLeaf<R, test>>;
+using SetTraversals = WideTraversals<WideNode<double>, CustomLeaf>;
+template <> const SetTraversals& wide_traversals(Isa isa);
 template <> const PackedTraversals<float, TriangleTest::exact>& wide_traversals(Isa isa);
 template <> const PackedTraversals<double, TriangleTest::exact>& wide_traversals(Isa isa);
 template <> const PackedTraversals<float, TriangleTest::watertight>& wide_traversals(Isa isa);
@@ -116,5 +123,7 @@ template <class Node> using WideBoxTest = uint32_t (*)(const Node& node, const L
 template <class Node> WideBoxTest<Node> wide_box_test(Isa isa);
 template <> WideBoxTest<WideNode<float>> wide_box_test(Isa isa);
 template <> WideBoxTest<WideNode<double>> wide_box_test(Isa isa);
+/// The same with the pads of a set.
+WideBoxTest<WideNode<double>> wide_set_box_test(Isa isa);
 
 }  // namespace alidade

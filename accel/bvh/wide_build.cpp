@@ -35,8 +35,8 @@ constexpr uint32_t kAtOnce = 8192;
 
 template <class R> class Widener {
   public:
-    Widener(const LargeVector<BvhNode<R>>& nodes, BuildStats& stats, int threads)
-        : nodes_(nodes), stats_(stats), threads_(threads), root_area_(area(nodes[0].box)), joinings_(nodes.size()) {
+    Widener(const LargeVector<BvhNode<R>>& nodes, BuildStats& stats, int threads, uint32_t block)
+        : nodes_(nodes), stats_(stats), threads_(threads), block_(block), root_area_(area(nodes[0].box)), joinings_(nodes.size()) {
         const std::vector<Below> parts = divided();
         parallel_for(parts.size(), threads, [&](size_t p) {
             for (uint32_t i = parts[p].end; i-- > nodes_[parts[p].node].first;) join(i);   // children come after parents
@@ -148,7 +148,7 @@ template <class R> class Widener {
             wide_[index].set_box(i, node ? node->box : BoundsT<R>());
             wide_[index].child[i] = WideLeaf::kBit;
             if (!node) continue;
-            wide_[index].child[i] = node->leaf() ? WideLeaf::make(node->first / kLanes, node->count) : index_of(places.node[i]);
+            wide_[index].child[i] = node->leaf() ? WideLeaf::make(node->first / block_, node->count) : index_of(places.node[i]);
             if (node->leaf()) piece.cost += share(places.node[i]) * node->count;
         }
     }
@@ -196,6 +196,7 @@ template <class R> class Widener {
     const LargeVector<BvhNode<R>>& nodes_;
     BuildStats& stats_;
     int threads_;
+    uint32_t block_;
     double root_area_;
     LargeVector<Joining> joinings_;
     std::vector<uint32_t> upper_;
@@ -205,11 +206,11 @@ template <class R> class Widener {
 
 }  // namespace
 
-template <class R> LargeVector<WideNode<R>> widened(const LargeVector<BvhNode<R>>& nodes, BuildStats& stats, int threads) {
-    return nodes.empty() ? LargeVector<WideNode<R>>() : Widener<R>(nodes, stats, threads).run();
+template <class R> LargeVector<WideNode<R>> widened(const LargeVector<BvhNode<R>>& nodes, BuildStats& stats, int threads, uint32_t block) {
+    return nodes.empty() ? LargeVector<WideNode<R>>() : Widener<R>(nodes, stats, threads, block).run();
 }
 
-template LargeVector<WideNode<float>> widened(const LargeVector<BvhNode<float>>&, BuildStats&, int);
-template LargeVector<WideNode<double>> widened(const LargeVector<BvhNode<double>>&, BuildStats&, int);
+template LargeVector<WideNode<float>> widened(const LargeVector<BvhNode<float>>&, BuildStats&, int, uint32_t);
+template LargeVector<WideNode<double>> widened(const LargeVector<BvhNode<double>>&, BuildStats&, int, uint32_t);
 
 }  // namespace alidade

@@ -33,8 +33,8 @@ template <class R> BoundsT<R> box_of(const WideNode<R>& node) {
     return box;
 }
 
-/// Calls visit(TreeNode, first, count), the last two for leaves, for the inner node `shown` and all below it. A leaf is numbered by its block, behind the inner nodes.
-template <class R, class Visit> void visit_wide(std::span<const WideNode<R>> nodes, TreeNode shown, const Visit& visit) {
+/// Calls visit(TreeNode, first, count), the last two for leaves, for the inner node `shown` and all below it. A leaf is numbered by its block, of `block` places, behind the inner nodes.
+template <class R, class Visit> void visit_wide(std::span<const WideNode<R>> nodes, TreeNode shown, uint32_t block, const Visit& visit) {
     const WideNode<R>& node = nodes[shown.number];
     std::array<uint32_t, kWide> places{}, children{};
     uint32_t count = 0;
@@ -49,16 +49,16 @@ template <class R, class Visit> void visit_wide(std::span<const WideNode<R>> nod
         const BoundsT<R> box = box_at(node, places[i]);
         TreeNode below{children[i], shown.number, shown.depth + 1, {Vec3(box.min), Vec3(box.max)}};
         below.leaf = WideLeaf::is(child);
-        if (below.leaf) visit(below, WideLeaf::block(child) * kLanes, WideLeaf::count(child));
-        else visit_wide(nodes, below, visit);
+        if (below.leaf) visit(below, WideLeaf::block(child) * block, WideLeaf::count(child));
+        else visit_wide(nodes, below, block, visit);
     }
 }
 
 /// The same from the root on.
-template <class R, class Visit> void visit_wide(std::span<const WideNode<R>> nodes, const Visit& visit) {
+template <class R, class Visit> void visit_wide(std::span<const WideNode<R>> nodes, uint32_t block, const Visit& visit) {
     if (nodes.empty()) return;
     const BoundsT<R> box = box_of(nodes[0]);
-    visit_wide(nodes, TreeNode{0, kNoId, 0, {Vec3(box.min), Vec3(box.max)}}, visit);
+    visit_wide(nodes, TreeNode{0, kNoId, 0, {Vec3(box.min), Vec3(box.max)}}, block, visit);
 }
 
 }  // namespace alidade

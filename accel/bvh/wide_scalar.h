@@ -7,7 +7,7 @@
 namespace alidade {
 
 /// One box after the other, the oracle of the vector versions.
-template <class R> class ScalarBoxes {
+template <class R, int kUnits = kTriangleUnits> class ScalarBoxes {
   public:
     explicit ScalarBoxes(const LocalRay& ray) : ray_(ray) {}
 
@@ -23,7 +23,7 @@ template <class R> class ScalarBoxes {
     }
 
   private:
-    WideRay<R> ray_;
+    WideRay<R, kUnits> ray_;
 };
 
 template <class R> struct ScalarMachine {
@@ -32,8 +32,8 @@ template <class R> struct ScalarMachine {
     static uint32_t filter(const auto& leaf, const TriangleBlock<R>& block, const FilterRay<R>& ray) { return leaf.filter(block, ray); }
 };
 
-template <class Node> uint32_t enter_boxes_scalar(const Node& node, const LocalRay& ray, typename Node::Real limit, typename Node::Real* entries) {
-    return ScalarBoxes<typename Node::Real>(ray).enter(node, limit, entries);
+template <class Node, int kUnits = kTriangleUnits> uint32_t enter_boxes_scalar(const Node& node, const LocalRay& ray, typename Node::Real limit, typename Node::Real* entries) {
+    return ScalarBoxes<typename Node::Real, kUnits>(ray).enter(node, limit, entries);
 }
 
 }  // namespace alidade

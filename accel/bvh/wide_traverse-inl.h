@@ -25,10 +25,10 @@ template <class V> HWY_INLINE HWY_ATTR V smaller(V a, V b) { return hn::IfThenEl
 
 /// A WideRay, each number in all lanes. The operations below are those of WideRay::enter, in their order; differences and inverses have the other sign, so
 /// that planes are operands from memory.
-template <class R> class VectorBoxes {
+template <class R, int kUnits = kTriangleUnits> class VectorBoxes {
   public:
     explicit HWY_ATTR VectorBoxes(const LocalRay& ray) : start_(ray.tmin) {
-        if (!set_sloped(ray)) set(WideRay<R>(ray));
+        if (!set_sloped(ray)) set(WideRay<R, kUnits>(ray));
     }
 
     R limit(double t) const { return SlabRay<R>::limit(t - start_); }
@@ -50,7 +50,7 @@ template <class R> class VectorBoxes {
     }
 
   private:
-    HWY_INLINE HWY_ATTR void set(const WideRay<R>& ray) {
+    HWY_INLINE HWY_ATTR void set(const WideRay<R, kUnits>& ray) {
         for (int a = 0; a < 3; ++a) set_axis(a, ray.negative(a), ray.near_origin(a), ray.far_origin(a), -ray.near_inverse(a), -ray.far_inverse(a));
     }
     HWY_INLINE HWY_ATTR void set_axis(int a, bool negative, R near_origin, R far_origin, R near_inverse, R far_inverse) {
@@ -62,27 +62,30 @@ template <class R> class VectorBoxes {
     /// As set(WideRay), the three axes at once, where the machine has vectors of four doubles. False, and nothing done, for rays that are along an axis.
     HWY_INLINE HWY_ATTR bool set_sloped(const LocalRay& ray) {
 #if HWY_TARGET == HWY_AVX2 || HWY_TARGET == HWY_AVX3
-        if constexpr (std::is_same_v<R, float>) {
-            const hn::FixedTag<double, 4> wide;
-            const hn::FixedTag<float, 4> d;
-            const auto at = hn::Load(wide, &ray.origin.x), dir = hn::Load(wide, &ray.dir.x);
-            uint8_t flat[8] = {};
-            hn::StoreMaskBits(wide, hn::Lt(hn::Abs(dir), hn::Set(wide, kSmallestSlope<float>)), flat);
-            if (flat[0] & 7) return false;
-            const auto o = hn::DemoteTo(d, hn::Add(at, hn::Mul(hn::Set(wide, start_), dir)));
-            const auto moved = hn::Add(hn::DemoteTo(d, hn::Mul(hn::Abs(at), hn::Set(wide, kMoved))), hn::Set(d, kOriginPad<float>));
-            const auto e = hn::Add(hn::Mul(hn::Abs(o), hn::Set(d, 4 * kUnitRoundoff<float>)), moved);
-            const auto inverse = hn::DemoteTo(d, hn::Load(wide, &ray.inverse.x)), outward = hn::CopySign(e, inverse), near_inverse = hn::Neg(inverse);
-            alignas(16) float near_origins[4], far_origins[4], near_inverses[4], far_inverses[4];
-            hn::Store(hn::Add(o, outward), d, near_origins), hn::Store(hn::Sub(o, outward), d, far_origins);
-            hn::Store(near_inverse, d, near_inverses), hn::Store(hn::Mul(near_inverse, hn::Set(d, kWidened<float>)), d, far_inverses);
-            hn::StoreMaskBits(d, hn::Lt(inverse, hn::Zero(d)), flat);
-            for (int a = 0; a < 3; ++a) set_axis(a, flat[0] >> a & 1, near_origins[a], far_origins[a], near_inverses[a], far_inverses[a]);
-            return true;
-        }
-#endif
+        const hn::FixedTag<double, 4> wide;
+        const hn::FixedTag<R, 4> d;
+        const auto rounded = [&](auto v) HWY_ATTR {
+            if constexpr (std::is_same_v<R, float>) return hn::DemoteTo(d, v);
+            else return v;
+        };
+        const auto at = hn::Load(wide, &ray.origin.x), dir = hn::Load(wide, &ray.dir.x);
+        uint8_t flat[8] = {};
+        hn::StoreMaskBits(wide, hn::Lt(hn::Abs(dir), hn::Set(wide, kSmallestSlope<R>)), flat);
+        if (flat[0] & 7) return false;
+        const auto o = rounded(hn::Add(at, hn::Mul(hn::Set(wide, start_), dir)));
+        const auto moved = hn::Add(rounded(hn::Mul(hn::Abs(at), hn::Set(wide, kUnits * kMoved))), hn::Set(d, kOriginPad<R>));
+        const auto e = hn::Add(hn::Mul(hn::Abs(o), hn::Set(d, kUnits * kUnitRoundoff<R>)), moved);
+        const auto inverse = rounded(hn::Load(wide, &ray.inverse.x)), outward = hn::CopySign(e, inverse), near_inverse = hn::Neg(inverse);
+        alignas(32) R near_origins[4], far_origins[4], near_inverses[4], far_inverses[4];
+        hn::Store(hn::Add(o, outward), d, near_origins), hn::Store(hn::Sub(o, outward), d, far_origins);
+        hn::Store(near_inverse, d, near_inverses), hn::Store(hn::Mul(near_inverse, hn::Set(d, kWidened<R, kUnits>)), d, far_inverses);
+        hn::StoreMaskBits(d, hn::Lt(inverse, hn::Zero(d)), flat);
+        for (int a = 0; a < 3; ++a) set_axis(a, flat[0] >> a & 1, near_origins[a], far_origins[a], near_inverses[a], far_inverses[a]);
+        return true;
+#else
         static_cast<void>(ray);
         return false;
+#endif
     }
 
     using D = hn::CappedTag<R, kWide>;
@@ -99,8 +102,13 @@ template <class R> struct VectorMachine {
     template <class Leaf> static HWY_INLINE HWY_ATTR uint32_t filter(const Leaf&, const TriangleBlock<R>& block, const FilterRay<R>& ray) { return filter_block(block, ray); }
 };
 
-template <class Node> HWY_ATTR uint32_t enter_boxes(const Node& node, const LocalRay& ray, typename Node::Real limit, typename Node::Real* entries) {
-    return VectorBoxes<typename Node::Real>(ray).enter(node, limit, entries);
+/// Of sets, which are shown what is in leaves.
+struct VectorSetMachine {
+    using Boxes = VectorBoxes<double, kSetUnits>;
+};
+
+template <class Node, int kUnits = kTriangleUnits> HWY_ATTR uint32_t enter_boxes(const Node& node, const LocalRay& ray, typename Node::Real limit, typename Node::Real* entries) {
+    return VectorBoxes<typename Node::Real, kUnits>(ray).enter(node, limit, entries);
 }
 
 /// What waits on the stack: where its box is entered, as a float, above the child. Rounding to float is monotone: what is not beyond a limit stays so.
@@ -188,6 +196,10 @@ HWY_ATTR void wide_traverse(const Node* nodes, const LocalRay& ray, Query& query
                 current = take_children<Query::kNearestFirst>(node, bits, entries, top);
                 continue;
             }
+        } else if constexpr (std::is_same_v<std::remove_cvref_t<decltype(leaf)>, CustomLeaf>) {
+            if (query.visit(WideLeaf::block(current), WideLeaf::count(current))) break;
+            limit = boxes.limit(query.limit());
+            last = last_key(float(limit));
         } else {
             const uint32_t number = WideLeaf::block(current);
             uint32_t lanes = (2u << (WideLeaf::count(current) - 1)) - 1;

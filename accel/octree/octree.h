@@ -240,7 +240,7 @@ template <class T, TriangleTest test> class Octree<TriangleLeaf<T, test>> {
     }
 
     template <class Query> void traverse(const LocalRay& ray, Query& query, WorkCounters& work) const { traversals_(nodes_.data(), ray, query, work); }
-    template <class Visit> void visit_nodes(const Visit& visit) const { visit_wide(std::span<const WideNode<T>>(nodes_), visit); }
+    template <class Visit> void visit_nodes(const Visit& visit) const { visit_wide(std::span<const WideNode<T>>(nodes_), kLanes, visit); }
     size_t bytes() const { return nodes_.capacity() * sizeof(WideNode<T>); }
 
   private:

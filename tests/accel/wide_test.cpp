@@ -26,7 +26,7 @@ template <class R> R coordinate(Draws& draws) {
     }
 }
 
-template <class R> WideNode<R> random_node(const WideRay<R>& ray, Draws& draws) {
+template <class R> WideNode<R> random_node(const auto& ray, Draws& draws) {
     WideNode<R> node{};
     for (uint32_t i = 0; i < kWide; ++i) {
         const bool empty = draws.below(10) == 0;
@@ -56,19 +56,18 @@ template <class R> LocalRay random_ray(Draws& draws) {
     return ray;
 }
 
-TYPED_TEST(Wide, BoxesAreEnteredAsOneAtATime) {
-    using R = TypeParam;
+template <class R, int kUnits> void expect_boxes_as_one_at_a_time(WideBoxTest<WideNode<R>> (*box_test)(Isa)) {
     size_t entered = 0, nans = 0;
     const size_t count = run_size(200000, 10000000);
     for (size_t n = 0; n < count; ++n) {
         Draws draws(RandomKey(31, 0, n, 0));
         const LocalRay local = random_ray<R>(draws);
-        const WideRay<R> ray(local);
+        const WideRay<R, kUnits> ray(local);
         const WideNode<R> node = random_node<R>(ray, draws);
         const R limit = ray.limit(draws.coin() ? std::numeric_limits<double>::max() : draws.uniform(-1, 4));
         for (const Isa isa : available_isas()) {
             alignas(64) R entries[kWide];
-            const uint32_t bits = wide_box_test<WideNode<R>>(isa)(node, local, limit, entries);
+            const uint32_t bits = box_test(isa)(node, local, limit, entries);
             for (uint32_t i = 0; i < kWide; ++i) {
                 BoundsT<R> box;
                 for (int a = 0; a < 3; ++a) box.min[a] = node.planes[2 * a][i], box.max[a] = node.planes[2 * a + 1][i];
@@ -85,6 +84,9 @@ TYPED_TEST(Wide, BoxesAreEnteredAsOneAtATime) {
     EXPECT_GT(entered, count / 4) << "the test must exercise entered boxes";
     EXPECT_GT(nans, count / 1000) << "and planes on which a ray without slope runs";
 }
+
+TYPED_TEST(Wide, BoxesAreEnteredAsOneAtATime) { expect_boxes_as_one_at_a_time<TypeParam, kTriangleUnits>(wide_box_test<WideNode<TypeParam>>); }
+TEST(WideSet, BoxesAreEnteredAsOneAtATime) { expect_boxes_as_one_at_a_time<double, kSetUnits>(wide_set_box_test); }
 
 template <class R> LargeVector<BvhReference<R>> random_references(size_t count, uint64_t seed = 0) {
     LargeVector<BvhReference<R>> references;
