@@ -48,8 +48,16 @@ Item item_of(Item::Kind kind, Place at) {
     return item;
 }
 
-Item block_item(Parser& p, Item::Kind kind, WordId word, char close, Place at) {
+/// POV-Ray 1.0's word for what is a union since.
+WordId word_of_today(Parser& p, WordId word, Place at) {
+    if (word != "composite"_w) return word;
+    p.warn(at, "composite is read as union");
+    return "union"_w;
+}
+
+Item block_item(Parser& p, Item::Kind kind, WordId given, char close, Place at) {
     const Nested nested(p, at);
+    const WordId word = word_of_today(p, given, at);
     const uint32_t defaults = uint32_t(p.defaults.size());
     const float version = float(p.version);
     OpenBlock open(p, word);

@@ -81,8 +81,9 @@ class Reader {
         if (token.kind == TokenKind::name && !p_.symbols.find(token.id)) parse_reference(p_, token, false);   // says what is not declared
         if (token.kind != TokenKind::word || !p_.peek().is('{')) p_.fail(token.place(), fmt::format("an object or a directive is expected, not {}", p_.describe(token)));
         Item item;
-        item.kind = Item::Kind::block, item.place = token.place(), item.word = token.id;
+        item.kind = Item::Kind::block, item.place = token.place();
         item.value = parse_block(p_, token.id, token.place());
+        item.word = item.value.as<Block>().word;
         if (token.id == "global_settings"_w) p_.globals.push_back(item.value);
         program_.items.push_back(std::move(item));
     }

@@ -122,6 +122,19 @@ TEST_F(PovBuilders, DeclaredObjectsAreStoredOnce) {
 }
 
 /// Each used to be read inside of the one before it.
+/// POV-Ray says "Use union instead of composite", whatever the version, and draws a union.
+TEST_F(PovBuilders, ACompositeIsAUnion) {
+    const auto nodes = [&](const std::string& word) {
+        Scene read = scene(fmt::format("{0} {{ sphere {{ 0, 1 }} {0} {{ box {{ 0, 1 }} sphere {{ x, 1 }} }} rotate z*30 }} #declare A = {0} {{ sphere {{ 0, 2 }} }} object {{ A }}", word));
+        for (Node& each : read.nodes) each.from = {};
+        for (ShapeEntry& each : read.shapes) each.from = {};
+        read.files.clear();
+        return dump(read);
+    };
+    EXPECT_EQ(nodes("composite"), nodes("union"));
+    EXPECT_THAT(said("composite { sphere { 0, 1 } }"), HasSubstr(":1:1: warning: composite is read as union"));
+}
+
 TEST_F(PovBuilders, ThousandsOfDeclarationsFollowOneAnother) {
     std::string text;
     for (int i = 0; i < 3000; ++i) text += fmt::format("#declare P{} = pigment {{ rgb {} }}\n", i, i);
