@@ -121,7 +121,31 @@ TEST_F(PovBuilders, DeclaredObjectsAreStoredOnce) {
     EXPECT_EQ(s.roots.size(), 51u);
 }
 
-/// Each used to be read inside of the one before it.
+/// An interior goes on with what is there, a name in it or in a material begins anew: as 36 scenes of two spheres told of POV-Ray.
+TEST_F(PovBuilders, ASecondInteriorGoesOnWithTheFirst) {
+    const std::string names = "#declare I = interior { ior 1.33 fade_distance 2 } #declare M = material { texture { pigment { rgb 1 } } interior { I } }"
+                              "#declare T = material { texture { pigment { rgb 1 } } } #declare S = sphere { 0, 1 material { M } }\n";
+    const std::pair<const char*, Vec2> cases[] = {
+        {"sphere { 0, 1 interior { I } interior { ior 1.6 } }", {1.6, 2}},
+        {"sphere { 0, 1 material { M } interior { ior 1.6 } }", {1.6, 2}},
+        {"sphere { 0, 1 material { M interior { ior 1.6 } } }", {1.6, 2}},
+        {"object { S interior { ior 1.6 } }", {1.6, 2}},
+        {"object { S material { interior { ior 1.6 } } }", {1.6, 2}},
+        {"union { sphere { 0, 1 } sphere { x, 1 } interior { I } interior { ior 1.6 } }", {1.6, 2}},
+        {"sphere { 0, 1 interior { ior 1.6 fade_distance 3 } interior { I } }", {1.33, 2}},
+        {"sphere { 0, 1 interior { ior 1.6 fade_distance 3 } material { M } }", {1.33, 2}},
+        {"sphere { 0, 1 material { M } material { T } }", {0, 0}},   // none
+        {"object { S interior { ior 1.6 } } object { S }", {1.33, 2}},   // S is as it was
+    };
+    for (const auto& [text, want] : cases) {
+        const Scene read = scene(names + text);
+        Vec2 got(0);
+        for (const Node& node : read.nodes)
+            if (node.interior) got = {read.interiors.at(node.interior->index).ior, read.interiors.at(node.interior->index).fade_distance};
+        EXPECT_EQ(got, want) << text;
+    }
+}
+
 /// POV-Ray says "Use union instead of composite", whatever the version, and draws a union.
 TEST_F(PovBuilders, ACompositeIsAUnion) {
     const auto nodes = [&](const std::string& word) {
@@ -135,6 +159,7 @@ TEST_F(PovBuilders, ACompositeIsAUnion) {
     EXPECT_THAT(said("composite { sphere { 0, 1 } }"), HasSubstr(":1:1: warning: composite is read as union"));
 }
 
+/// Each used to be read inside of the one before it.
 TEST_F(PovBuilders, ThousandsOfDeclarationsFollowOneAnother) {
     std::string text;
     for (int i = 0; i < 3000; ++i) text += fmt::format("#declare P{} = pigment {{ rgb {} }}\n", i, i);

@@ -8,7 +8,7 @@ namespace {
 void read_interior(Build& build, const Block& block, Interior& in) {
     const Nested nested(build.p, block.place);
     for (Cursor at(build, block); !at.done();) {
-        if (const Block* base = at.block_at("interior"_w)) at.next(), read_interior(build, *base, in);
+        if (const Block* base = at.block_at("interior"_w)) at.next(), in = Interior(), read_interior(build, *base, in);
         else if (at.accept("ior"_w)) in.ior = at.number("the index of refraction");
         else if (at.accept("caustics"_w)) in.caustics = at.number("the caustics");
         else if (at.accept("dispersion"_w)) in.dispersion = at.number("the dispersion");
@@ -23,10 +23,11 @@ void read_interior(Build& build, const Block& block, Interior& in) {
 
 }  // namespace
 
-InteriorId add_interior(Build& build, const Block& block) {
+InteriorId add_interior(Build& build, const Block& block, std::optional<InteriorId> before) {
     Interior in;
-    in.from = build.position(block.place);
+    if (before) in = build.scene.interiors[before->index];
     read_interior(build, block, in);
+    in.from = build.position(block.place);
     if (!(in.fade_distance > 1e-10)) in.fade_distance = 0;   // POV-Ray takes less for none
     if (!(in.ior > 0)) build.p.fail(block.place, "the index of refraction must be greater than 0");
     build.scene.interiors.push_back(in);

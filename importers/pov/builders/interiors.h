@@ -5,7 +5,7 @@
 
 namespace alidade::pov {
 
-/// `interior { ... }`, added to the scene.
-InteriorId add_interior(Build& build, const Block& block);
+/// `interior { ... }`, added to the scene. As in POV-Ray it goes on with the one that the thing has `before`, unless it begins with a name.
+InteriorId add_interior(Build& build, const Block& block, std::optional<InteriorId> before);
 
 }  // namespace alidade::pov

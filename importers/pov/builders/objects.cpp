@@ -41,10 +41,10 @@ CsgKind csg_of(WordId word) {
     }
 }
 
-bool changes_texture(const Item& item) {
+bool changes_surface(const Item& item) {
     if (item.value.kind != Kind::block) return false;
     const WordId word = item.block().word;
-    return word == "texture"_w || word == "pigment"_w || word == "finish"_w || word == "normal"_w || word == "material"_w;
+    return word == "interior"_w || word == "texture"_w || word == "pigment"_w || word == "finish"_w || word == "normal"_w || word == "material"_w;
 }
 
 void begin_texture(Draft& d, Place at) {
@@ -77,9 +77,9 @@ TextureLayers read_material(Build& build, const Block& block, std::optional<Inte
     const Nested nested(build.p, block.place);
     TextureLayers layers;
     for (Cursor at(build, block); !at.done();) {
-        if (const Block* base = at.block_at("material"_w)) at.next(), layers.clear(), add_layers(layers, read_material(build, *base, interior), block.version);
+        if (const Block* base = at.block_at("material"_w)) at.next(), layers.clear(), interior.reset(), add_layers(layers, read_material(build, *base, interior), block.version);
         else if (const Block* texture = at.block_at("texture"_w)) at.next(), add_layers(layers, build_texture(build, *texture), texture->version);
-        else if (const Block* inside = at.block_at("interior"_w)) at.next(), interior = add_interior(build, *inside);
+        else if (const Block* inside = at.block_at("interior"_w)) at.next(), interior = add_interior(build, *inside, interior);
         else if (at.at_transform()) move_layers(build, layers, at.transform());
         else at.skip_unmodelled();
     }
@@ -92,14 +92,14 @@ void add_material(Build& build, Draft& d, const Block& block) {
 }
 
 bool take_surface(Build& build, Draft& d, Cursor& at) {
-    if (build.shapes_alone && !at.done() && (changes_texture(at.peek()) || at.at_block("interior"_w))) return at.next(), true;
+    if (build.shapes_alone && !at.done() && changes_surface(at.peek())) return at.next(), true;
     if (take_layer(build, d, at)) return true;
     if (at.at_word("uv_mapping"_w)) {
         if (!d.layers.empty()) build.p.fail(at.place(), "uv_mapping must stand before the texture");
         d.uv_mapped = true;
     } else if (const Block* texture = at.block_at("texture"_w)) add_textures(build, d, build_texture(build, *texture), *texture);
     else if (const Block* material = at.block_at("material"_w)) add_material(build, d, *material);
-    else if (const Block* interior = at.block_at("interior"_w)) d.node.interior = add_interior(build, *interior);
+    else if (const Block* interior = at.block_at("interior"_w)) d.node.interior = add_interior(build, *interior, d.node.interior);
     else return false;
     at.next();
     return true;
@@ -211,15 +211,15 @@ struct Copying {
     Build& build;
 };
 
-/// `object { NAME ... }`: the thing itself where its texture is changed, a child that it shares with other references where not.
+/// `object { NAME ... }`: the thing itself where its texture or interior is changed, a child that it shares with other references where not.
 bool object(Build& build, Cursor& at, Draft& d) {
     const Block* inner = at.any_block();
     if (!inner || !is_object(inner->word)) build.p.fail(at.place(), fmt::format("an object is expected in {} {{ }}", kWords[at.block().word]));
     at.next();
     const std::span<const Item> items = at.block().items;
-    if (build.shapes_alone || !std::any_of(items.begin(), items.end(), changes_texture)) return reference(build, *inner, d);
+    if (build.shapes_alone || !std::any_of(items.begin(), items.end(), changes_surface)) return reference(build, *inner, d);
     constexpr size_t kMostCopies = 50'000;
-    if (build.copying && ++build.copies_of_copies > kMostCopies) build.p.fail_limit(at.block().place, fmt::format("more than {} objects are copied in copies, because their textures change", kMostCopies));
+    if (build.copying && ++build.copies_of_copies > kMostCopies) build.p.fail_limit(at.block().place, fmt::format("more than {} objects are copied in copies, because their textures or interiors change", kMostCopies));
     const Copying copying(build);
     return draft(build, *inner, d);
 }
