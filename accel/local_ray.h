@@ -29,7 +29,7 @@ struct alignas(32) LocalRay {
     double shift = 0;                   ///< local t of the new origin, seen from the caller's origin
     double to_caller = 1, to_local = 1; ///< powers of two
     double tmin = 0, tmax = -1;         ///< local interval that holds all hits; empty if the ray misses the bounds
-    double reach = 0;                   ///< bounds |t| in it, where somebody needs it: boxes, if a component of dir is very small (kSmallestSlope<float>), and the watertight test
+    double reach = 0;                   ///< bounds |t| in it, where somebody needs it: boxes, if a component of dir is very small (kSmallestSlope<float>)
 
     LocalRay() {}   // not one by one in memory: that takes longer than a box test
     bool enters_box() const { return tmin <= tmax; }

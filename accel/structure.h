@@ -125,11 +125,7 @@ template <template <class> class Structure, class Leaf> class StructureAccelerat
         if constexpr (requires { Leaf::Kernel::moves(ray, bounds_); }) return Leaf::Kernel::moves(ray, bounds_);
         else return Leaf::kMovesRay;
     }
-    LocalRay ready(const Ray& ray) const {
-        LocalRay local = local_ray(ray, bounds_, moves(ray));
-        if constexpr (requires { Leaf::Kernel::kNeedsReach; }) if (local.enters_box()) local.reach = reach_of(local, bounds_);
-        return local;
-    }
+    LocalRay ready(const Ray& ray) const { return local_ray(ray, bounds_, moves(ray)); }
 
     template <class Query> void ask(const LocalRay& local, Query& query, WorkCounters& work) const {
         if (unbounded_ && query.visit(0, unbounded_)) return;

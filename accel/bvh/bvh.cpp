@@ -10,6 +10,7 @@ namespace {
 
 template <class R, TriangleTest test> std::unique_ptr<Accelerator> over_parts(BvhParts<R> parts, const AccelOptions& options) {
     using Leaf = TriangleLeaf<R, test>;
+    if constexpr (is_watertight<Leaf>) make_watertight(parts.nodes.writable(), options.threads, parts.blocks.view());
     return std::make_unique<StructureAccelerator<Bvh, Leaf>>(Bvh<Leaf>(std::move(parts.nodes), options), Leaf(PackedBlocks<R>(std::move(parts.blocks)), options), parts.bounds, std::move(parts.stats));
 }
 

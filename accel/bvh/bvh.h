@@ -8,6 +8,7 @@
 #include "accel/bvh/compact.h"
 #include "accel/bvh/fast_build.h"
 #include "accel/bvh/refit.h"
+#include "accel/bvh/watertight_boxes.h"
 #include "accel/bvh/wide.h"
 #include "accel/bvh/wide_nodes.h"
 #include "accel/query.h"
@@ -50,12 +51,15 @@ template <class Leaf, class Node> class WideBvh {
         auto references = bvh_references<T>(input, options.threads, growth);
         const auto nodes = builder == BvhBuilder::fast ? build_bvh_fast(std::move(references), limits, input.order, stats) : build_bvh(std::move(references), limits, input.order, stats, triangles(input));
         clock.ended("divide");
-        if constexpr (std::is_same_v<Node, CompactNode>) nodes_ = compacted(widened(nodes, stats, options.threads), options.threads);
-        else nodes_ = widened(nodes, stats, options.threads, Leaf::kBlock);
+        auto wide = widened(nodes, stats, options.threads, Leaf::kBlock);
+        if constexpr (is_watertight<Leaf>) make_watertight<T>(wide, options.threads, input.source, input.order);
+        if constexpr (std::is_same_v<Node, CompactNode>) nodes_ = compacted(wide, options.threads);
+        else nodes_ = std::move(wide);
         clock.ended("widen");
         if (input.order.size() / Leaf::kBlock >= WideLeaf::kMaxBlocks) throw std::length_error("more primitives than the tree can number");
     }
 
+    /// Of nodes that were saved.
     WideBvh(LargeArray<Node> nodes, const AccelOptions& options) : nodes_(std::move(nodes)), traversals_(wide_traversals<Node, Leaf>(options.isa)) {}
 
     template <class Query> void traverse(const LocalRay& ray, Query& query, WorkCounters& work) const { traversals_(nodes_.data(), ray, query, work); }
@@ -107,7 +111,11 @@ template <class T, TriangleTest test> class Bvh<TriangleLeaf<T, test>> : public 
 
     template <class Visit> void visit_nodes(const Visit& visit) const { visit_wide(nodes_.view(), kLanes, visit); }
     /// The new cost.
-    double refit(TriangleLeaf<T, test>& leaf, const TriangleSource<T>& triangles, int threads) { return refit_wide(nodes_.writable(), leaf.blocks().writable(), triangles, threads); }
+    double refit(TriangleLeaf<T, test>& leaf, const TriangleSource<T>& triangles, int threads) {
+        const double cost = refit_wide(nodes_.writable(), leaf.blocks().writable(), triangles, threads);
+        if constexpr (is_watertight<TriangleLeaf<T, test>>) make_watertight(nodes_.writable(), threads, leaf.blocks().view());
+        return cost;
+    }
     tl::expected<void, std::string> save(const std::string& path, const TriangleView& mesh, const TriangleLeaf<T, test>& leaf, const Bounds& bounds, const BuildStats& stats) const {
         return save_bvh<T>(path, mesh, nodes_.view(), leaf.blocks().view(), bounds, stats);
     }

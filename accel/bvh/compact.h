@@ -3,7 +3,7 @@
 #pragma once
 
 #include "accel/bvh/byte_grid.h"
-#include "accel/bvh/wide.h"
+#include "accel/bvh/watertight_boxes.h"
 
 namespace alidade {
 
@@ -27,7 +27,7 @@ LargeVector<CompactNode> compacted(const LargeVector<WideNode<float>>& nodes, in
 /// Triangles by the number, with their boxes. Only those whose boxes a ray enters are read from the caller's arrays, which must live as long.
 class NumberedBlocks {
   public:
-    NumberedBlocks(const TriangleSource<float>& source, const std::vector<uint32_t>& order, int threads);
+    NumberedBlocks(const TriangleSource<float>& source, const std::vector<uint32_t>& order, int threads, bool watertight = false);
 
     /// The eight boxes of a block. The children are triangles.
     const CompactNode& boxes(uint32_t number) const { return boxes_[number]; }

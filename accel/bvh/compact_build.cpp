@@ -28,14 +28,15 @@ LargeVector<CompactNode> compacted(const LargeVector<WideNode<float>>& nodes, in
     return made;
 }
 
-NumberedBlocks::NumberedBlocks(const TriangleSource<float>& source, const std::vector<uint32_t>& order, int threads) : source_(source), boxes_((order.size() + kLanes - 1) / kLanes) {
+NumberedBlocks::NumberedBlocks(const TriangleSource<float>& source, const std::vector<uint32_t>& order, int threads, bool watertight) : source_(source), boxes_((order.size() + kLanes - 1) / kLanes) {
     for_ranges(boxes_.size(), threads, [&](size_t first, size_t end) {
         for (size_t b = first; b < end; ++b) {
             WideNode<float> node{};
             for (uint32_t lane = 0; lane < kLanes; ++lane) {
                 const size_t place = b * kLanes + lane;
                 const bool none = place >= order.size() || order[place] == kPadding;
-                node.set_box(lane, none ? BoundsT<float>() : source.box(order[place]));
+                const BoundsT<float> box = none ? BoundsT<float>() : source.box(order[place]);
+                node.set_box(lane, watertight && !none ? watertight_box(box, largest_coordinate(box)) : box);
                 node.child[lane] = none ? 0 : order[place];
             }
             boxes_[b] = compacted(node);

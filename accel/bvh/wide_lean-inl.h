@@ -62,9 +62,9 @@ template <class R, TriangleTest test> class LeanVectorBoxes {
 template <class R, TriangleTest test> struct LeanVectorMachine {
     using Boxes = LeanVectorBoxes<R, test>;
     template <class Leaf> static HWY_INLINE HWY_ATTR decltype(auto) block(const Leaf& leaf, uint32_t number, uint32_t lanes) { return load_block(leaf.blocks(), number, lanes); }
-    template <class Leaf> static HWY_INLINE HWY_ATTR uint32_t filter(const Leaf&, const TriangleBlock<R>& block, const auto& ray) {
-        if constexpr (test == TriangleTest::fast) return fast_block(block, ray);
-        else return watertight_block(block, ray);
+    template <class Leaf> static HWY_INLINE HWY_ATTR uint32_t filter(const Leaf&, const TriangleBlock<R>& block, const auto& ray, bool near) {
+        if constexpr (test == TriangleTest::fast) return fast_block(block, ray, near);
+        else return watertight_block(block, ray, near);
     }
 };
 

@@ -6,10 +6,10 @@
 
 namespace alidade {
 
-/// The ray's origin as planes that it enters (`near`) or leaves are compared with it. Watertight: all roundings, those of the triangles too, are in its pad, so that ends of slabs need none. Fast: rounded, no more.
+/// The ray's origin as planes that it enters (`near`) or leaves are compared with it. Watertight: all roundings are in its pad and in the boxes, so that ends of slabs need none. Fast: rounded, no more.
 template <class R, TriangleTest test> R lean_origin(const SlabRay<R>& slab, const LocalRay& ray, int axis, bool near) {
     if constexpr (test == TriangleTest::fast) return R(0.5) * (slab.near_origin(axis) + slab.far_origin(axis));
-    const R pad = watertight_pad<R>(ray), outward = slab.negative(axis) == near ? -pad : pad;
+    const R pad = watertight_origin_pad<R>(ray), outward = slab.negative(axis) == near ? -pad : pad;
     return (near ? slab.near_origin(axis) : slab.far_origin(axis)) + outward;
 }
 
@@ -46,7 +46,7 @@ template <class R, TriangleTest test> class LeanBoxes {
 template <class R, TriangleTest test> struct LeanMachine {
     using Boxes = LeanBoxes<R, test>;
     static decltype(auto) block(const auto& leaf, uint32_t number, uint32_t lanes) { return leaf.blocks().block(number, lanes); }
-    static uint32_t filter(const auto& leaf, const TriangleBlock<R>& block, const auto& ray) { return leaf.filter(block, ray); }
+    static uint32_t filter(const auto& leaf, const TriangleBlock<R>& block, const auto& ray, bool near) { return leaf.filter(block, ray, near); }
 };
 
 }  // namespace alidade

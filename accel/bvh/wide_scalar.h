@@ -29,7 +29,7 @@ template <class R, int kUnits = kTriangleUnits> class ScalarBoxes {
 template <class R> struct ScalarMachine {
     using Boxes = ScalarBoxes<R>;
     static decltype(auto) block(const auto& leaf, uint32_t number, uint32_t lanes) { return leaf.blocks().block(number, lanes); }
-    static uint32_t filter(const auto& leaf, const TriangleBlock<R>& block, const FilterRay<R>& ray) { return leaf.filter(block, ray); }
+    static uint32_t filter(const auto& leaf, const TriangleBlock<R>& block, const FilterRay<R>& ray, bool near) { return leaf.filter(block, ray, near); }
 };
 
 template <class Node, int kUnits = kTriangleUnits> uint32_t enter_boxes_scalar(const Node& node, const LocalRay& ray, typename Node::Real limit, typename Node::Real* entries) {

@@ -99,7 +99,7 @@ template <class R, int kUnits = kTriangleUnits> class VectorBoxes {
 template <class R> struct VectorMachine {
     using Boxes = VectorBoxes<R>;
     template <class Leaf> static HWY_INLINE HWY_ATTR decltype(auto) block(const Leaf& leaf, uint32_t number, uint32_t lanes) { return load_block(leaf.blocks(), number, lanes); }
-    template <class Leaf> static HWY_INLINE HWY_ATTR uint32_t filter(const Leaf&, const TriangleBlock<R>& block, const FilterRay<R>& ray) { return filter_block(block, ray); }
+    template <class Leaf> static HWY_INLINE HWY_ATTR uint32_t filter(const Leaf&, const TriangleBlock<R>& block, const FilterRay<R>& ray, bool near) { return filter_block(block, ray, near); }
 };
 
 /// Of sets, which are shown what is in leaves.
@@ -119,6 +119,7 @@ struct WideWaiting {
     WideWaiting() = default;
     WideWaiting(uint32_t child, float entry) : key(int64_t(uint64_t(std::bit_cast<uint32_t>(entry)) << 32 | child)) {}
     uint32_t child() const { return uint32_t(uint64_t(key)); }
+    bool near() const { return uint64_t(key) >> 32 == 0; }   ///< does the ray begin in the box?
 };
 
 /// The child below all that waits; no leaf (WideLeaf::kMaxBlocks).
@@ -151,25 +152,25 @@ HWY_INLINE HWY_ATTR void sort_top(WideWaiting* top, uint32_t count) {
 
 /// Puts the children whose bits are set on the stack, all but one: returns that one, the nearest if `sorted`. One or two are the common case.
 template <bool sorted, class Node>
-HWY_INLINE HWY_ATTR uint32_t take_children(const Node& node, uint32_t bits, const typename Node::Real* entries, WideWaiting*& top) {
+HWY_INLINE HWY_ATTR WideWaiting take_children(const Node& node, uint32_t bits, const typename Node::Real* entries, WideWaiting*& top) {
     const auto next = [&]() HWY_ATTR {
         const auto i = size_t(std::countr_zero(bits));
         bits &= bits - 1;
         return WideWaiting(node.child[i], float(entries[i]));
     };
     WideWaiting near = next();
-    if (!bits) return near.child();
+    if (!bits) return near;
     WideWaiting far = next();
     if constexpr (sorted) put_in_order(far, near);
     top[0] = far;
-    if (!bits) return ++top, near.child();
+    if (!bits) return ++top, near;
     top[1] = near;
     uint32_t count = 2;
     do top[count++] = next();
     while (bits);
     if constexpr (sorted) sort_top(top, count);
     top += count - 1;
-    return top->child();
+    return *top;
 }
 
 /// Nearer children first, where the order matters to the query. A box is skipped only if its padded entry is beyond the padded limit: at an equal t there may
@@ -185,6 +186,7 @@ HWY_ATTR void wide_traverse(const Node* nodes, const LocalRay& ray, Query& query
     WideWaiting* top = stack;
     (top++)->key = std::numeric_limits<int64_t>::min() | kNoChild;
     uint32_t current = 0;
+    bool near = false;   // does the ray begin in the box of `current`?
     uint64_t tested = 0, filtered = 0;
     for (;;) {
         if (!WideLeaf::is(current)) {
@@ -193,7 +195,8 @@ HWY_ATTR void wide_traverse(const Node* nodes, const LocalRay& ray, Query& query
             const uint32_t bits = boxes.enter(node, limit, entries);
             tested += kWide;
             if (bits) {
-                current = take_children<Query::kNearestFirst>(node, bits, entries, top);
+                const WideWaiting next = take_children<Query::kNearestFirst>(node, bits, entries, top);
+                current = next.child(), near = next.near();
                 continue;
             }
         } else if constexpr (std::is_same_v<std::remove_cvref_t<decltype(leaf)>, CustomLeaf>) {
@@ -211,7 +214,7 @@ HWY_ATTR void wide_traverse(const Node* nodes, const LocalRay& ray, Query& query
             filtered += uint32_t(std::popcount(lanes));
             if (lanes) {
                 const auto& block = Machine::block(leaf, number, lanes);
-                const uint32_t bits = Machine::filter(leaf, block, query.probe().filter) & lanes;
+                const uint32_t bits = Machine::filter(leaf, block, query.probe().filter, near) & lanes;
                 if (bits) {
                     if (query.decide(block, number, bits)) break;
                     limit = boxes.limit(query.limit());
@@ -221,7 +224,7 @@ HWY_ATTR void wide_traverse(const Node* nodes, const LocalRay& ray, Query& query
         }
         do --top;
         while (top->key > last);
-        current = top->child();
+        current = top->child(), near = top->near();
         if (current == kNoChild) break;
     }
     work.boxes += tested, work.filtered += filtered;

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "accel/accelerator.h"
-#include "accel/bvh/wide_nodes.h"
+#include "accel/bvh/watertight_boxes.h"
 #include "accel/octree/wide_octree.h"
 #include "accel/query.h"
 
@@ -236,6 +236,7 @@ template <class T, TriangleTest test> class Octree<TriangleLeaf<T, test>> {
         for (const uint32_t id : input.ids) references.emplace_back(input.source.box(id), id);
         input.ids = {};
         nodes_ = build_wide_octree<T>(std::move(references), input.source, typical, input.order, stats);
+        if constexpr (is_watertight<TriangleLeaf<T, test>>) make_watertight<T>(nodes_, options.threads, input.source, input.order);
         clock.ended("divide");
     }
 

@@ -7,7 +7,7 @@
 #define ALIDADE_EDGE_FILTER_INL
 #endif
 
-#include "accel/mask_bits-inl.h"
+#include "accel/triangles/behind-inl.h"
 #include "accel/triangles/edge_filter.h"
 
 #include "hwy/highway.h"
@@ -17,8 +17,8 @@ namespace alidade::HWY_NAMESPACE {
 
 namespace hn = hwy::HWY_NAMESPACE;
 
-/// What may_hit() of edge_filter.cpp rejects, on as many lanes as `d` has: multiplications, additions and comparisons in the same order.
-template <class T, class D> HWY_INLINE HWY_ATTR auto outside_lanes(D d, const TriangleBlock<T>& block, uint32_t lane, const FilterRay<T>& ray) {
+/// may_hit() of edge_filter.cpp, on as many lanes as `d` has: multiplications, additions and comparisons in the same order.
+template <class T, class D> HWY_INLINE HWY_ATTR uint32_t filter_lanes(D d, const TriangleBlock<T>& block, uint32_t lane, const FilterRay<T>& ray, bool near) {
     using V = hn::Vec<D>;
     using Error = EdgeError<T>;
     const auto all = [&](T value) HWY_ATTR { return hn::Set(d, value); };
@@ -30,26 +30,25 @@ template <class T, class D> HWY_INLINE HWY_ATTR auto outside_lanes(D d, const Tr
     const V x0 = sheared(ox, shear_x, at_x, 0, z0), x1 = sheared(ox, shear_x, at_x, 1, z1), x2 = sheared(ox, shear_x, at_x, 2, z2);
     const V y0 = sheared(oy, shear_y, at_y, 0, z0), y1 = sheared(oy, shear_y, at_y, 1, z1), y2 = sheared(oy, shear_y, at_y, 2, z2);
 
-    const auto largest = [&](V a, V b, V c) HWY_ATTR { return hn::Max(hn::Max(hn::Abs(a), hn::Abs(b)), hn::Abs(c)); };
-    const V m = hn::Max(largest(x0, x1, x2), largest(y0, y1, y2));
-    const V blur = hn::Add(all(ray.origin_blur), hn::Mul(all(ray.depth_blur), largest(z0, z1, z2))), off = hn::Add(blur, hn::Mul(all(Error::kSheared), m));
+    const V m = hn::Max(largest_of(x0, x1, x2), largest_of(y0, y1, y2)), depth = largest_of(z0, z1, z2);
+    const V blur = hn::Add(all(ray.origin_blur), hn::Mul(all(ray.depth_blur), depth)), off = hn::Add(blur, hn::Mul(all(Error::kSheared), m));
     const V squares = hn::Add(hn::Mul(all(Error::kSquare), hn::Mul(off, off)), all(Error::kQuanta));
     const V error = hn::Add(hn::Mul(hn::Mul(all(Error::kBoth), m), blur), hn::Add(hn::Mul(all(Error::kBothSheared), hn::Mul(m, m)), squares));
 
     const auto edge = [&](V xa, V ya, V xb, V yb) HWY_ATTR { return hn::Sub(hn::Mul(xa, yb), hn::Mul(ya, xb)); };
     const V u = edge(x1, y1, x2, y2), v = edge(x2, y2, x0, y0), w = edge(x0, y0, x1, y1);
-    return hn::And(hn::Gt(hn::Max(u, hn::Max(v, w)), error), hn::Lt(hn::Min(u, hn::Min(v, w)), hn::Neg(error)));
+    const uint32_t bits = mask_bits(d, hn::Not(hn::And(hn::Gt(hn::Max(u, hn::Max(v, w)), error), hn::Lt(hn::Min(u, hn::Min(v, w)), hn::Neg(error)))));
+    if (!near) return bits;
+    const V depths = hn::Mul(all(ray.ahead), hn::Add(hn::Add(hn::Mul(u, z0), hn::Mul(v, z1)), hn::Mul(w, z2)));
+    return bits & ~behind_lanes(d, depths, hn::Add(hn::Add(u, v), w), ray.behind_blur, hn::Max(m, depth));
 }
 
-/// Bit i: triangle i of the block may be hit.
-template <class T> HWY_INLINE HWY_ATTR uint32_t filter_block(const TriangleBlock<T>& block, const FilterRay<T>& ray) {
+template <class T> HWY_INLINE HWY_ATTR uint32_t filter_block(const TriangleBlock<T>& block, const FilterRay<T>& ray, bool near) {
     const hn::CappedTag<T, kLanes> d;
     const auto lanes = uint32_t(hn::Lanes(d));
     uint32_t bits = 0;
-    for (uint32_t lane = 0; lane < kLanes; lane += lanes) {
-        bits |= mask_bits(d, outside_lanes(d, block, lane, ray)) << lane;
-    }
-    return ~bits & ((1u << kLanes) - 1);
+    for (uint32_t lane = 0; lane < kLanes; lane += lanes) bits |= filter_lanes(d, block, lane, ray, near) << lane;
+    return bits;
 }
 
 }  // namespace alidade::HWY_NAMESPACE

@@ -16,24 +16,25 @@ namespace alidade {
 namespace {
 
 /// One triangle, the oracle of the vector versions: the same operations give the same bits.
-template <class T> bool may_hit(const TriangleBlock<T>& block, uint32_t lane, const FilterRay<T>& ray) {
+template <class T> bool may_hit(const TriangleBlock<T>& block, uint32_t lane, const FilterRay<T>& ray, bool near) {
     using Error = EdgeError<T>;
-    T x[3], y[3], m = 0, depth = 0;
+    T x[3], y[3], z[3], m = 0, depth = 0;
     for (int c = 0; c < 3; ++c) {
-        const T z = ray.origin[2] - block.v[3 * c + ray.axes.z][lane];
-        x[c] = (ray.origin[0] - block.v[3 * c + ray.axes.x][lane]) - ray.shear[0] * z;
-        y[c] = (ray.origin[1] - block.v[3 * c + ray.axes.y][lane]) - ray.shear[1] * z;
-        m = std::max(m, std::max(std::abs(x[c]), std::abs(y[c]))), depth = std::max(depth, std::abs(z));
+        z[c] = ray.origin[2] - block.v[3 * c + ray.axes.z][lane];
+        x[c] = (ray.origin[0] - block.v[3 * c + ray.axes.x][lane]) - ray.shear[0] * z[c];
+        y[c] = (ray.origin[1] - block.v[3 * c + ray.axes.y][lane]) - ray.shear[1] * z[c];
+        m = std::max(m, std::max(std::abs(x[c]), std::abs(y[c]))), depth = std::max(depth, std::abs(z[c]));
     }
     const T error = Error::bound(ray.origin_blur + ray.depth_blur * depth, m);
     const T u = x[1] * y[2] - y[1] * x[2], v = x[2] * y[0] - y[2] * x[0], w = x[0] * y[1] - y[0] * x[1];
     const bool positive = std::max(u, std::max(v, w)) > error, negative = std::min(u, std::min(v, w)) < -error;
-    return !(positive && negative);   // where something overflowed, the error is infinite and nothing is rejected
+    if (positive && negative) return false;   // where something overflowed, the error is infinite and nothing is rejected
+    return !near || !is_behind(ray.ahead * ((u * z[0] + v * z[1]) + w * z[2]), (u + v) + w, ray.behind_blur, std::max(m, depth));
 }
 
-template <class T> uint32_t filter_scalar(const TriangleBlock<T>& block, const FilterRay<T>& ray) {
+template <class T> uint32_t filter_scalar(const TriangleBlock<T>& block, const FilterRay<T>& ray, bool near) {
     uint32_t bits = 0;
-    for (uint32_t lane = 0; lane < kLanes; ++lane) bits |= uint32_t(may_hit(block, lane, ray)) << lane;
+    for (uint32_t lane = 0; lane < kLanes; ++lane) bits |= uint32_t(may_hit(block, lane, ray, near)) << lane;
     return bits;
 }
 

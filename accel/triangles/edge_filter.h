@@ -4,6 +4,7 @@
 
 #include "accel/accelerator.h"
 #include "accel/local_ray.h"
+#include "accel/triangles/behind.h"
 
 #include <array>
 
@@ -58,9 +59,9 @@ template <class T> struct EdgeError {
     static T slope(T shear) { return std::abs(shear) + 2 * std::numeric_limits<T>::min(); }
 };
 
-/// What the filter needs of a ray: p - origin is sheared along the direction, x' = x - shear[0] z, y' = y - shear[1] z.
+/// What the filter needs of a ray: p - origin is sheared along the direction, x' = x - shear[0] z, y' = y - shear[1] z. `asked`: begins_at_origin().
 template <class T> struct FilterRay {
-    FilterRay(const LocalRay& ray, const ShearAxes& shear_axes, double shear_x, double shear_y)
+    FilterRay(const LocalRay& ray, const ShearAxes& shear_axes, double shear_x, double shear_y, bool asked)
         : axes(shear_axes), origin{T(ray.origin[axes.x]), T(ray.origin[axes.y]), T(ray.origin[axes.z])} {
         using Error = EdgeError<T>;
         shear[0] = T(shear_x), shear[1] = T(shear_y);
@@ -70,15 +71,17 @@ template <class T> struct FilterRay {
             slope = std::max(slope, bound), farthest = std::max(farthest, std::abs(origin[i]) + bound * std::abs(origin[2]));
         }
         origin_blur = Error::kOrigin * farthest + Error::kQuanta, depth_blur = Error::kDepth * slope;
+        ahead = ray.dir[axes.z] < 0 ? T(1) : T(-1), behind_blur = BehindError<T>::blur(origin, asked);
     }
 
     ShearAxes axes;
     T origin[3], shear[2];
+    T ahead, behind_blur;        ///< which way depths, from the corners to the origin, are ahead
     T origin_blur, depth_blur;   ///< a sheared coordinate is off by this, and this times the depth, and EdgeError::kSheared of itself
 };
 
-/// Bit i is set if triangle i of the block may be hit by the line of the ray.
-template <class T> using EdgeFilter = uint32_t (*)(const TriangleBlock<T>&, const FilterRay<T>&);
+/// Bit i is set if triangle i of the block may be hit by the line of the ray; if `near`, not behind its origin, where is_behind() can tell.
+template <class T> using EdgeFilter = uint32_t (*)(const TriangleBlock<T>&, const FilterRay<T>&, bool near);
 
 /// The filter for these instructions; the scalar one if this machine does not have them. All give the same bits.
 template <class T> EdgeFilter<T> edge_filter(Isa isa);

@@ -9,7 +9,7 @@
 
 namespace alidade {
 
-/// Intersect::robust has two: in the lanes where boxes are widened by watertight_pad(), as those of the BVH are, else in double.
+/// Intersect::robust has two: in the lanes where boxes are widened for it, as those of the BVH are, else in double.
 enum class TriangleTest { exact, watertight, watertight_in_double, fast };
 
 /// R: of the mesh.
@@ -22,7 +22,7 @@ template <class R, TriangleTest test> struct TriangleKernel;
 template <class R> struct TriangleKernel<R, TriangleTest::exact> {
     static constexpr bool kMovesRay = true;
     struct Ray {
-        Ray(const alidade::Ray&, const LocalRay& local) : decide(local), filter(local, decide.axes, decide.shear_x, decide.shear_y) {}
+        Ray(const alidade::Ray& ray, const LocalRay& local) : decide(local), filter(local, decide.axes, decide.shear_x, decide.shear_y, begins_at_origin(ray, local)) {}
         DecideRay decide;
         FilterRay<R> filter;
     };
@@ -39,9 +39,9 @@ template <class R> struct TriangleKernel<R, TriangleTest::watertight_in_double> 
 };
 
 template <class R> struct TriangleKernel<R, TriangleTest::watertight> {
-    static constexpr bool kMovesRay = true, kNeedsReach = true;
+    static constexpr bool kMovesRay = true;
     struct Ray {
-        Ray(const alidade::Ray&, const LocalRay& local) : filter(local) {}
+        Ray(const alidade::Ray& ray, const LocalRay& local) : filter(local, begins_at_origin(ray, local)) {}
         WatertightRay<R> filter;
     };
     /// Pads grow with the distance: only a ray that begins near enough stays where it is.

@@ -43,7 +43,7 @@ template <class T, class D> HWY_INLINE HWY_ATTR uint32_t fast_lanes(D d, const T
     return bits << lane;
 }
 
-template <class T> HWY_INLINE HWY_ATTR uint32_t fast_block(const TriangleBlock<T>& block, const FastRay<T>& ray) {
+template <class T> HWY_INLINE HWY_ATTR uint32_t fast_block(const TriangleBlock<T>& block, const FastRay<T>& ray, bool) {
     const hn::CappedTag<T, kLanes> d;
     const auto lanes = uint32_t(hn::Lanes(d));
     uint32_t bits = 0;

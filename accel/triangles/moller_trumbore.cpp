@@ -31,7 +31,7 @@ template <class T> bool test_lane(const TriangleBlock<T>& block, uint32_t lane, 
     return true;
 }
 
-template <class T> uint32_t fast_scalar(const TriangleBlock<T>& block, const FastRay<T>& ray) {
+template <class T> uint32_t fast_scalar(const TriangleBlock<T>& block, const FastRay<T>& ray, bool) {
     uint32_t bits = 0;
     for (uint32_t lane = 0; lane < kLanes; ++lane) bits |= uint32_t(test_lane(block, lane, ray)) << lane;
     return bits;

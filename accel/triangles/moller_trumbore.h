@@ -17,10 +17,10 @@ template <class T> struct FastRay {
     alignas(64) mutable T t[kLanes], u[kLanes], v[kLanes];
 };
 
-/// Bit i is set if triangle i of the block is hit, as far as T can tell: there is no error bound. What overflows, underflows or has no area as computed is not hit.
+/// Bit i is set if triangle i of the block is hit, as far as T can tell: there is no error bound. What overflows, underflows or has no area as computed is not hit. `near` is of no account: t is compared in any case.
 ///
 /// Method   Moeller, Trumbore, "Fast, Minimum Storage Ray/Triangle Intersection", 1997, both sides.
-template <class T> using FastTest = uint32_t (*)(const TriangleBlock<T>&, const FastRay<T>&);
+template <class T> using FastTest = uint32_t (*)(const TriangleBlock<T>&, const FastRay<T>&, bool near);
 
 /// The test for these instructions, as edge_filter() chooses. All give the same bits.
 template <class T> FastTest<T> fast_test(Isa isa);

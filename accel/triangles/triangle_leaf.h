@@ -30,7 +30,7 @@ template <class R, TriangleTest test = TriangleTest::exact, class Blocks = Packe
         mutable uint32_t decisions = 0;
     };
 
-    TriangleLeaf(const Source& source, const std::vector<uint32_t>& order, const AccelOptions& options) : blocks_(source, order, options.threads), filter_(Kernel::filter(options.isa)) {}
+    TriangleLeaf(const Source& source, const std::vector<uint32_t>& order, const AccelOptions& options) : blocks_(source, order, options.threads, test == TriangleTest::watertight), filter_(Kernel::filter(options.isa)) {}
     TriangleLeaf(Blocks blocks, const AccelOptions& options) : blocks_(std::move(blocks)), filter_(Kernel::filter(options.isa)) {}
 
     bool closest(const Probe& probe, uint32_t first, uint32_t count, Hit& hit, WorkCounters& work) const {
@@ -81,7 +81,7 @@ template <class R, TriangleTest test = TriangleTest::exact, class Blocks = Packe
     uint32_t id(uint32_t place) const { return blocks_.id(place); }
     const Blocks& blocks() const { return blocks_; }
     Blocks& blocks() { return blocks_; }
-    uint32_t filter(const TriangleBlock<R>& block, const auto& ray) const { return filter_(block, ray); }
+    uint32_t filter(const TriangleBlock<R>& block, const auto& ray, bool near) const { return filter_(block, ray, near); }
     size_t bytes() const { return blocks_.bytes(); }
 
   private:
@@ -98,7 +98,7 @@ template <class R, TriangleTest test = TriangleTest::exact, class Blocks = Packe
         for (uint32_t number = first / kLanes, end = first + count; number * kLanes < end; ++number) {
             const uint32_t start = number * kLanes;
             const TriangleBlock<R>& block = blocks_[number];
-            uint32_t lanes = filter_(block, probe.filter);
+            uint32_t lanes = filter_(block, probe.filter, false);
             if (start < first) lanes &= ~uint32_t(0) << (first - start);
             if (end - start < kLanes) lanes &= (1u << (end - start)) - 1;
             lanes = undecided(probe, block, lanes);

@@ -16,23 +16,26 @@ namespace alidade {
 namespace {
 
 /// One triangle, the oracle of the vector versions: the same operations give the same bits.
-template <class T> bool test_lane(const TriangleBlock<T>& block, uint32_t lane, const WatertightRay<T>& ray) {
-    T x[3], y[3];
+template <class T> bool test_lane(const TriangleBlock<T>& block, uint32_t lane, const WatertightRay<T>& ray, bool near) {
+    T x[3], y[3], z[3], m = 0;
     for (int c = 0; c < 3; ++c) {
-        const T z = block.v[3 * c + ray.axes.z][lane] - ray.origin[2];
-        x[c] = (block.v[3 * c + ray.axes.x][lane] - ray.origin[0]) - ray.shear[0] * z;
-        y[c] = (block.v[3 * c + ray.axes.y][lane] - ray.origin[1]) - ray.shear[1] * z;
+        z[c] = block.v[3 * c + ray.axes.z][lane] - ray.origin[2];
+        x[c] = (block.v[3 * c + ray.axes.x][lane] - ray.origin[0]) - ray.shear[0] * z[c];
+        y[c] = (block.v[3 * c + ray.axes.y][lane] - ray.origin[1]) - ray.shear[1] * z[c];
+        m = std::max(m, std::max(std::abs(z[c]), std::max(std::abs(x[c]), std::abs(y[c]))));
     }
     const T u = x[1] * y[2] - y[1] * x[2], v = x[2] * y[0] - y[2] * x[0], w = x[0] * y[1] - y[0] * x[1];
     if ((u > 0 || v > 0 || w > 0) && (u < 0 || v < 0 || w < 0)) return false;
-    if (!(std::abs((u + v) + w) > 0)) ray.unsure |= 1u << lane;
+    const T sum = (u + v) + w;
+    if (near && is_behind(ray.ahead * ((u * z[0] + v * z[1]) + w * z[2]), sum, ray.behind_blur, m)) return false;
+    if (!(std::abs(sum) > 0)) ray.unsure |= 1u << lane;
     return true;
 }
 
-template <class T> uint32_t watertight_scalar(const TriangleBlock<T>& block, const WatertightRay<T>& ray) {
+template <class T> uint32_t watertight_scalar(const TriangleBlock<T>& block, const WatertightRay<T>& ray, bool near) {
     uint32_t bits = 0;
     ray.unsure = 0;
-    for (uint32_t lane = 0; lane < kLanes; ++lane) bits |= uint32_t(test_lane(block, lane, ray)) << lane;
+    for (uint32_t lane = 0; lane < kLanes; ++lane) bits |= uint32_t(test_lane(block, lane, ray, near)) << lane;
     return bits;
 }
 

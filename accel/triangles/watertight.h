@@ -2,30 +2,38 @@
 /// The watertight test: eight triangles at once in the precision of the mesh, or, of what passed the edge filter, one in double.
 #pragma once
 
+#include "accel/triangles/behind.h"
 #include "accel/triangles/decide.h"
 
 namespace alidade {
 
-/// A ray in T, as the shear wants it, and which of the lanes that were returned are to be asked again.
+/// A ray in T, as the shear wants it, and which of the lanes that were returned are to be asked again. `asked`: begins_at_origin().
 template <class T> struct WatertightRay {
-    [[gnu::always_inline]] inline explicit WatertightRay(const LocalRay& ray) : axes(ray.dir), origin{T(ray.origin[axes.x]), T(ray.origin[axes.y]), T(ray.origin[axes.z])} {
+    [[gnu::always_inline]] inline WatertightRay(const LocalRay& ray, bool asked) : axes(ray.dir), origin{T(ray.origin[axes.x]), T(ray.origin[axes.y]), T(ray.origin[axes.z])} {
         const double inverse = ray.inverse[axes.z];
         shear[0] = T(ray.dir[axes.x] * inverse), shear[1] = T(ray.dir[axes.y] * inverse);
+        ahead = inverse < 0 ? T(-1) : T(1), behind_blur = BehindError<T>::blur(origin, asked);
     }
 
     ShearAxes axes;
     T origin[3], shear[2];
+    T ahead, behind_blur;   ///< which way depths are ahead
     mutable uint32_t unsure = 0;
 };
 
-/// How far, per axis, the hit of a lane may be from the exact ray, and a box as computed from the exact box: boxes must be widened by so much. Derived in docs/numerics.md, "Watertight in lanes".
-template <class R> R watertight_pad(const LocalRay& ray) { return 32 * kUnitRoundoff<R> * R(max_abs(ray.origin) + ray.reach) + kOriginPad<R>; }
+/// How far, per axis, the hit of a lane may be from the exact ray, and a box as computed from the exact box: what of it grows with the ray's origin is added to that, what grows with the coordinates of the
+/// triangles below a box, to the box, when the tree is built (bvh/watertight_boxes.h). Derived in docs/numerics.md, "Watertight in lanes".
+template <class R> R watertight_origin_pad(const LocalRay& ray) { return 24 * kUnitRoundoff<R> * R(max_abs(ray.origin)) + kOriginPad<R>; }
+template <class R> R watertight_box_pad(R largest) { return 24 * kUnitRoundoff<R> * largest + kOriginPad<R>; }
+template <class R> R largest_coordinate(const BoundsT<R>& box) { return std::max(max_abs(box.min), max_abs(box.max)); }
 
 /// Bit i is set if triangle i of the block may be hit by the line of the ray: surely if it is not set in `unsure`. Neighbours never both reject a line between them: corners that they share are sheared
 /// to the same numbers, the function of an edge is for one the negative of what it is for the other, rounding does not turn its sign, and 0 counts as inside.
 ///
+/// If `near`, lanes that is_behind() tells are left out.
+///
 /// Method   Woop, Benthin, Wald, "Watertight Ray/Triangle Intersection", JCGT 2(1), 2013; nothing may be contracted into fused operations.
-template <class T> using WatertightTest = uint32_t (*)(const TriangleBlock<T>&, const WatertightRay<T>&);
+template <class T> using WatertightTest = uint32_t (*)(const TriangleBlock<T>&, const WatertightRay<T>&, bool near);
 
 /// The test for these instructions, as edge_filter() chooses. All give the same bits.
 template <class T> WatertightTest<T> watertight_test(Isa isa);
@@ -50,7 +58,7 @@ template <class T> bool is_met(const TriangleBlock<T>& block, uint32_t lane, con
     const Vec3 p = cross(ray.dir, f), q = cross(s, e);
     const double whole = 1 / dot(e, p), u = dot(s, p) * whole, v = dot(ray.dir, q) * whole;
     const double b = u > 0 ? std::min(u, 1.0) : 0, c = v > 0 ? std::min(v, 1 - b) : 0;   // NaN: edge-on
-    return {(b * e[z] + c * f[z] - s[z]) / ray.dir[z], b, c};
+    return {(b * e[z] + c * f[z] - s[z]) * ray.inverse[z], b, c};
 }
 
 /// As decide(), with the signs that double arithmetic gives: watertight for the same reasons as the lanes.

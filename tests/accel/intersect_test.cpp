@@ -187,11 +187,11 @@ template <class T> void expect_equal_lanes(size_t count) {
         if (draws.below(4) == 0) local.origin = Vec3(block.corners(0)[0]);
         if (draws.below(4) == 0) local.dir = block.corners(1)[1] - local.origin;
         const FastRay<T> want(local, -kInf, kInf);
-        const uint32_t bits = fast_test<T>(Isa::scalar)(block, want);
+        const uint32_t bits = fast_test<T>(Isa::scalar)(block, want, false);
         hits += bits != 0;
         for (const Isa isa : available_isas()) {
             const FastRay<T> got(local, -kInf, kInf);
-            ASSERT_EQ(fast_test<T>(isa)(block, got), bits) << name(isa) << ", seed 126, " << n;
+            ASSERT_EQ(fast_test<T>(isa)(block, got, false), bits) << name(isa) << ", seed 126, " << n;
             for (uint32_t lane = 0; lane < kLanes; ++lane)
                 ASSERT_TRUE(!(bits >> lane & 1) || (got.t[lane] == want.t[lane] && got.u[lane] == want.u[lane] && got.v[lane] == want.v[lane])) << name(isa) << ", seed 126, " << n;
         }
