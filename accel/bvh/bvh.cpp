@@ -10,8 +10,11 @@ namespace {
 
 template <class R, TriangleTest test> std::unique_ptr<Accelerator> over_parts(BvhParts<R> parts, const AccelOptions& options) {
     using Leaf = TriangleLeaf<R, test>;
-    if constexpr (is_watertight<Leaf>) make_watertight(parts.nodes.writable(), options.threads, parts.blocks.view());
-    return std::make_unique<StructureAccelerator<Bvh, Leaf>>(Bvh<Leaf>(std::move(parts.nodes), options), Leaf(PackedBlocks<R>(std::move(parts.blocks)), options), parts.bounds, std::move(parts.stats));
+    if (is_watertight<Leaf> && !parts.watertight) {
+        make_watertight(parts.nodes.writable(), options.threads, parts.blocks.view());
+        parts.watertight = true;
+    }
+    return std::make_unique<StructureAccelerator<Bvh, Leaf>>(Bvh<Leaf>(std::move(parts.nodes), parts.watertight, options), Leaf(PackedBlocks<R>(std::move(parts.blocks)), options), parts.bounds, std::move(parts.stats));
 }
 
 template <class R> tl::expected<std::unique_ptr<Accelerator>, std::string> load(const std::string& path, const TriangleView& mesh, const AccelOptions& options) {

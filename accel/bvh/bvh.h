@@ -59,14 +59,15 @@ template <class Leaf, class Node> class WideBvh {
         if (input.order.size() / Leaf::kBlock >= WideLeaf::kMaxBlocks) throw std::length_error("more primitives than the tree can number");
     }
 
-    /// Of nodes that were saved.
-    WideBvh(LargeArray<Node> nodes, const AccelOptions& options) : nodes_(std::move(nodes)), traversals_(wide_traversals<Node, Leaf>(options.isa)) {}
+    /// Of nodes that were saved. `watertight`: their boxes are those of make_watertight(), which other tests may have as well.
+    WideBvh(LargeArray<Node> nodes, bool watertight, const AccelOptions& options) : nodes_(std::move(nodes)), watertight_(watertight), traversals_(wide_traversals<Node, Leaf>(options.isa)) {}
 
     template <class Query> void traverse(const LocalRay& ray, Query& query, WorkCounters& work) const { traversals_(nodes_.data(), ray, query, work); }
     size_t bytes() const { return nodes_.bytes(); }
 
   protected:
     LargeArray<Node> nodes_;
+    bool watertight_ = is_watertight<Leaf>;
 
   private:
     /// To be cut by planes.
@@ -104,7 +105,7 @@ template <> class Bvh<CustomLeaf> : public WideBvh<CustomLeaf, WideNode<double>>
 
 template <class T, TriangleTest test> class Bvh<TriangleLeaf<T, test>> : public WideBvh<TriangleLeaf<T, test>, WideNode<T>> {
     using Base = WideBvh<TriangleLeaf<T, test>, WideNode<T>>;
-    using Base::nodes_;
+    using Base::nodes_, Base::watertight_;
 
   public:
     using Base::Base;
@@ -113,11 +114,12 @@ template <class T, TriangleTest test> class Bvh<TriangleLeaf<T, test>> : public 
     /// The new cost.
     double refit(TriangleLeaf<T, test>& leaf, const TriangleSource<T>& triangles, int threads) {
         const double cost = refit_wide(nodes_.writable(), leaf.blocks().writable(), triangles, threads);
-        if constexpr (is_watertight<TriangleLeaf<T, test>>) make_watertight(nodes_.writable(), threads, leaf.blocks().view());
+        watertight_ = is_watertight<TriangleLeaf<T, test>>;
+        if (watertight_) make_watertight(nodes_.writable(), threads, leaf.blocks().view());
         return cost;
     }
     tl::expected<void, std::string> save(const std::string& path, const TriangleView& mesh, const TriangleLeaf<T, test>& leaf, const Bounds& bounds, const BuildStats& stats) const {
-        return save_bvh<T>(path, mesh, nodes_.view(), leaf.blocks().view(), bounds, stats);
+        return save_bvh<T>(path, mesh, nodes_.view(), leaf.blocks().view(), bounds, stats, watertight_);
     }
 };
 

@@ -26,7 +26,8 @@ struct Head {
     uint64_t file_bytes = 0, checksum = 0, mesh = 0;
     uint64_t nodes = 0, blocks = 0, removed = 0, splits = 0, split_candidates = 0;
     double sah_cost = 0, bounds[6] = {};
-    uint64_t later[13] = {};
+    uint64_t watertight = 0;   ///< 1: boxes are those of make_watertight()
+    uint64_t later[12] = {};
 };
 static_assert(sizeof(Head) == 256 && std::is_trivially_copyable_v<Head>);
 
@@ -136,12 +137,12 @@ uint64_t mesh_fingerprint(const TriangleView& mesh, Precision precision) {
 }
 
 template <class R>
-tl::expected<void, std::string> save_bvh(const std::string& path, const TriangleView& mesh, std::span<const WideNode<R>> nodes, std::span<const TriangleBlock<R>> blocks, const Bounds& bounds, const BuildStats& stats) {
+tl::expected<void, std::string> save_bvh(const std::string& path, const TriangleView& mesh, std::span<const WideNode<R>> nodes, std::span<const TriangleBlock<R>> blocks, const Bounds& bounds, const BuildStats& stats, bool watertight) {
     std::vector<uint32_t> removed = stats.removed;
     removed.resize(filled_up(removed.size() * sizeof(uint32_t)) / sizeof(uint32_t));
     Head head;
     head.real_bytes = sizeof(R), head.node_bytes = sizeof(WideNode<R>), head.block_bytes = sizeof(TriangleBlock<R>);
-    head.nodes = nodes.size(), head.blocks = blocks.size(), head.removed = stats.removed.size(), head.splits = stats.splits, head.split_candidates = stats.split_candidates, head.sah_cost = stats.sah_cost;
+    head.nodes = nodes.size(), head.blocks = blocks.size(), head.removed = stats.removed.size(), head.splits = stats.splits, head.split_candidates = stats.split_candidates, head.sah_cost = stats.sah_cost, head.watertight = watertight;
     for (int a = 0; a < 3; ++a) head.bounds[a] = bounds.min[a], head.bounds[3 + a] = bounds.max[a];
     head.mesh = mesh_fingerprint(mesh, sizeof(R) == sizeof(float) ? Precision::float_ : Precision::double_);
     head.file_bytes = file_size(head);
@@ -165,7 +166,7 @@ template <class R> tl::expected<BvhParts<R>, std::string> load_bvh(const std::st
     const auto nodes = part_of<WideNode<R>>(bytes, sizeof(Head), head.nodes);
     const auto blocks = part_of<TriangleBlock<R>>(bytes, blocks_at, head.blocks);
     const auto removed = part_of<uint32_t>(bytes, removed_at, head.removed);
-    BvhParts<R> parts{{nodes, *file}, {blocks, *file}, {{head.bounds[0], head.bounds[1], head.bounds[2]}, {head.bounds[3], head.bounds[4], head.bounds[5]}}, {}};
+    BvhParts<R> parts{{nodes, *file}, {blocks, *file}, {{head.bounds[0], head.bounds[1], head.bounds[2]}, {head.bounds[3], head.bounds[4], head.bounds[5]}}, {}, head.watertight != 0};
     parts.stats.removed.assign(removed.begin(), removed.end());
     parts.stats.splits = head.splits, parts.stats.split_candidates = head.split_candidates, parts.stats.sah_cost = head.sah_cost;
     const bool bounded = nodes.empty() ? parts.bounds.empty() : !parts.bounds.empty() && parts.bounds.finite();
@@ -173,8 +174,8 @@ template <class R> tl::expected<BvhParts<R>, std::string> load_bvh(const std::st
     return parts;
 }
 
-template tl::expected<void, std::string> save_bvh(const std::string&, const TriangleView&, std::span<const WideNode<float>>, std::span<const TriangleBlock<float>>, const Bounds&, const BuildStats&);
-template tl::expected<void, std::string> save_bvh(const std::string&, const TriangleView&, std::span<const WideNode<double>>, std::span<const TriangleBlock<double>>, const Bounds&, const BuildStats&);
+template tl::expected<void, std::string> save_bvh(const std::string&, const TriangleView&, std::span<const WideNode<float>>, std::span<const TriangleBlock<float>>, const Bounds&, const BuildStats&, bool);
+template tl::expected<void, std::string> save_bvh(const std::string&, const TriangleView&, std::span<const WideNode<double>>, std::span<const TriangleBlock<double>>, const Bounds&, const BuildStats&, bool);
 template tl::expected<BvhParts<float>, std::string> load_bvh(const std::string&, const TriangleView&);
 template tl::expected<BvhParts<double>, std::string> load_bvh(const std::string&, const TriangleView&);
 

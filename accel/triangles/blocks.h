@@ -22,6 +22,7 @@ template <class R> void pack(const Corners& corners, uint32_t id, TriangleBlock<
 /// All that a test reads: no index, no vertex array. `order` has kPadding where no triangle is.
 template <class R> class PackedBlocks {
   public:
+    /// The last is for NumberedBlocks, which have boxes: these have none to widen.
     PackedBlocks(const TriangleSource<R>& source, const std::vector<uint32_t>& order, int threads, bool) : blocks_(packed(source, order, threads)) {}
     explicit PackedBlocks(LargeArray<TriangleBlock<R>> blocks) : blocks_(std::move(blocks)) {}
 

@@ -92,6 +92,29 @@ TEST_F(Saved, TheSameStructureGivesTheSameBytes) {
     }
 }
 
+/// What `robust` saved has wider boxes. It says so: they are not widened again, whoever saves it once more, and the other tests hit the same.
+TEST_F(Saved, WidenedBoxesAreWidenedOnce) {
+    for (const Precision precision : {Precision::float_, Precision::double_}) {
+        const Mesh mesh = soup(3000, 0.05, 4).read_at(precision);
+        const AccelOptions robust{precision, Isa::best, 1, Intersect::robust}, exact{precision};
+        ASSERT_TRUE(build(*find_accelerator("bvh"), mesh, robust)->save(at("wide"), mesh.view()));
+        const std::string wide = text("wide");
+        EXPECT_TRUE(saved(mesh, precision) != wide);
+        ASSERT_TRUE((*load_accelerator(at("wide"), mesh.view(), robust))->save(at("again"), mesh.view()));
+        EXPECT_TRUE(wide == text("again"));
+        const auto loaded = load_accelerator(at("wide"), mesh.view(), exact);
+        ASSERT_TRUE((*loaded)->save(at("exact"), mesh.view()));
+        EXPECT_TRUE(wide == text("exact"));
+        ASSERT_TRUE((*load_accelerator(at("saved"), mesh.view(), robust))->save(at("late"), mesh.view()));
+        EXPECT_TRUE(wide == text("late"));
+        const auto built = build(*find_accelerator("bvh"), mesh, exact);
+        for (size_t i = 0; i < run_size(200, 2000); ++i) {
+            const Ray ray = ray_classes()[i % ray_classes().size()].make(mesh, RandomKey(152, 0, i, 0));
+            ASSERT_EQ(difference(answers(**loaded, ray), answers(*built, ray)), "") << describe(ray);
+        }
+    }
+}
+
 /// Who replaces a file does not touch those who have mapped it.
 TEST_F(Saved, AReplacedFileStaysMapped) {
     const Mesh mesh = torus(16, 10).read_at(Precision::float_), other = cube(3).read_at(Precision::float_);
