@@ -43,7 +43,7 @@ void add_question_words(CLI::App& app, TradeoffWords& words) {
 }
 
 void add_measuring_words(CLI::App& app, TradeoffWords& words) {
-    app.add_option("--repeat", words.job.repeat, "rounds in which each setting is timed once, in random order (default 5)")->type_name("N")->check(CLI::Range(1, 1000));
+    app.add_option("--repeat", words.job.repeat, "rounds in which each setting is timed, in random order (default 5)")->type_name("N")->check(CLI::Range(1, 1000));
     app.add_option("--seeds", words.job.seeds, "pictures of each setting, 8 or more, for bias and variance (default 1: neither)")->type_name("N")->check(CLI::Range(1, 100000));
     app.add_flag("--instructions", words.job.instructions, "counts them, by valgrind");
     add_number(app, "--timeout", "SECONDS", 0.001, [&words](double value) { words.job.timeout = value; }, "seconds that another program has (default 600)", 1e7);

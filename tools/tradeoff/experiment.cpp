@@ -11,6 +11,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <tuple>
 
 namespace alidade::tradeoff {
 namespace {
@@ -156,6 +157,20 @@ class Measuring {
         return true;
     }
 
+    /// CPU seconds of a run, and of building in it. What takes milliseconds is run again until a round is long enough for one interruption to weigh little.
+    Value<std::pair<double, double>> mean_time_of(const Row& row, size_t number) {
+        constexpr double kShortestRound = 0.05;
+        double cpu = 0, build = 0;
+        int runs = 0;
+        for (; cpu < kShortestRound && runs < 32; ++runs) {
+            const auto run = renderer_.run(row.request, reading_of(row.options));
+            if (!run) return tl::unexpected(run.error());
+            cpu += run->cpu_seconds(), build += run->build_seconds;
+            if (fingerprint(std::as_bytes(std::span(run->picture.values))) != row.fingerprint) e_.unrepeatable.insert(number);
+        }
+        return std::pair(cpu / runs, build / runs);
+    }
+
     Value<bool> time_of(Row& row, int round, size_t number) {
         const std::string key = fmt::format("round {} {}", round, key_of(row));
         double cpu = 0, build = 0;
@@ -167,10 +182,9 @@ class Measuring {
             if (!run) return tl::unexpected(run.error());
             cpu = run->cpu_seconds;
         } else {
-            const auto run = renderer_.run(row.request, reading_of(row.options));
-            if (!run) return tl::unexpected(run.error());
-            cpu = run->cpu_seconds(), build = run->build_seconds;
-            if (fingerprint(std::as_bytes(std::span(run->picture.values))) != row.fingerprint) e_.unrepeatable.insert(number);
+            const auto mean = mean_time_of(row, number);
+            if (!mean) return tl::unexpected(mean.error());
+            std::tie(cpu, build) = *mean;
         }
         row.seconds.push_back(cpu), row.build_seconds.push_back(build);
         spent_[number] = seconds_now() - start;
