@@ -141,6 +141,26 @@ TEST_P(Intersects, LosesWhatIsToldAtVertices) {
     fmt::print("{:.0f} of a million\n", 1e6 * double(lost) / double(asked));
 }
 
+/// Seen from the origin, where what a ray is widened by is nothing, the boxes alone must make up for the roundings of the tests.
+TEST_P(Intersects, ClosedMeshesHoldFromTheOrigin) {
+    if (how() == Intersect::fast) return;
+    size_t meshes = 0;
+    for (const Mesh& closed : closed_meshes()) {
+        if (!closed.inside.contains(Vec3(0))) continue;
+        ++meshes;
+        const Mesh mesh = closed.read_at(precision());
+        for (const AcceleratorEntry& entry : accelerators()) {
+            const auto accelerator = build(entry, mesh, options());
+            for (size_t i = 0; i < run_size(4000, 1000000); ++i) {
+                Ray ray = (i % 4 ? edge_aimed_from_inside : vertex_aimed_from_inside)(mesh, RandomKey(127, 0, i, 0));
+                ray.dir = ray.origin + ray.dir, ray.origin = Vec3(0);
+                ASSERT_TRUE(first_hit(*accelerator, ray).valid()) << entry.name << ", " << mesh.name << ", seed 127, ray " << i << ": " << describe(ray);
+            }
+        }
+    }
+    EXPECT_GE(meshes, 6u);
+}
+
 /// What stands in a face of the bounds is met where the ray leaves them: a floor, the walls of a room.
 TEST_P(Intersects, WallsOfTheBoundsAreMet) {
     const Mesh floor("floor", {{-1, -1, 0.3}, {1, -1, 0.3}, {1, 1, 0.3}, {-1, 1, 0.3}}, {{0, 1, 2}, {0, 2, 3}});
