@@ -14,6 +14,7 @@
 #include <cstdio>
 #include <filesystem>
 #include <fmt/format.h>
+#include <fstream>
 
 namespace alidade {
 
@@ -21,22 +22,28 @@ namespace {
 
 constexpr int kColorChannels = 3;   // of a film without layers
 
-/// A scene's name may come without its ending.
+/// A scene's name may come without its ending, and from the library's folders.
 std::string scene_path(const PovrayRequest& r) {
-    if (std::filesystem::path(r.input).has_extension() || std::filesystem::exists(r.input)) return r.input;
-    return r.input + ".pov";
+    namespace fs = std::filesystem;
+    std::vector<fs::path> folders{""};
+    for (const std::string& path : r.library_paths) folders.emplace_back(path);
+    for (const fs::path& folder : folders)
+        for (const char* ending : {"", ".pov"})
+            if (const std::string path = (folder / (r.input + ending)).string(); fs::is_regular_file(path)) return path;
+    return fs::path(r.input).has_extension() ? r.input : r.input + ".pov";
 }
 
 Request request_of(const PovrayRequest& r, int frame) {
     Request request;
     request.scene = scene_path(r);
-    request.import.include_paths = r.library_paths;
+    request.import.include_paths = {"."};   // POV-Ray's first place; the scene's folder, which is none of POV-Ray's, comes before it here
+    request.import.include_paths.insert(request.import.include_paths.end(), r.library_paths.begin(), r.library_paths.end());
     request.import.declarations = r.declarations;
     request.compile.threads = r.threads;
     pov::FrameSettings& f = request.import.frame;
     f.image_width = r.width, f.image_height = r.height;
     f.clock = clock_of(r, frame);
-    f.clock_on = r.animated();
+    f.clock_on = r.animated() || r.clock_given;
     if (!r.animated()) return request;
     f.initial_clock = r.initial_clock, f.final_clock = r.final_clock;
     f.initial_frame = r.initial_frame, f.final_frame = r.final_frame, f.frame_number = frame;
@@ -68,13 +75,45 @@ void warn(const std::string& sentence) { fmt::print(stderr, "alidade: warning: {
 /// A finished picture leaves no state: where there is one, the picture is not finished, or belongs to an earlier render.
 bool done_already(const PovrayRequest& r, const std::string& output) {
     std::error_code ignored;
-    return r.continued && r.to_file && std::filesystem::exists(output, ignored) && !std::filesystem::exists(state_name(output), ignored);
+    return r.continued && r.to_file && !r.to_stdout() && std::filesystem::exists(output, ignored) && !std::filesystem::exists(state_name(output), ignored);
 }
 
 /// The picture is there in part. Without a state it is not written: the next `+C` would take it for a finished one.
 int interrupted(const std::string& output, bool state) {
     fmt::print(stderr, "alidade: interrupted; {}\n", state ? fmt::format("+C goes on from {}", state_name(output)) : fmt::format("{} is not written", output));
     return kInterrupted;
+}
+
+std::string summary(const PovrayRequest& r, const std::string& output, const RenderStats& stats) { return fmt::format("{}: {}x{}, rendered in {:.2f} s\n", output, r.width, r.height, stats.seconds); }
+
+/// What a frame says, by streams: what is not of `wanted`'s severity is not in it.
+std::string text_of(const Diagnostics& said, Severity wanted) {
+    std::string text;
+    for (const Diagnostic& d : said.list())
+        if (d.severity == wanted) text += said.text(d);
+    return text;
+}
+
+/// Appends to the files of the streams that have one; "" or what went wrong.
+std::string keep_messages(const PovrayRequest& r, const Diagnostics& said, const std::string& done) {
+    const std::string texts[kMessageStreams] = {said.text() + done, text_of(said, Severity::note), text_of(said, Severity::error), done, done, text_of(said, Severity::warning)};
+    for (size_t i = 0; i < kMessageStreams; ++i) {
+        if (r.message_files[i].empty()) continue;
+        std::ofstream out(r.message_files[i], std::ios::app);
+        if (!(out << texts[i]).flush()) return fmt::format("'{}' cannot be written", r.message_files[i]);
+    }
+    return {};
+}
+
+/// A picture on stdout: POV-Ray's `+O-`.
+int render_to_stdout(const PovrayRequest& r, const CompiledScene& scene, const RenderOptions& options, const Monitor& monitor) {
+    const auto film = render(scene, options, monitor);
+    if (!film) return fail(film.error());
+    if (!film->complete) return interrupted("the picture", false);
+    const auto bytes = encode_picture(film->picture, std::filesystem::path(output_name(r, 0)).extension().string(), r.bits > 8 ? 16 : 8);
+    if (!bytes) return fail(bytes.error());
+    if (std::fwrite(bytes->data(), 1, bytes->size(), stdout) != bytes->size() || std::fflush(stdout) != 0) return fail("the picture cannot be written to stdout");
+    return kDone;
 }
 
 /// Renders a picture that goes to the file `output`, and keeps its tiles beside it until it is there.
@@ -93,8 +132,10 @@ int render_to_file(const PovrayRequest& r, const CompiledScene& scene, const Ren
     if (const auto files = write_film(output, film->picture, r.bits > 8 ? 16 : 8); !files) return fail(fmt::format("{}: {}", output, files.error()));
     if (!film->complete) return interrupted(output, true);
     if (state) state->remove();
-    if (r.verbose) fmt::print(stderr, "{}: {}x{}, rendered in {:.2f} s\n", output, r.width, r.height, film->stats.seconds);
-    return kDone;
+    const std::string done = summary(r, output, film->stats);
+    if (r.verbose) fmt::print(stderr, "{}", done);
+    const std::string wrong = keep_messages(r, {}, done);
+    return wrong.empty() ? kDone : fail(wrong);
 }
 
 int render_frame(const PovrayRequest& r, int frame) {
@@ -102,15 +143,27 @@ int render_frame(const PovrayRequest& r, int frame) {
     if (done_already(r, output)) return fmt::print(stderr, "{}: rendered already, and +C: skipped\n", output), kDone;
     const Prepared prepared = prepare(request_of(r, frame));
     fmt::print(stderr, "{}", prepared.said.text());
+    if (const std::string wrong = keep_messages(r, prepared.said, ""); !wrong.empty()) return fail(wrong);
     if (!prepared.scene) return kError;
     const StopOnSignal signals;
     Monitor monitor;
     monitor.stop = &signals.stop();
     const RenderOptions options = render_options(r, frame, prepared.scene->scene.settings);
+    if (r.to_file && r.to_stdout()) return render_to_stdout(r, *prepared.scene, options, monitor);
     if (r.to_file) return render_to_file(r, *prepared.scene, options, std::move(monitor), output);
     const auto film = render(*prepared.scene, options, monitor);
     if (!film) return fail(film.error());
     return film->complete ? kDone : kInterrupted;
+}
+
+int render_frames(const PovrayRequest& r) {
+    if (!r.animated()) return render_frame(r, r.initial_frame);   // a subset is one of an animation's
+    const int first = r.subset_start.value_or(r.initial_frame), last = r.subset_end.value_or(r.final_frame);
+    if (first < r.initial_frame || last > r.final_frame || first > last) return fail("the subset of frames is empty or leaves the animation");
+    for (int64_t frame = r.initial_frame; frame <= last; frame += r.frame_step)
+        if (frame >= first)
+            if (const int code = render_frame(r, int(frame)); code != kDone) return code;
+    return kDone;
 }
 
 std::string help(const Verb& verb) {
@@ -131,11 +184,10 @@ int run_povray(const Verb& verb, const Words& words) {
     for (const std::string& note : request->notes) fmt::print(stderr, "alidade: warning: {}\n", note);
     if (request->to_file && request->bits != 8 && request->bits != 16) fmt::print(stderr, "alidade: warning: {} bits a colour are asked for: PNG files have 8 or 16\n", request->bits);
     exit_on_signal();
-    const int first = request->subset_start.value_or(request->initial_frame), last = request->subset_end.value_or(request->final_frame);
-    if (first < request->initial_frame || last > request->final_frame || first > last) return fail("the subset of frames is empty or leaves the animation");
-    for (int frame = first; frame <= last; ++frame)
-        if (const int code = render_frame(*request, frame); code != kDone) return code;
-    return kDone;
+    if (request->animated() && request->to_stdout()) return fail("+O- takes one picture: frames need files");
+    for (const std::string& file : request->message_files)
+        if (!file.empty() && !std::ofstream(file)) return fail(fmt::format("'{}' cannot be written", file));   // and is empty now
+    return render_frames(*request);
 }
 
 }  // namespace alidade

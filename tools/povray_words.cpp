@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <cstdlib>
 #include <cstring>
 #include <filesystem>
 #include <fmt/format.h>
@@ -22,6 +23,9 @@ struct Word {
     std::string value;
     bool on = true;
 };
+
+/// Where `Debug_File=on` writes to. Source   POV-Ray 3.7 reference, 3.2.7.2 "Directing Text Streams to Files".
+constexpr const char* kDefaultMessageFiles[kMessageStreams] = {"ALLTEXT.OUT", "DEBUG.OUT", "FATAL.OUT", "RENDER.OUT", "STATS.OUT", "WARNING.OUT"};
 
 using Apply = bool (*)(PovrayRequest&, const Word&);   // false: the value is none
 
@@ -84,22 +88,6 @@ bool output(PovrayRequest& r, const Word& w) { return r.output = w.value, true; 
 bool library(PovrayRequest& r, const Word& w) { return r.library_paths.push_back(w.value), !w.value.empty(); }
 bool declare(PovrayRequest& r, const Word& w) { return r.declarations.push_back(w.value), w.value.find('=') != std::string::npos; }
 
-/// `+F`, `+FN8`, `-F`: whether there is a file, its type and its bits.
-bool file(PovrayRequest& r, const Word& w) {
-    r.to_file = w.on;
-    if (w.value.empty()) return true;
-    const char type = char(std::toupper(static_cast<unsigned char>(w.value[0])));
-    if (!std::strchr("NPETJSBCH", type)) return false;
-    r.file_type = type == 'S' || type == 'C' ? 'N' : type;
-    std::string bits = w.value.substr(1);
-    if (!bits.empty() && (bits[0] == 'g' || bits[0] == 'G')) bits.erase(0, 1);
-    if (bits.empty()) return true;
-    const auto n = parse_integer(bits, 1, 100);
-    return n ? (r.bits = int(*n), true) : false;
-}
-
-bool file_type(PovrayRequest& r, const Word& w) { return file(r, {w.value, r.to_file}); }
-
 /// Known words that change no picture here.
 bool nothing(PovrayRequest&, const Word&) { return true; }
 template <const char* const& Sentence> bool told(PovrayRequest& r, const Word& w) {
@@ -109,7 +97,42 @@ template <const char* const& Sentence> bool told(PovrayRequest& r, const Word& w
 constexpr const char* kNoAlpha = "+UA (Output_Alpha): pictures have no alpha channel yet";
 constexpr const char* kNoQuality = "+Q (Quality): pictures are always made in full quality";
 constexpr const char* kNoField = "+UF (Field_Render): all rows are rendered";
+constexpr const char* kNoGray = "+FNg (Grayscale_Output): pictures are written in colour";
+constexpr const char* kNoFileGamma = "File_Gamma: pictures are encoded as sRGB";
+constexpr const char* kNoIni = "+GI (Create_Ini): no INI file is written";
+constexpr const char* kNoHeader = "+HI (Include_Header): nothing is included before the scene";
 constexpr const char* kNoCommands = "commands around frames are not run";
+
+/// `+F`, `+FN8`, `-F`: whether there is a file, its type and its bits.
+bool file(PovrayRequest& r, const Word& w) {
+    r.to_file = w.on;
+    if (w.value.empty()) return true;
+    const char type = char(std::toupper(static_cast<unsigned char>(w.value[0])));
+    if (!std::strchr("NPETJSBCH", type)) return false;
+    r.file_type = type == 'S' ? 'N' : type == 'C' ? 'T' : type;
+    std::string bits = w.value.substr(1);
+    if (!bits.empty() && (bits[0] == 'g' || bits[0] == 'G')) bits.erase(0, 1), told<kNoGray>(r, w);
+    if (bits.empty()) return true;
+    const auto n = parse_integer(bits, 1, 100);
+    return n ? (r.bits = int(*n), true) : false;
+}
+
+bool file_type(PovrayRequest& r, const Word& w) { return file(r, {w.value, r.to_file}); }
+
+bool clock(PovrayRequest& r, const Word& w) { return r.clock_given = true, number<&PovrayRequest::clock>(r, w); }
+
+/// `+GD`, `-GD`, `Debug_Console=on`: what is said goes to stderr, all of it. `+GDname`: to a file, too.
+template <MessageStream Stream> bool message_switch(PovrayRequest& r, const Word& w) {
+    if (w.on && !w.value.empty() && !truth(w.value)) r.message_files[size_t(Stream)] = w.value;
+    return true;
+}
+template <MessageStream Stream> bool message_file(PovrayRequest& r, const Word& w) {
+    const auto on = truth(w.value);
+    r.message_files[size_t(Stream)] = !on ? w.value : *on ? kDefaultMessageFiles[size_t(Stream)] : "";
+    return true;
+}
+
+bool file_gamma(PovrayRequest& r, const Word& w) { return lower(w.value) == "srgb" || told<kNoFileGamma>(r, w); }
 
 /// Below 9 POV-Ray leaves things out.
 bool quality(PovrayRequest& r, const Word& w) {
@@ -130,7 +153,7 @@ constexpr Row kTable[] = {
     {"Declare", "", declare},
     {"Antialias", "A", flag_with_number<&PovrayRequest::antialias, &PovrayRequest::antialias_threshold>},
     {"Antialias_Threshold", "", number<&PovrayRequest::antialias_threshold>},
-    {"Antialias_Gamma", "", number<&PovrayRequest::antialias_gamma>},
+    {"Antialias_Gamma", "AG", number<&PovrayRequest::antialias_gamma>},
     {"Antialias_Depth", "R", antialias_depth},
     {"Sampling_Method", "AM", integer<&PovrayRequest::sampling_method, 1, 2>},
     {"Jitter", "J", flag_with_number<&PovrayRequest::jitter, &PovrayRequest::jitter_amount>},
@@ -141,19 +164,19 @@ constexpr Row kTable[] = {
     {"Video_Mode", "", nothing},
     {"Palette", "", nothing},
     {"Display_Gamma", "", nothing},
-    {"File_Gamma", "", nothing},
+    {"File_Gamma", "", file_gamma},
     {"Pause_When_Done", "P", nothing},
     {"Test_Abort", "X", nothing},
     {"Test_Abort_Count", "", nothing},
     {"Clockless_Animation", "", nothing},
     {"Continue_Trace", "C", flag<&PovrayRequest::continued>},
     {"Create_Continue_Trace_Log", "", nothing},
-    {"Clock", "K", number<&PovrayRequest::clock>},
+    {"Clock", "K", clock},
     {"Initial_Clock", "KI", number<&PovrayRequest::initial_clock>},
     {"Final_Clock", "KF", number<&PovrayRequest::final_clock>},
     {"Initial_Frame", "KFI", integer<&PovrayRequest::initial_frame, 0, 1 << 30>},
     {"Final_Frame", "KFF", integer<&PovrayRequest::final_frame, 0, 1 << 30>},
-    {"Frame_Step", "STP", nothing},
+    {"Frame_Step", "STP", integer<&PovrayRequest::frame_step, 1, 1 << 30>},
     {"Cyclic_Animation", "KC", flag<&PovrayRequest::cyclic>},
     {"Subset_Start_Frame", "SF", frame<&PovrayRequest::subset_start>},
     {"Subset_End_Frame", "EF", frame<&PovrayRequest::subset_end>},
@@ -183,27 +206,28 @@ constexpr Row kTable[] = {
     {"Split_Unions", "SU", nothing},
     {"Buffer_Output", "", nothing},
     {"Buffer_Size", "B", nothing},
+    {"Max_Image_Buffer_Memory", "MI", nothing},
     {"Compression", "", nothing},
     {"Dither", "TH", nothing},
     {"Dither_Method", "", nothing},
-    {"Grayscale_Output", "", nothing},
-    {"Include_Header", "HI", nothing},
+    {"Grayscale_Output", "", told<kNoGray>},
+    {"Include_Header", "HI", told<kNoHeader>},
     {"Version", "MV", nothing},
-    {"Create_Ini", "", nothing},
+    {"Create_Ini", "GI", told<kNoIni>},
     {"Create_Histogram", "", nothing},
     {"Warning_Level", "WL", nothing},
-    {"All_Console", "GA", nothing},
-    {"Debug_Console", "GD", nothing},
-    {"Fatal_Console", "GF", nothing},
-    {"Render_Console", "GR", nothing},
-    {"Statistic_Console", "GS", nothing},
-    {"Warning_Console", "GW", nothing},
-    {"All_File", "", nothing},
-    {"Debug_File", "", nothing},
-    {"Fatal_File", "", nothing},
-    {"Render_File", "", nothing},
-    {"Statistic_File", "", nothing},
-    {"Warning_File", "", nothing},
+    {"All_Console", "GA", message_switch<MessageStream::all>},
+    {"Debug_Console", "GD", message_switch<MessageStream::debug>},
+    {"Fatal_Console", "GF", message_switch<MessageStream::fatal>},
+    {"Render_Console", "GR", message_switch<MessageStream::render>},
+    {"Statistic_Console", "GS", message_switch<MessageStream::statistic>},
+    {"Warning_Console", "GW", message_switch<MessageStream::warning>},
+    {"All_File", "", message_file<MessageStream::all>},
+    {"Debug_File", "", message_file<MessageStream::debug>},
+    {"Fatal_File", "", message_file<MessageStream::fatal>},
+    {"Render_File", "", message_file<MessageStream::render>},
+    {"Statistic_File", "", message_file<MessageStream::statistic>},
+    {"Warning_File", "", message_file<MessageStream::warning>},
     {"Radiosity_File_Name", "RF", nothing},
     {"Radiosity_From_File", "RFI", nothing},
     {"Radiosity_To_File", "RFO", nothing},
@@ -249,6 +273,20 @@ class Reading {
         const std::string name = lower(word.substr(0, word.find('[')));
         if (std::filesystem::path(name).extension() == ".pov") return request.input = word, std::string();
         return take_ini(word);
+    }
+
+    /// What holds before all words.
+    std::string take_defaults() {
+        namespace fs = std::filesystem;
+        const char *named = std::getenv("POVINI"), *home = std::getenv("HOME");
+        std::vector<fs::path> places;
+        if (named) places.emplace_back(named);
+        places.emplace_back("povray.ini");
+        if (home) places.push_back(fs::path(home) / ".povray/3.7/povray.ini");
+        places.emplace_back("/etc/povray/3.7/povray.ini");
+        for (const fs::path& place : places)
+            if (fs::is_regular_file(place)) return take_ini(place.string());
+        return {};
     }
 
     PovrayRequest request;
@@ -341,30 +379,12 @@ class Reading {
 
 tl::expected<PovrayRequest, std::string> parse_povray_words(const std::vector<std::string>& words) {
     Reading reading;
+    if (std::string wrong = reading.take_defaults(); !wrong.empty()) return tl::unexpected(std::move(wrong));
     for (const std::string& word : words)
         if (std::string wrong = reading.take(word); !wrong.empty()) return tl::unexpected(std::move(wrong));
     if (reading.request.input.empty()) return tl::unexpected(std::string("no scene is named: +Iscene.pov"));
     if (reading.request.final_frame < reading.request.initial_frame) return tl::unexpected(std::string("the final frame comes before the initial one"));
     return std::move(reading.request);
 }
-
-double clock_of(const PovrayRequest& r, int frame) {
-    if (!r.animated()) return r.clock;
-    const double steps = double(r.final_frame) - r.initial_frame + (r.cyclic ? 1 : 0);
-    return steps > 0 ? r.initial_clock + (r.final_clock - r.initial_clock) * (double(frame) - r.initial_frame) / steps : r.initial_clock;
-}
-
-std::string output_name(const PovrayRequest& r, int frame) {
-    namespace fs = std::filesystem;
-    fs::path path = r.output.empty() ? fs::path(r.input).filename().replace_extension() : fs::path(r.output);
-    const char* ending = r.file_type == 'P' ? ".ppm" : r.file_type == 'E' ? ".exr" : r.file_type == 'T' ? ".tga" : r.file_type == 'J' ? ".jpg" : r.file_type == 'B' ? ".bmp" : r.file_type == 'H' ? ".hdr" : ".png";
-    if (!r.output.empty() && fs::is_directory(path)) path /= fs::path(r.input).filename().replace_extension();
-    if (lower(path.extension().string()) == ending) path.replace_extension();
-    std::string name = path.string();
-    if (r.animated()) name += fmt::format("{:0{}}", frame, std::to_string(r.final_frame).size());
-    return name + ending;
-}
-
-std::string state_name(const std::string& output_name) { return std::filesystem::path(output_name).replace_extension(".pov-state").string(); }
 
 }  // namespace alidade

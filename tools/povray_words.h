@@ -2,6 +2,7 @@
 /// POV-Ray's own words: +W320 -A Width=320 scene.ini[High] ...
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -9,6 +10,10 @@
 #include <vector>
 
 namespace alidade {
+
+/// What POV-Ray says goes by streams, each of which may have a file.
+enum class MessageStream { all, debug, fatal, render, statistic, warning };
+inline constexpr size_t kMessageStreams = 6;
 
 /// What POV-Ray's words ask for. Source   POV-Ray 3.7 reference, 3.2 "Command-Line and INI-File Options".
 struct PovrayRequest {
@@ -24,22 +29,27 @@ struct PovrayRequest {
     int threads = 0;
     std::vector<std::string> library_paths, declarations;
     double clock = 0, initial_clock = 0, final_clock = 1;
+    bool clock_given = false;             ///< a still's clock is on, too
     bool cyclic = false;
+    int frame_step = 1;
     int initial_frame = 1, final_frame = 1;
     std::optional<int> subset_start, subset_end;
     double start_column = 0, end_column = 0, start_row = 0, end_row = 0;   ///< pixels from 1, or shares of the picture up to 1; 0: all
+    std::array<std::string, kMessageStreams> message_files;   ///< by MessageStream; "": none
     uint64_t seed = 0;                    ///< --seed=N, a word that POV-Ray does not have: other random numbers
     std::vector<std::string> notes;       ///< words that are known and change nothing here, each once
 
+    bool to_stdout() const { return output == "-"; }
     bool animated() const { return final_frame > initial_frame || initial_frame != 1; }
 };
 
-/// Reads `words` in order; INI files where they stand. An unknown word or value, or a file that cannot be read, is one sentence.
+/// Reads `words` in order; INI files where they stand, before all else POV-Ray's own povray.ini: the one that POVINI names, that of the working directory, the user's, or the system's, the first of
+/// these that there is. An unknown word or value, or a file that cannot be read, is one sentence.
 tl::expected<PovrayRequest, std::string> parse_povray_words(const std::vector<std::string>& words);
 
 /// The clock of a frame, which goes evenly from the initial to the final one; a cyclic animation does not repeat its first frame.
 double clock_of(const PovrayRequest& request, int frame);
-/// The output's name: for a frame of an animation with its number, as wide as that of the last one.
+/// The output's name, beside the scene if none was given: for a frame of an animation with its number, as wide as that of the last one.
 std::string output_name(const PovrayRequest& request, int frame);
 /// The name of the file that keeps the tiles of a picture under way: as POV-Ray's.
 std::string state_name(const std::string& output_name);

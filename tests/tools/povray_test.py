@@ -1,9 +1,10 @@
 # SPDX-License-Identifier: Apache-2.0
 """`alidade povray`: POV-Ray's own words."""
 import re
+import subprocess
 import unittest
 
-from program import InFolder, run
+from program import PROGRAM, InFolder, run
 
 SCENE = """#version 3.7;
 camera { orthographic location -5*z right 2*x up 2*y }
@@ -70,6 +71,56 @@ class Povray(InFolder):
         self.assertIn("no scene is named", self.render(code=1))
         self.assertIn("gone.pov: error: there is no such file", self.render("+Igone", code=1))
         self.assertEqual(list(self.folder.glob("*.png")), [])
+
+    def test_files_of_the_working_directory_and_of_the_library_are_found(self):
+        for folder in ("scenes", "library"):
+            (self.folder / folder).mkdir()
+        (self.folder / "scenes/t.pov").write_text('#version 3.7;\n#include "common.inc"\n')
+        (self.folder / "common.inc").write_text(SCENE)
+        self.render("+Iscenes/t.pov", "+W8", "+H6", "+FP")
+        self.assertEqual(self.picture("scenes/t.ppm")[:2], (8, 6), "beside the scene")
+        (self.folder / "library/far.pov").write_text(SCENE)
+        self.render("+Ifar", "+Llibrary", "+W8", "+H6", "+FP")
+        self.assertEqual(self.picture("far.ppm")[:2], (8, 6))
+
+    def test_a_picture_goes_to_stdout(self):
+        said = subprocess.run([PROGRAM, "povray", "+Is.pov", "+W8", "+H6", "+FP", "+O-"], cwd=self.folder, capture_output=True)
+        self.assertEqual((said.returncode, said.stdout[:2], len(said.stdout)), (0, b"P6", len(b"P6\n8 6\n255\n") + 8 * 6 * 3), said.stderr)
+        self.assertEqual(list(self.folder.glob("*.p?m")), [])
+        self.assertIn("frames need files", run("povray", "+Is.pov", "+W8", "+H6", "+O-", "+KFF2", cwd=self.folder).stderr)
+
+    def test_steps_between_frames(self):
+        self.render("+Is.pov", "+W8", "+H6", "+FP", "+KFF5", "Frame_Step=2")
+        self.assertEqual(sorted(p.name for p in self.folder.glob("*.ppm")), ["s1.ppm", "s3.ppm", "s5.ppm"])
+        self.render("+Is.pov", "+W8", "+H6", "+FP", "+SF2", "+EF3")
+        self.assertTrue((self.folder / "s.ppm").exists(), "a subset is one of an animation's")
+
+    def test_the_clock_of_a_still_is_on(self):
+        (self.folder / "s.pov").write_text(SCENE + '#debug concat("clock_on ", str(clock_on, 0, 0))\n')
+        self.assertIn("clock_on 1", self.render("+Is.pov", "+W8", "+H6", "Clock=0.5"))
+        self.assertIn("clock_on 0", self.render("+Is.pov", "+W8", "+H6"))
+
+    def test_streams_go_to_files(self):
+        (self.folder / "s.pov").write_text(SCENE + '#debug "said\\n"\n#warning "warned\\n"\n')
+        self.render("+Is.pov", "+W8", "+H6", "+GDd.txt", "+GWw.txt", "+GFf.txt", "All_File=a.txt", "Statistic_File=on")
+        text = {name: (self.folder / name).read_text() for name in ("d.txt", "w.txt", "f.txt", "a.txt", "STATS.OUT")}
+        for name, wanted, other in (("d.txt", "said", "warned"), ("w.txt", "warned", "said"), ("STATS.OUT", "s.png: 8x6", "said")):
+            self.assertIn(wanted, text[name], name)
+            self.assertNotIn(other + "\n", text[name].replace('#debug "said', ""), name)
+        self.assertEqual(text["f.txt"], "")
+        self.assertTrue(all(word in text["a.txt"] for word in ("said", "warned", "s.png: 8x6")), text["a.txt"])
+        (self.folder / "s.pov").write_text("sphere { 0, 1 pigmnt { } }\n")
+        self.render("+Is.pov", "+GFf.txt", code=1)
+        self.assertIn("error", (self.folder / "f.txt").read_text())
+        self.assertIn("cannot be written", self.render("+Is.pov", "+GDnowhere/d.txt", code=1))
+
+    def test_the_ini_file_of_all_renders_is_read_first(self):
+        (self.folder / "povray.ini").write_text("Width=12\nHeight=9\nOutput_File_Type=P\n")
+        self.render("+Is.pov", "+H7")
+        self.assertEqual(self.picture("s.ppm")[:2], (12, 7))
+        (self.folder / "other.ini").write_text("Width=5\nHeight=4\nOutput_File_Type=P\n")
+        said = run("povray", "+Is.pov", cwd=self.folder, env={"POVINI": "other.ini"})
+        self.assertEqual((said.returncode, self.picture("s.ppm")[:2]), (0, (5, 4)), said)
 
     def test_words_without_effect_are_told_once(self):
         said = self.render("+Is.pov", "+W8", "+H8", "+UA", "+UA", "+Q5", "+Q9")

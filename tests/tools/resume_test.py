@@ -60,7 +60,7 @@ class Resuming(unittest.TestCase):
         self.picture, self.state = self.folder / "p.png", self.folder / "p.pov-state"
 
     def words(self, *more, size=(WIDTH, HEIGHT)):
-        return ["povray", "s.pov", f"+W{size[0]}", f"+H{size[1]}", "+Op.png", *more]
+        return ["povray", "s.pov", f"+W{size[0]}", f"+H{size[1]}", "+Op.png", "-V", *more]
 
     def render(self, *more, size=(WIDTH, HEIGHT), code=0):
         said = run(*self.words(*more, size=size), cwd=self.folder)

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 /// Lights and surfaces against closed forms.
+#include "core/draws.h"
 #include "tests/tracer/scene_builder.h"
 #include "tracer/lights.h"
 #include "tracer/segment.h"
@@ -174,6 +175,39 @@ TEST(Surface, GlassStaysFiniteAtTheExtremes) {
             const Film film = rendered(b.scene, centre_rays(9));
             for (const float v : film.picture.values) EXPECT_TRUE(v >= 0 && v < 1.0001f) << ior << ' ' << tilt << ' ' << v;
         }
+}
+
+/// However a map bends the normal: what is mirrored stays on the ray's side of the true surface, what is refracted goes beyond it.
+TEST(Surface, BentNormalsOfGlassKeepTheSidesApart) {
+    size_t refracted = 0;
+    for (double tilt : {-1.0, -0.5, 0.5, 1.0})
+        for (double ior : {1.1, 1.5, 3.0}) {
+            SceneBuilder b;
+            GltfPbr m = b.glass(ior);
+            m.normal = b.constant({0.5 + 0.5 * tilt, 0.5, 0.55, 1});
+            b.object(square(), b.material(m));
+            const auto scene = compiled(b.scene);
+            for (uint64_t number = 0; number < 200; ++number) {
+                Draws draws(RandomKey(6, 0, number));
+                const double side = draws.coin() ? 1 : -1;
+                Ray ray;
+                ray.origin = {draws.uniform(-0.9, 0.9), draws.uniform(-0.9, 0.9), side * 1e-3};
+                ray.dir = normalized(Vec3(draws.uniform(-1, 1), draws.uniform(-1, 1), -side * draws.uniform(0.05, 1)));
+                Hit hit;
+                WorkCounters work;
+                scene->top->intersect(ray, hit, work);
+                if (!hit.valid()) continue;
+                Secondaries rays;
+                const ShadePoint point = shade_point(*scene, ray, hit);
+                shade<kAllFeatures>(*scene, point, ray.dir).secondary(*scene, {}, rays);
+                for (const Secondary& next : rays) {
+                    const bool through = next.kind == RayKind::refraction;
+                    refracted += through;
+                    EXPECT_GT((through ? -side : side) * next.dir.z, 0) << tilt << ' ' << ior << ' ' << number;
+                }
+            }
+        }
+    EXPECT_GT(refracted, 1000u);
 }
 
 /// A constant sky of radiance 1 around clear glass: every pixel is 1, whatever is refracted or reflected.

@@ -35,5 +35,45 @@ TEST(Spawn, DiscsABillionthApartAndFarFromTheOriginSeeEachOther) {
     }
 }
 
+/// By twice the bound of the error at the least, whatever the coordinates round to: once for this point, once for the test that must not find the surface again. Sums are exact in long double.
+TEST(Spawn, RaysBeginTwoBoundsOffTheSurface) {
+    size_t rounded = 0;
+    for (uint64_t number = 0; number < 100000; ++number) {
+        Draws draws(RandomKey(4, 0, number));
+        ShadePoint p;
+        p.position = std::pow(10, draws.uniform(-3, 6)) * draws.direction();
+        p.geometric_normal = draws.coin() ? draws.direction() : Vec3(0, 0, draws.coin() ? 1 : -1);
+        p.error = max_abs(p.position) * std::pow(10, draws.uniform(-17, -10));
+        const Vec3 dir = draws.direction();
+        const Ray ray = spawn_ray(p, dir);
+        const double side = dot(dir, p.geometric_normal) < 0 ? -1 : 1;
+        for (int k = 0; k < 3; ++k) {
+            const long double wanted = side * 2 * p.error * p.geometric_normal[k], moved = (long double)(ray.origin[k]) - p.position[k];
+            ASSERT_TRUE(wanted > 0 ? moved >= wanted : wanted < 0 ? moved <= wanted : moved == 0) << number;
+            rounded += wanted != 0 && double(p.position[k] + wanted) == p.position[k];
+        }
+    }
+    EXPECT_GT(rounded, 1000u) << "some bounds are less than a rounding";
+}
+
+/// A hit of a mesh that stands where it was made is as far off as its test of triangles says, at the least.
+TEST(Spawn, TheBoundOfAMeshIsThatOfItsTest) {
+    SceneBuilder b;
+    b.object(square(), b.material(b.lambert(Color(0.5))));
+    Diagnostics said;
+    const auto scene = compile(b.scene, {}, said);
+    for (uint64_t number = 0; number < 1000; ++number) {
+        Draws draws(RandomKey(5, 0, number));
+        Ray ray;
+        ray.origin = {draws.uniform(-1, 1), draws.uniform(-1, 1), draws.uniform(0.1, 3)}, ray.dir = Vec3(draws.uniform(-0.9, 0.9), draws.uniform(-0.9, 0.9), 0) - ray.origin;
+        Hit hit;
+        WorkCounters work;
+        scene->top->intersect(ray, hit, work);
+        ASSERT_TRUE(hit.valid());
+        EXPECT_GT(hit.error.along_normal, 0);
+        EXPECT_GE(shade_point(*scene, ray, hit).error, hit.error.along_normal) << number;
+    }
+}
+
 }  // namespace
 }  // namespace alidade::test
