@@ -124,6 +124,16 @@ TEST_F(ModuleFiles, EveryWrittenFormatIsReadBack) {
     }
 }
 
+TEST_F(ModuleFiles, EachPixelOfAJpegHasItsOwnColour) {
+    Picture stripes(32, 24, {"R", "G", "B"});
+    for (int y = 0; y < 24; ++y)
+        for (int x = 0; x < 32; ++x) stripes.at(x, y)[x % 2 ? 0 : 2] = 0.8f;
+    ASSERT_TRUE(write_picture(path(".jpg"), stripes));
+    const auto read = read_picture(path(".jpg"), Encoding::automatic);
+    ASSERT_TRUE(read) << read.error();
+    EXPECT_LT(color_errors(*read, stripes).mean, 0.02);
+}
+
 TEST_F(ModuleFiles, AlphaThatTheFormatLacksLeavesThePictureOverBlack) {
     const Picture picture = gradient(true);
     ASSERT_TRUE(write_picture(path(".jpg"), picture));
