@@ -128,6 +128,36 @@ TEST(Solids, PartsOfAnObjectShareItsInterior) {
 }
 
 /// What stands too deep is refused, not followed down the stack.
+/// The same solid at the same place by other products of transformations, as files place things: its faces are apart by roundings, and still one.
+TEST(Solids, ASolidLessItselfPlacedByAnotherWayIsNothing) {
+    for (int number = 0; number < 40; ++number) {
+        Solids b(uint64_t(20 + number));
+        static const ShapeGeometry kShapes[] = {Sphere(), Box(), Cylinder{Vec3(0, -2, 0), Vec3(0, 2, 0), 0.6}, Cone{Vec3(0), Vec3(0, 2, 0), 1, 0.2}, Torus()};
+        const ShapeGeometry& geometry = kShapes[size_t(number) % std::size(kShapes)];
+        const Transform one = b.anywhere(), two = b.anywhere(), three = Transform::translate(b.draw.vector(20)) * Transform::from_quaternion(b.draw.quaternion());
+        const auto placed = [&](const Transform& outer, const Transform& inner) {
+            Node leaf;
+            leaf.what = b.shape(geometry), leaf.materials = {b.plain}, leaf.to_parent = inner;
+            Node around;
+            around.children = {b.node(leaf, false)}, around.to_parent = outer;
+            return b.node(around, false);
+        };
+        Node both;
+        both.csg = CsgKind::difference;
+        both.children = {placed(three * one, two), placed(three, one * two)};
+        b.node(both);
+        const auto scene = test::compiled(b.scene);
+        const Bounds box = scene->instances[0].bounds.empty() ? (three * one * two).bounds(bounds(geometry)) : scene->instances[0].bounds;
+        for (int i = 0; i < 500; ++i) {
+            Ray ray;
+            ray.origin = box.center() + b.draw.vector(20), ray.dir = box.center() + b.draw.vector(1) - ray.origin;
+            Hit hit;
+            WorkCounters work;
+            EXPECT_FALSE(scene->top->intersect(ray, hit, work)) << number << ' ' << i;
+        }
+    }
+}
+
 TEST(Solids, AreNotDeeperThanTheStack) {
     Solids b(4);
     NodeId below = b.random_shape();
