@@ -188,6 +188,17 @@ TEST(AreaLights, RectangleByClosedForm) {
     }
 }
 
+/// Small beside its distance, a sphere fills r^2 / d^2 of half a sphere: 1 less the cosine of its angle would have no digits.
+TEST(AreaLights, ASphereFarAwayKeepsItsDigits) {
+    AreaLight sphere;
+    sphere.form = AreaLight::Form::sphere;
+    for (const double distance : {1e3, 1e5, 1e7, 1e9}) {
+        sphere.radius = 1;
+        const double got = illuminate(area_light(sphere, Transform(), 1), Vec3(0, 0, -distance), {0.5, 0.5}).irradiance.x, ratio = 1 / distance;
+        EXPECT_NEAR(got / (kPi * ratio * ratio), 1, ratio * ratio + 1e-12) << distance;
+    }
+}
+
 TEST(AreaLights, SphereByClosedForm) {
     AreaLight sphere;
     sphere.form = AreaLight::Form::sphere;
