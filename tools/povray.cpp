@@ -36,8 +36,8 @@ std::string scene_path(const PovrayRequest& r) {
 Request request_of(const PovrayRequest& r, int frame) {
     Request request;
     request.scene = scene_path(r);
-    request.import.include_paths = {"."};   // POV-Ray's first place; the scene's folder, which is none of POV-Ray's, comes before it here
-    request.import.include_paths.insert(request.import.include_paths.end(), r.library_paths.begin(), r.library_paths.end());
+    request.import.include_paths = r.library_paths;
+    request.import.include_paths.insert(request.import.include_paths.begin(), ".");   // POV-Ray's first place; the scene's folder, which is none of POV-Ray's, comes before it here
     request.import.declarations = r.declarations;
     request.compile.threads = r.threads;
     pov::FrameSettings& f = request.import.frame;
@@ -75,7 +75,7 @@ void warn(const std::string& sentence) { fmt::print(stderr, "alidade: warning: {
 /// A finished picture leaves no state: where there is one, the picture is not finished, or belongs to an earlier render.
 bool done_already(const PovrayRequest& r, const std::string& output) {
     std::error_code ignored;
-    return r.continued && r.to_file && !r.to_stdout() && std::filesystem::exists(output, ignored) && !std::filesystem::exists(state_name(output), ignored);
+    return r.continued && r.writes_file() && std::filesystem::exists(output, ignored) && !std::filesystem::exists(state_name(output), ignored);
 }
 
 /// The picture is there in part. Without a state it is not written: the next `+C` would take it for a finished one.
@@ -83,8 +83,6 @@ int interrupted(const std::string& output, bool state) {
     fmt::print(stderr, "alidade: interrupted; {}\n", state ? fmt::format("+C goes on from {}", state_name(output)) : fmt::format("{} is not written", output));
     return kInterrupted;
 }
-
-std::string summary(const PovrayRequest& r, const std::string& output, const RenderStats& stats) { return fmt::format("{}: {}x{}, rendered in {:.2f} s\n", output, r.width, r.height, stats.seconds); }
 
 /// What a frame says, by streams: what is not of `wanted`'s severity is not in it.
 std::string text_of(const Diagnostics& said, Severity wanted) {
@@ -105,15 +103,25 @@ std::string keep_messages(const PovrayRequest& r, const Diagnostics& said, const
     return {};
 }
 
-/// A picture on stdout: POV-Ray's `+O-`.
-int render_to_stdout(const PovrayRequest& r, const CompiledScene& scene, const RenderOptions& options, const Monitor& monitor) {
+/// Tells of a picture that is there.
+int finished(const PovrayRequest& r, const std::string& output, const RenderStats& stats) {
+    const std::string done = fmt::format("{}: {}x{}, rendered in {:.2f} s\n", output, r.width, r.height, stats.seconds);
+    if (r.verbose) fmt::print(stderr, "{}", done);
+    const std::string wrong = keep_messages(r, {}, done);
+    return wrong.empty() ? kDone : fail(wrong);
+}
+
+/// A picture that leaves no file: POV-Ray's `+O-`, to stdout, and `-F`.
+int render_without_file(const PovrayRequest& r, const CompiledScene& scene, const RenderOptions& options, const Monitor& monitor, const std::string& output) {
     const auto film = render(scene, options, monitor);
     if (!film) return fail(film.error());
-    if (!film->complete) return interrupted("the picture", false);
-    const auto bytes = encode_picture(film->picture, std::filesystem::path(output_name(r, 0)).extension().string(), r.bits > 8 ? 16 : 8);
-    if (!bytes) return fail(bytes.error());
-    if (std::fwrite(bytes->data(), 1, bytes->size(), stdout) != bytes->size() || std::fflush(stdout) != 0) return fail("the picture cannot be written to stdout");
-    return kDone;
+    if (!film->complete) return interrupted(output, false);
+    if (r.to_file) {
+        const auto bytes = encode_picture(film->picture, std::filesystem::path(output).extension().string(), r.bits > 8 ? 16 : 8);
+        if (!bytes) return fail(bytes.error());
+        if (std::fwrite(bytes->data(), 1, bytes->size(), stdout) != bytes->size() || std::fflush(stdout) != 0) return fail("the picture cannot be written to stdout");
+    }
+    return finished(r, output, film->stats);
 }
 
 /// Renders a picture that goes to the file `output`, and keeps its tiles beside it until it is there.
@@ -132,10 +140,7 @@ int render_to_file(const PovrayRequest& r, const CompiledScene& scene, const Ren
     if (const auto files = write_film(output, film->picture, r.bits > 8 ? 16 : 8); !files) return fail(fmt::format("{}: {}", output, files.error()));
     if (!film->complete) return interrupted(output, true);
     if (state) state->remove();
-    const std::string done = summary(r, output, film->stats);
-    if (r.verbose) fmt::print(stderr, "{}", done);
-    const std::string wrong = keep_messages(r, {}, done);
-    return wrong.empty() ? kDone : fail(wrong);
+    return finished(r, output, film->stats);
 }
 
 int render_frame(const PovrayRequest& r, int frame) {
@@ -149,20 +154,15 @@ int render_frame(const PovrayRequest& r, int frame) {
     Monitor monitor;
     monitor.stop = &signals.stop();
     const RenderOptions options = render_options(r, frame, prepared.scene->scene.settings);
-    if (r.to_file && r.to_stdout()) return render_to_stdout(r, *prepared.scene, options, monitor);
-    if (r.to_file) return render_to_file(r, *prepared.scene, options, std::move(monitor), output);
-    const auto film = render(*prepared.scene, options, monitor);
-    if (!film) return fail(film.error());
-    return film->complete ? kDone : kInterrupted;
+    return r.writes_file() ? render_to_file(r, *prepared.scene, options, std::move(monitor), output) : render_without_file(r, *prepared.scene, options, monitor, output);
 }
 
 int render_frames(const PovrayRequest& r) {
     if (!r.animated()) return render_frame(r, r.initial_frame);   // a subset is one of an animation's
     const int first = r.subset_start.value_or(r.initial_frame), last = r.subset_end.value_or(r.final_frame);
     if (first < r.initial_frame || last > r.final_frame || first > last) return fail("the subset of frames is empty or leaves the animation");
-    for (int64_t frame = r.initial_frame; frame <= last; frame += r.frame_step)
-        if (frame >= first)
-            if (const int code = render_frame(r, int(frame)); code != kDone) return code;
+    for (int64_t frame = first; frame <= last; frame += r.frame_step)
+        if (const int code = render_frame(r, int(frame)); code != kDone) return code;
     return kDone;
 }
 

@@ -2,22 +2,12 @@
 /// What frames and their files are called.
 #include "tools/povray_words.h"
 
-#include <algorithm>
-#include <cctype>
+#include "tools/values.h"
+
 #include <filesystem>
 #include <fmt/format.h>
 
 namespace alidade {
-
-namespace {
-
-/// Whatever the case of its letters.
-bool same_ending(const std::filesystem::path& path, std::string_view ending) {
-    const std::string own = path.extension().string();
-    return std::equal(own.begin(), own.end(), ending.begin(), ending.end(), [](unsigned char a, unsigned char b) { return std::tolower(a) == b; });
-}
-
-}  // namespace
 
 double clock_of(const PovrayRequest& r, int frame) {
     if (!r.animated()) return r.clock;
@@ -30,7 +20,7 @@ std::string output_name(const PovrayRequest& r, int frame) {
     fs::path path = r.output.empty() ? fs::path(r.input).replace_extension() : fs::path(r.output);
     const char* ending = r.file_type == 'P' ? ".ppm" : r.file_type == 'E' ? ".exr" : r.file_type == 'T' ? ".tga" : r.file_type == 'J' ? ".jpg" : r.file_type == 'B' ? ".bmp" : r.file_type == 'H' ? ".hdr" : ".png";
     if (!r.output.empty() && fs::is_directory(path)) path /= fs::path(r.input).filename().replace_extension();
-    if (same_ending(path, ending)) path.replace_extension();
+    if (lower(path.extension().string()) == ending) path.replace_extension();
     std::string name = path.string();
     if (r.animated()) name += fmt::format("{:0{}}", frame, std::to_string(r.final_frame).size());
     return name + ending;

@@ -35,11 +35,6 @@ struct Row {
     Apply apply;
 };
 
-std::string lower(std::string text) {
-    std::transform(text.begin(), text.end(), text.begin(), [](unsigned char c) { return char(std::tolower(c)); });
-    return text;
-}
-
 std::optional<bool> truth(const std::string& text) {
     const std::string t = lower(text);
     if (t == "on" || t == "true" || t == "yes" || t == "1") return true;

@@ -39,7 +39,8 @@ struct PovrayRequest {
     uint64_t seed = 0;                    ///< --seed=N, a word that POV-Ray does not have: other random numbers
     std::vector<std::string> notes;       ///< words that are known and change nothing here, each once
 
-    bool to_stdout() const { return output == "-"; }
+    bool to_stdout() const { return to_file && output == "-"; }
+    bool writes_file() const { return to_file && !to_stdout(); }
     bool animated() const { return final_frame > initial_frame || initial_frame != 1; }
 };
 

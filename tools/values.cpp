@@ -3,6 +3,8 @@
 
 #include "core/image.h"
 
+#include <algorithm>
+#include <cctype>
 #include <charconv>
 #include <fmt/format.h>
 #include <optional>
@@ -33,6 +35,11 @@ std::vector<int> integers(std::string_view word, char separator) {
 }
 
 }  // namespace
+
+std::string lower(std::string text) {
+    std::transform(text.begin(), text.end(), text.begin(), [](unsigned char c) { return char(std::tolower(c)); });
+    return text;
+}
 
 Value<Size> parse_size(std::string_view word) {
     const std::vector<int> sides = integers(word, 'x');

@@ -16,6 +16,9 @@ struct Size {
     int width = 0, height = 0;
 };
 
+/// With small letters, of ASCII alone.
+std::string lower(std::string text);
+
 /// "640x480"; both at least 1, and at most kMaxPixels pixels.
 Value<Size> parse_size(std::string_view word);
 inline constexpr int64_t kMaxPixels = int64_t(1) << 30;

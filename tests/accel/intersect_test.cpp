@@ -143,8 +143,8 @@ TEST_P(Intersects, LosesWhatIsToldAtVertices) {
 
 /// Seen from the origin, where what a ray is widened by is nothing, the boxes alone must make up for the roundings of the tests.
 TEST_P(Intersects, ClosedMeshesHoldFromTheOrigin) {
-    if (how() == Intersect::fast) return;
-    size_t meshes = 0;
+    size_t meshes = 0, lost = 0;
+    std::string first;
     for (const Mesh& closed : closed_meshes()) {
         if (!closed.inside.contains(Vec3(0))) continue;
         ++meshes;
@@ -154,11 +154,12 @@ TEST_P(Intersects, ClosedMeshesHoldFromTheOrigin) {
             for (size_t i = 0; i < run_size(4000, 1000000); ++i) {
                 Ray ray = (i % 4 ? edge_aimed_from_inside : vertex_aimed_from_inside)(mesh, RandomKey(127, 0, i, 0));
                 ray.dir = ray.origin + ray.dir, ray.origin = Vec3(0);
-                ASSERT_TRUE(first_hit(*accelerator, ray).valid()) << entry.name << ", " << mesh.name << ", seed 127, ray " << i << ": " << describe(ray);
+                if (!first_hit(*accelerator, ray).valid() && lost++ == 0) first = fmt::format("{}, {}, seed 127, ray {}: {}", entry.name, mesh.name, i, describe(ray));
             }
         }
     }
     EXPECT_GE(meshes, 6u);
+    EXPECT_EQ(lost > 0, how() == Intersect::fast) << lost << " of them, the first by " << first;
 }
 
 /// What stands in a face of the bounds is met where the ray leaves them: a floor, the walls of a room.

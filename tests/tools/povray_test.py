@@ -87,11 +87,15 @@ class Povray(InFolder):
         said = subprocess.run([PROGRAM, "povray", "+Is.pov", "+W8", "+H6", "+FP", "+O-"], cwd=self.folder, capture_output=True)
         self.assertEqual((said.returncode, said.stdout[:2], len(said.stdout)), (0, b"P6", len(b"P6\n8 6\n255\n") + 8 * 6 * 3), said.stderr)
         self.assertEqual(list(self.folder.glob("*.p?m")), [])
+        subprocess.run([PROGRAM, "povray", "+Is.pov", "+W8", "+H6", "+O-", "+GSs.txt"], cwd=self.folder, capture_output=True, check=True)
+        self.assertIn("8x6", (self.folder / "s.txt").read_text())
         self.assertIn("frames need files", run("povray", "+Is.pov", "+W8", "+H6", "+O-", "+KFF2", cwd=self.folder).stderr)
 
     def test_steps_between_frames(self):
         self.render("+Is.pov", "+W8", "+H6", "+FP", "+KFF5", "Frame_Step=2")
         self.assertEqual(sorted(p.name for p in self.folder.glob("*.ppm")), ["s1.ppm", "s3.ppm", "s5.ppm"])
+        self.render("+Is.pov", "+W8", "+H6", "+FP", "+KFF6", "Frame_Step=2", "+SF2", "+EF5", "+Ot")
+        self.assertEqual(sorted(p.name for p in self.folder.glob("t*.ppm")), ["t2.ppm", "t4.ppm"], "steps begin with the subset, as POV-Ray's")
         self.render("+Is.pov", "+W8", "+H6", "+FP", "+SF2", "+EF3")
         self.assertTrue((self.folder / "s.ppm").exists(), "a subset is one of an animation's")
 

@@ -145,16 +145,21 @@ TEST(Solids, ASolidLessItselfPlacedByAnotherWayIsNothing) {
         Node both;
         both.csg = CsgKind::difference;
         both.children = {placed(three * one, two), placed(three, one * two)};
-        b.node(both);
-        const auto scene = test::compiled(b.scene);
-        const Bounds box = scene->instances[0].bounds.empty() ? (three * one * two).bounds(bounds(geometry)) : scene->instances[0].bounds;
+        const NodeId solid = b.node(both);
+        const auto nothing = test::compiled(b.scene);
+        b.scene.nodes[solid.index].csg = CsgKind::merge;
+        const auto merged = test::compiled(b.scene);
+        const Vec3 center = (three * one * two).bounds(bounds(geometry)).center();
+        int met = 0;
         for (int i = 0; i < 500; ++i) {
             Ray ray;
-            ray.origin = box.center() + b.draw.vector(20), ray.dir = box.center() + b.draw.vector(1) - ray.origin;
-            Hit hit;
+            ray.origin = center + b.draw.vector(20), ray.dir = center + b.draw.vector(1) - ray.origin;
+            Hit hit, unused;
             WorkCounters work;
-            EXPECT_FALSE(scene->top->intersect(ray, hit, work)) << number << ' ' << i;
+            met += merged->top->intersect(ray, unused, work);
+            EXPECT_FALSE(nothing->top->intersect(ray, hit, work)) << number << ' ' << i;
         }
+        EXPECT_GT(met, 100) << number;
     }
 }
 

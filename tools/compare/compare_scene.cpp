@@ -10,6 +10,7 @@
 #include "tools/output.h"
 #include "tools/povray_words.h"
 #include "tools/report/report.h"
+#include "tools/values.h"
 #include "tracer/render.h"
 
 #include <fmt/format.h>
@@ -182,9 +183,7 @@ void compare_with_povray(SceneComparison& out, const Scratch& scratch, const Dif
 }  // namespace
 
 bool is_povray_scene(const std::string& path) {
-    std::string ending = fs::path(path).extension().string();
-    std::transform(ending.begin(), ending.end(), ending.begin(), [](unsigned char c) { return char(std::tolower(c)); });
-    return ending == ".pov";
+    return lower(fs::path(path).extension().string()) == ".pov";
 }
 
 int exit_code(const SceneComparison& compared) {
