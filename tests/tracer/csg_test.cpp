@@ -149,11 +149,11 @@ TEST(Solids, ASolidLessItselfPlacedByAnotherWayIsNothing) {
         const auto nothing = test::compiled(b.scene);
         b.scene.nodes[solid.index].csg = CsgKind::merge;
         const auto merged = test::compiled(b.scene);
-        const Vec3 center = (three * one * two).bounds(bounds(geometry)).center();
+        const Bounds box = (three * one * two).bounds(bounds(geometry));
         int met = 0;
         for (int i = 0; i < 500; ++i) {
             Ray ray;
-            ray.origin = center + b.draw.vector(20), ray.dir = center + b.draw.vector(1) - ray.origin;
+            ray.origin = box.center() + b.draw.vector(20), ray.dir = box.center() + b.draw.vector(0.3) * box.extent() - ray.origin;
             Hit hit, unused;
             WorkCounters work;
             met += merged->top->intersect(ray, unused, work);
