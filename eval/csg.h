@@ -40,6 +40,7 @@ struct CsgExpression {
     bool inverse = false;           ///< of a clip: turns the first part inside out, and not what clips it, as POV-Ray does
     CsgLeaf leaf;
     Mask mask = kMaskAll;           ///< the rays for which it is there at all
+    bool cutaway_textures = false;  ///< of the node (Node::cutaway_textures)
     std::vector<CsgExpression> parts;
 };
 

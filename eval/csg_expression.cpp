@@ -44,6 +44,7 @@ class Builder {
     CsgExpression operation(const Node& node, Mask seen) {
         CsgExpression e;
         e.op = csg_op(node.csg);
+        e.cutaway_textures = node.cutaway_textures;
         for (const NodeId child : node.children) {
             const Mask below = seen & mask_of(scene_.nodes[child.index].flags);
             auto part = part_at(child, below);

@@ -36,6 +36,8 @@ struct Node {
     std::optional<InteriorId> interior;
     CsgKind csg = CsgKind::none;
     bool inverse = false;
+    bool cutaway_textures = false;            ///< POV: parts of this intersection or difference without a material show those of the parts that they cut
+    bool usual_material = false;              ///< POV: materials[0] is that of #default, which stands where nothing else does
     std::vector<NodeId> children, clips, bounds;   ///< clips: POV clipped_by; bounds: POV bounded_by
     NodeFlags flags;
     std::vector<LightId> light_group;         ///< POV light_group: these lights shine on this node's subtree alone

@@ -6,6 +6,7 @@
 #include "eval/csg_expression.h"
 #include "scene/queries.h"
 #include "tracer/cameras.h"
+#include "tracer/cutaway.h"
 #include "tracer/instance_leaves.h"
 #include "tracer/instance_set.h"
 #include "tracer/light_groups.h"
@@ -147,6 +148,7 @@ class Placer : private CsgParts {
             const auto carried = carried_material(out_.scene, visit.path, slot);
             SlotMaterial material = materials_.slot(carried ? std::optional(carried->material) : std::nullopt, interior, hollow);
             if (carried) material.space = materials_.space(*carried, visit.path);
+            instance.usual_material = !carried || out_.scene.nodes[visit.path[carried->carrier].index].usual_material;
             out_.slots.push_back(material);
         }
         out_.instances.push_back(instance);
@@ -217,6 +219,7 @@ void describe_leaves(const CompiledScene& scene, CsgExpression& e) {
 /// inverted: a ray that comes from far away enters it.
 void build_solids(CompiledScene& out, std::vector<CsgExpression> solids) {
     const auto narrow = [&out](uint32_t leaf, bool inverted, const Bounds& box) { return narrowed_leaf(out, leaf, inverted, box); };
+    find_cutaways(out, solids);
     for (CsgExpression& e : solids) describe_leaves(out, e), out.solids.push_back({CsgTree(e, narrow), e.mask});
     for (const Solid& solid : out.solids)
         for (const CsgNode& node : solid.tree.nodes()) {

@@ -57,10 +57,12 @@ struct Instance {
     uint32_t first_slot = 0;       ///< into CompiledScene::slots, as many as the shape has
     Mask mask = kMaskAll;
     bool double_illuminate = false;   ///< POV: lit from both sides
+    bool usual_material = false;   ///< of its slots: no node on the path says what they are
     bool inverted = false;         ///< taken away from a solid: its normals point inwards
     uint32_t carrier = 0;          ///< of its interior: parts of one object that carries it have the same
     NodeId node;
     uint32_t light_set = 0;        ///< into CompiledScene::lit_by
+    uint32_t cutaway = kNoId;      ///< into CompiledScene::cutaways: its surface shows what it lays open
 
     /// In the space of the geometry.
     Ray local(const Ray& ray) const { return in_place ? ray : inexact ? corrected(ray) : to_local.ray(ray); }
@@ -98,6 +100,7 @@ struct CompiledScene {
     std::vector<Geometry> geometries;
     std::vector<Instance> instances;
     std::vector<Solid> solids;
+    std::vector<CsgExpression> cutaways;   ///< operations whose parts are looked up at points of faces that show them
     std::vector<SlotMaterial> slots;
     std::vector<PatternSpace> pattern_spaces;
     std::vector<CompiledInterior> interiors;

@@ -82,7 +82,7 @@ Color take_ray(const Job& job, Tracing& tracing, const SampleKey& key, double x,
     ++tracing.stats.camera_rays;
     FirstHit first;
     const Color radiance = ray.tmax < ray.tmin ? Color(0) : job.radiance(tracing, ray, state, first);   // beyond the edge of a round picture there is nothing
-    pixel.add(radiance, first, first.hit ? job.scene.slots[job.scene.instances[first.instance].first_slot + first.slot].material : kNoId);
+    pixel.add(radiance, first, first.hit ? job.scene.slots[first.slot].material : kNoId);
     return radiance;
 }
 

@@ -12,7 +12,7 @@ void place_on_mesh(const Mesh& mesh, const Instance& instance, const Hit& hit, S
     p.mesh = &mesh;
     p.triangle = hit.primitive;
     p.u = hit.u, p.v = hit.v;
-    p.slot = mesh.slots.empty() ? 0 : mesh.slots[hit.primitive];
+    if (!mesh.slots.empty()) p.slot += mesh.slots[hit.primitive];
     p.geometric_normal = normalized(instance.to_local.transposed(triangle_normal(mesh, hit.primitive)));
     p.shading_normal = p.geometric_normal;
     if (!mesh.normals.present()) return;
@@ -91,6 +91,7 @@ ShadePoint shade_point(const CompiledScene& scene, const Ray& ray, const Hit& hi
     const Instance& instance = scene.instances[hit.instance];
     ShadePoint p;
     p.instance = hit.instance;
+    p.slot = instance.first_slot;
     p.position = ray.at(hit.t);
     p.error = world_error(scene, ray, hit, p.position);
     place(scene, instance, ray, hit, p);

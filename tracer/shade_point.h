@@ -2,6 +2,7 @@
 #pragma once
 
 #include "tracer/compiled_scene.h"
+#include "tracer/cutaway.h"
 
 namespace alidade {
 
@@ -24,7 +25,8 @@ struct ShadePoint {
     Vec3 shading_normal{0, 0, 1};     ///< unit, world space, interpolated; on the front
     Vec3 tangent{1, 0, 0}, bitangent{0, 1, 0};   ///< world space; set by tangent_frame()
     double error = 0;                 ///< how far `position` may be from the true surface, world space
-    uint32_t instance = 0, slot = 0;
+    uint32_t instance = 0;
+    uint32_t slot = 0;                ///< into CompiledScene::slots
     bool front = true;                ///< the ray came from outside
     const PatternSpace* space = nullptr;   ///< of the material's patterns, if it has any
 
@@ -39,24 +41,31 @@ struct ShadePoint {
 };
 
 /// The material, and what else the surface at `point` has of its slot.
-inline const SlotMaterial& slot_at(const CompiledScene& scene, const ShadePoint& point) { return scene.slots[scene.instances[point.instance].first_slot + point.slot]; }
+inline const SlotMaterial& slot_at(const CompiledScene& scene, const ShadePoint& point) { return scene.slots[point.slot]; }
 inline const PatternSpace* pattern_space(const CompiledScene& scene, const ShadePoint& point) {
     const uint32_t space = slot_at(scene, point).space;
     return space == kNoId ? nullptr : &scene.pattern_spaces[space];
 }
 
-/// Calls f(point, share) for each slot whose light is mixed at a point, as the point would be if it had that slot alone: the shares add up to 1.
+/// Calls f(point, share) for each slot whose light is mixed at a point, as the point would be if it had that slot alone: the shares add up to 1, or there is none.
 template <class F> void for_each_mixed_slot(const CompiledScene& scene, const ShadePoint& point, const F& f) {
+    const auto take = [&](uint32_t slot, double share) {
+        ShadePoint own = point;
+        own.slot = slot;
+        own.space = pattern_space(scene, own);
+        f(own, share);
+    };
+    const Instance& instance = scene.instances[point.instance];
+    if (instance.cutaway != kNoId) {
+        const std::vector<uint32_t> open = slots_laid_open(scene, point);
+        for (const uint32_t slot : open) take(slot, 1 / double(open.size()));
+        return;
+    }
     if (!point.mesh || point.mesh->corner_slots.empty()) return f(point, 1.0);
     const double shares[] = {1 - point.u - point.v, point.u, point.v};
     const uint32_t* slots = &point.mesh->corner_slots[3 * size_t(point.triangle)];
     if (slots[0] == slots[1] && slots[1] == slots[2]) return f(point, 1.0);
-    for (int corner = 0; corner < 3; ++corner) {
-        ShadePoint own = point;
-        own.slot = slots[corner];
-        own.space = pattern_space(scene, own);
-        f(own, shares[corner]);
-    }
+    for (int corner = 0; corner < 3; ++corner) take(instance.first_slot + slots[corner], shares[corner]);
 }
 
 /// `ray` is the world-space ray that found `hit`.

@@ -84,6 +84,7 @@ void NodeFacts::study(uint32_t index) {
     f.bare = (node.materials.empty() || !node.materials[0]) && draws_shape(node);
     for (const NodeId child : node.children)
         if (node.materials.empty() || !node.materials[0]) f.bare = f.bare || facts_[child.index].bare;
+    f.lays_open = node.cutaway_textures || std::any_of(node.children.begin(), node.children.end(), [&](NodeId id) { return facts_[id.index].lays_open; });
     for_each_link(scene_, node, [&](NodeId id) { f.height = std::max(f.height, facts_[id.index].height); });
     ++f.height;
     f.declared = !f.empty && (f.parents > 1 || f.height >= kDeepest);

@@ -30,6 +30,8 @@ class NodeFacts {
     bool is_declared(NodeId id) const { return facts_[id.index].declared; }
     /// It shows a shape to which neither it nor a node below gives a material.
     bool is_bare(NodeId id) const { return facts_[id.index].bare; }
+    /// Faces in it may show what they lay open (Node::cutaway_textures).
+    bool lays_open(const Node& node) const { return facts_[size_t(&node - scene_.nodes.data())].lays_open; }
     /// Does the node's own material cover anything? (It does not where nodes below have theirs.)
     bool material_counts(const Node& node) const;
     /// What is reached, each before what it refers to.
@@ -52,7 +54,7 @@ class NodeFacts {
 
   private:
     struct Fact {
-        bool empty = true, bare = false, declared = false;
+        bool empty = true, bare = false, declared = false, lays_open = false;
         uint32_t parents = 0, height = 0;
     };
     void reach();

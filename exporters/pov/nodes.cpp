@@ -2,6 +2,7 @@
 #include "exporters/pov/nodes.h"
 
 #include <fmt/format.h>
+#include <utility>
 
 namespace alidade::pov_export {
 
@@ -154,7 +155,9 @@ void NodeWriter::pieces(const Node& node) {
 
 void NodeWriter::texture(const Node& node, bool is_root) {
     if (facts_.material_counts(node)) {
-        if (!is_root || !is_default(c_.scene, *node.materials[0])) c_.textures.use(node.materials[0]);
+        if (is_root && (is_default(c_.scene, *node.materials[0]) || needs_own_default(node))) return;
+        c_.textures.use(node.materials[0]);
+        c_.losses.add("faces that show what they lay open", node.usual_material && facts_.lays_open(node), "the texture of #default");
     } else if (facts_.defaults_at_shapes() ? facts_.draws_shape(node) : is_root && facts_.is_bare({uint32_t(&node - c_.scene.nodes.data())})) {
         c_.textures.use(std::nullopt);
     }
@@ -168,6 +171,7 @@ void NodeWriter::flags(const Node& node) {
     if (f.hollow) c_.sdl.line("hollow");
     if (f.double_illuminate) c_.sdl.line("double_illuminate");
     if (node.inverse) c_.sdl.line("inverse");
+    if (node.cutaway_textures) c_.sdl.line("cutaway_textures");
 }
 
 void NodeWriter::cut(const char* word, const std::vector<NodeId>& by) {
@@ -194,12 +198,30 @@ void NodeWriter::modifiers(const Node& node, bool is_root, bool textured) {
     if (!node.to_parent.is_identity()) c_.sdl.line(node.to_parent);
 }
 
+/// A texture would be that of all parts, and faces that show what they lay open have none.
+bool NodeWriter::needs_own_default(const Node& root) const {
+    return root.usual_material && facts_.lays_open(root) && facts_.material_counts(root) && !is_default(c_.scene, *root.materials[0]);
+}
+
 void NodeWriter::write() {
     const std::vector<uint32_t>& order = facts_.order();
     for (auto i = order.rbegin(); i != order.rend(); ++i) declare({*i});
+    bool keeps_default = false;
     for (const NodeId root : facts_.roots()) {
-        if (facts_.is_declared(root)) c_.sdl.line("object {", declared_name(root), "}");
-        else block(root, true);
+        const Node& node = c_.scene.nodes[root.index];
+        if (facts_.is_declared(root)) {
+            c_.sdl.line("object {", declared_name(root), "}");
+            continue;
+        }
+        const bool own = needs_own_default(node);
+        if (own) {
+            if (!std::exchange(keeps_default, true)) c_.sdl.line("#declare Texture_usual = texture { pigment { color rgb 0 } }");
+            c_.sdl.begin("#default");
+            c_.textures.use(node.materials[0]);
+            c_.sdl.end();
+        }
+        block(root, true);
+        if (own) c_.sdl.line("#default { texture { Texture_usual } }");
     }
 }
 

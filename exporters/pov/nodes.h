@@ -29,6 +29,7 @@ class NodeWriter {
     void pieces(const Node& node);
     void modifiers(const Node& node, bool is_root, bool textured);
     void texture(const Node& node, bool is_root);
+    bool needs_own_default(const Node& root) const;
     void flags(const Node& node);
     void cut(const char* word, const std::vector<NodeId>& by);
     std::string declared_name(NodeId id) const;

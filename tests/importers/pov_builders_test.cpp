@@ -175,13 +175,23 @@ TEST_F(PovBuilders, AnInteriorReadsRefractionAndRefractsAllTheSame) {
 }
 
 TEST_F(PovBuilders, WhatIsNotModelledIsSaidOnceWithItsCount) {
-    const std::string text = "#version 3.7;\n#for(I, 1, 3) isosurface { function { x } } #end\nmedia { emission 3 }\nsphere { 0, 1 photons { target } pigment { aoi } cutaway_textures }";
+    const std::string text = "#version 3.7;\n#for(I, 1, 3) isosurface { function { x } } #end\nmedia { emission 3 }\nsphere { 0, 1 photons { target } pigment { aoi } interior_texture { pigment { rgb 1 } } }";
     const std::string messages = said(text);
     EXPECT_THAT(messages, HasSubstr("s.pov:2:15: warning: isosurface is not modelled yet: it is left out (3 times)"));
     EXPECT_THAT(messages, HasSubstr("media is not modelled yet"));
     EXPECT_THAT(messages, HasSubstr("the pattern aoi of a pigment is not modelled yet: middle grey stands for it"));
-    EXPECT_THAT(messages, HasSubstr("cutaway_textures in sphere is not modelled yet"));
+    EXPECT_THAT(messages, HasSubstr("interior_texture in sphere is not modelled yet"));
     EXPECT_EQ(scene(text).shapes.size(), 1u) << "the rest is there";
+}
+
+TEST_F(PovBuilders, WhatCutsShowsWhatItLaysOpen) {
+    const Scene s = scene("#declare D = difference { sphere { 0, 2 pigment { rgb x } } plane { z, 0 } }\nobject { D cutaway_textures }\nobject { D }\nbox { 0, 1 pigment { rgb x } }");
+    std::vector<bool> cut, usual;
+    for (const NodeId root : s.roots) cut.push_back(s.nodes[root.index].cutaway_textures), usual.push_back(s.nodes[root.index].usual_material);
+    EXPECT_EQ(cut, (std::vector<bool>{true, false, false, false})) << "the declared solid stays as it is";
+    EXPECT_EQ(usual, (std::vector<bool>{true, true, false, false})) << "the last is the camera";
+    for (const char* other : {"sphere { 0, 1 ", "union { sphere { 0, 1 } ", "merge { sphere { 0, 1 } ", "object { union { sphere { 0, 1 } } "})
+        EXPECT_THAT(said(std::string(other) + "cutaway_textures }"), HasSubstr("error: cutaway_textures stands in an intersection or a difference alone")) << other;
 }
 
 TEST_F(PovBuilders, WhatIsWrongWithARainbowOrAProjectorIsSaid) {

@@ -24,6 +24,7 @@ std::vector<PovPicture> old_cameras();
 /// They show the files of write_sample_pictures().
 std::vector<PovPicture> image_pictures();
 std::vector<PovPicture> effect_pictures();
+std::vector<PovPicture> cutaway_pictures();
 std::vector<PovPicture> other_pictures();
 /// All of them.
 std::vector<PovPicture> pov_pictures();

@@ -18,7 +18,7 @@ struct FirstHit {
     Color albedo{0};
     Vec2 uv{0};
     uint32_t instance = kNoId;
-    uint32_t slot = 0;        ///< of its materials
+    uint32_t slot = 0;        ///< into CompiledScene::slots
     double coverage = 0;      ///< 1 less what passes through alpha to the background
 };
 

@@ -42,6 +42,7 @@ CsgKind csg_of(WordId word) {
 }
 
 bool changes_surface(const Item& item) {
+    if (item.kind == Item::Kind::word) return item.word == "cutaway_textures"_w;
     if (item.value.kind != Kind::block) return false;
     const WordId word = item.block().word;
     return word == "interior"_w || word == "texture"_w || word == "pigment"_w || word == "finish"_w || word == "normal"_w || word == "material"_w;
@@ -178,12 +179,19 @@ void take_bound(Draft& d, const Block& block) {
     if (!names_clips) d.bound = &block, d.bound_transform = d.transform * d.before;
 }
 
+/// As POV-Ray has it, only what cuts can show what it cuts.
+void take_cutaway(Build& build, Draft& d, Place place) {
+    if (d.node.csg != CsgKind::intersection && d.node.csg != CsgKind::difference) build.p.fail(place, "cutaway_textures stands in an intersection or a difference alone");
+    d.node.cutaway_textures = true;
+}
+
 void take_modifiers(Build& build, Draft& d, Cursor& at) {
     while (!at.done()) {
         if (at.at_transform()) d.transform = at.transform() * d.transform;
         else if (take_surface(build, d, at) || take_flag(d, at)) continue;
         else if (const Block* clip = at.block_at("clipped_by"_w)) at.next(), take_clips(build, d, *clip, d.transform * d.before);
         else if (const Block* bound = at.block_at("bounded_by"_w)) at.next(), take_bound(d, *bound);
+        else if (at.at_word("cutaway_textures"_w)) take_cutaway(build, d, at.place()), at.next();
         else if (is_hint(at)) at.skip();
         else at.skip_unmodelled();
     }

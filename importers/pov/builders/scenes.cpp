@@ -32,6 +32,7 @@ void add_root(Build& build, const Block& block) {
         Node& carrier = build.scene.nodes[root.index];
         if (carrier.materials.empty()) carrier.materials.resize(1);
         carrier.materials[0] = usual;
+        carrier.usual_material = true;
     }
     build.scene.roots.push_back(root);
 }
