@@ -1,17 +1,20 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "stress/instances.h"
 
+#include "accel/cell_boxes.h"
 #include "core/clamp.h"
 
 #include <algorithm>
 
 namespace alidade {
 
-StressInstances::StressInstances(std::vector<const Accelerator*> meshes, std::span<const StressPlace> places) : meshes_(std::move(meshes)) {
-    places_.reserve(places.size());
-    for (const StressPlace& place : places) {
+StressInstances::StressInstances(std::vector<const Accelerator*> meshes, const StressScene& scene) : meshes_(std::move(meshes)) {
+    std::vector<std::vector<Bounds>> cells;
+    for (const StressMesh& mesh : scene.meshes) cells.push_back(cell_boxes(mesh.view()));
+    places_.reserve(scene.places.size());
+    for (const StressPlace& place : scene.places) {
         const auto back = inverse(place.to_world);
-        places_.push_back({back.value_or(Transform()), back ? place.to_world.bounds(meshes_[place.mesh]->bounds()) : Bounds(), place.mesh});
+        places_.push_back({back.value_or(Transform()), back ? placed_bounds(place.to_world, meshes_[place.mesh]->bounds(), cells[place.mesh]) : Bounds(), place.mesh});
     }
 }
 

@@ -8,8 +8,8 @@ namespace alidade {
 
 class StressInstances : public PrimitiveSet {
   public:
-    /// Transforms that cannot be inverted are left out of every ray. The accelerators, one a mesh, must live as long.
-    StressInstances(std::vector<const Accelerator*> meshes, std::span<const StressPlace> places);
+    /// The places of `scene`. Transforms that cannot be inverted are left out of every ray. The accelerators, one a mesh, must live as long.
+    StressInstances(std::vector<const Accelerator*> meshes, const StressScene& scene);
 
     size_t size() const override { return places_.size(); }
     Bounds bounds(uint32_t id) const override { return places_[id].bounds; }

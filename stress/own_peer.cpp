@@ -29,7 +29,7 @@ class OwnPeer : public StressPeer {
         if (scene.places.empty()) return;
         std::vector<const Accelerator*> below;
         for (const auto& mesh : meshes_) below.push_back(mesh.get());
-        set_ = std::make_shared<StressInstances>(std::move(below), scene.places);
+        set_ = std::make_shared<StressInstances>(std::move(below), scene);
         top_ = entry_.over_set(set_, options_);
         asked_ = top_.get();
     }

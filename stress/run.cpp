@@ -277,7 +277,7 @@ std::vector<RaySet> stress_rays(const StressScene& scene, std::vector<StressRay>
     std::vector<const Accelerator*> below;
     for (const StressMesh& mesh : scene.meshes) meshes.push_back(bvh.over_triangles(mesh.view(), {})), below.push_back(meshes.back().get());
     if (scene.places.empty()) return make_ray_sets(scene, *meshes.front(), std::move(primary), seed);
-    const auto top = bvh.over_set(std::make_shared<StressInstances>(std::move(below), scene.places), {});
+    const auto top = bvh.over_set(std::make_shared<StressInstances>(std::move(below), scene), {});
     return make_ray_sets(scene, *top, std::move(primary), seed);
 }
 

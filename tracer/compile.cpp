@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "accel/cell_boxes.h"
 #include "accel/lazy.h"
 #include "core/float_mode.h"
 #include "core/image_colors.h"
@@ -229,6 +230,18 @@ void build_solids(CompiledScene& out, std::vector<CsgExpression> solids) {
         }
 }
 
+/// World-space boxes of instances. A mesh that is shown again and again is looked at more closely.
+void place_bounds(CompiledScene& out, int threads) {
+    std::vector<uint32_t> shown(out.geometries.size(), 0);
+    for (const Instance& instance : out.instances) shown[instance.geometry] += !instance.in_place;
+    std::vector<std::vector<Bounds>> cells(out.geometries.size());
+    parallel_for(out.geometries.size(), threads, [&](size_t i) {
+        const Mesh* mesh = out.geometries[i].mesh;
+        if (mesh && shown[i] > 1) cells[i] = cell_boxes({mesh->positions, mesh->exact_positions, mesh->triangles});
+    });
+    for (Instance& instance : out.instances) instance.bounds = placed_bounds(instance.to_world, out.geometries[instance.geometry].bounds, cells[instance.geometry]);
+}
+
 /// Meshes get their accelerators, in parallel, large ones each on several threads; only those that an instance shows. Lazy ones get them when a ray comes near.
 void build_structures(CompiledScene& out, const AcceleratorEntry& accel, std::vector<CsgExpression> solids, const CompileOptions& options, Diagnostics& said) {
     const AccelOptions build{options.precision, options.isa, options.threads, options.intersect};
@@ -241,7 +254,7 @@ void build_structures(CompiledScene& out, const AcceleratorEntry& accel, std::ve
     });
     for (const Geometry& g : out.geometries)
         if (g.mesh) report_removed(out, g, said);
-    for (Instance& instance : out.instances) instance.bounds = instance.to_world.bounds(out.geometries[instance.geometry].bounds);
+    place_bounds(out, options.threads);
     build_solids(out, std::move(solids));
     out.set = std::make_shared<InstanceSet>(out);
     out.top = accel.over_set(out.set, build);

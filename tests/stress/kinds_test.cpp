@@ -68,7 +68,7 @@ TEST_P(StressKinds, AreCrossedAlikeByAll) {
         std::vector<std::unique_ptr<Accelerator>> meshes;
         std::vector<const Accelerator*> below;
         for (const StressMesh& mesh : scene.meshes) meshes.push_back(entry.over_triangles(mesh.view(), {})), below.push_back(meshes.back().get());
-        const auto top = scene.places.empty() ? nullptr : entry.over_set(std::make_shared<StressInstances>(std::move(below), scene.places), {});
+        const auto top = scene.places.empty() ? nullptr : entry.over_set(std::make_shared<StressInstances>(std::move(below), scene), {});
         std::vector<std::vector<std::tuple<double, uint32_t, uint32_t>>> all;
         for (const StressRay& ray : rays) {
             std::vector<Hit> hits;

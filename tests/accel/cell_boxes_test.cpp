@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: Apache-2.0
+/// Boxes of what is placed: they hold it, and no more than the moved box of the whole does.
+#include "accel/cell_boxes.h"
+#include "core/draws.h"
+#include "numerics/triangles/meshes.h"
+
+#include <gtest/gtest.h>
+
+namespace alidade::test {
+
+using namespace numerics;
+namespace {
+
+Transform anywhere(Draws& draws) {
+    const Vec3 a(draws.uniform(-1, 1), draws.uniform(-1, 1), draws.uniform(-1, 1)), b(draws.uniform(-1, 1), draws.uniform(-1, 1), draws.uniform(-1, 1));
+    Transform t = Transform::translate(a * std::ldexp(1.0, int(draws.below(40)) - 20));
+    t.linear = {a, b, cross(a, b)};
+    return t;
+}
+
+void expect_holds(const TriangleView& view, Draws& draws, const std::string& name) {
+    Bounds all;
+    for (const Vec3f& p : view.positions) all.extend(Vec3(p));
+    const std::vector<Bounds> cells = cell_boxes(view);
+    ASSERT_LE(cells.size(), 64u) << name;
+    for (int i = 0; i < 20; ++i) {
+        const Transform to_world = anywhere(draws);
+        const Bounds placed = placed_bounds(to_world, all, cells), whole = to_world.bounds(all);
+        for (const Index3& triangle : view.triangles)
+            for (int k = 0; k < 3; ++k) ASSERT_TRUE(placed.contains(to_world.point(Vec3(view.positions[triangle[k]])))) << name;
+        ASSERT_TRUE(whole.contains(placed.min) && whole.contains(placed.max)) << name;
+    }
+}
+
+TEST(CellBoxes, HoldWhatIsPlaced) {
+    Draws draws(RandomKey(81, 0, 0, 0));
+    for (const Mesh& mesh : small_meshes()) expect_holds({mesh.positions, {}, mesh.triangles}, draws, mesh.name);
+}
+
+TEST(CellBoxes, AreSmallAroundATurnedBall) {
+    const Mesh ball = geodesic_sphere(20);
+    Draws draws(RandomKey(82, 0, 0, 0));
+    double parts = 0, whole = 0;
+    const std::vector<Bounds> cells = cell_boxes({ball.positions, {}, ball.triangles});
+    const Bounds all{Vec3(-1), Vec3(1)};
+    for (int i = 0; i < 100; ++i) {
+        Transform turn;
+        orthonormal_basis(normalized(Vec3(draws.uniform(-1, 1), draws.uniform(-1, 1), draws.uniform(-1, 1))), turn.linear[0], turn.linear[1]);
+        turn.linear[2] = cross(turn.linear[0], turn.linear[1]);
+        parts += placed_bounds(turn, all, cells).half_area(), whole += turn.bounds(all).half_area();
+    }
+    EXPECT_LT(parts, 0.75 * whole);
+    EXPECT_GT(parts, 100 * 12) << "a ball's own box";
+}
+
+TEST(CellBoxes, PassOverWhatHasNoPlace) {
+    const Vec3f corners[] = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {std::numeric_limits<float>::quiet_NaN(), 0, 0}, {std::numeric_limits<float>::infinity(), 0, 0}};
+    const Index3 triangles[] = {{0, 1, 2}, {0, 1, 3}, {1, 2, 4}};
+    const std::vector<Bounds> cells = cell_boxes({corners, {}, triangles});
+    ASSERT_EQ(cells.size(), 1u);
+    EXPECT_EQ(cells[0].min, Vec3(0));
+    EXPECT_EQ(cells[0].max, Vec3(1, 1, 0));
+    EXPECT_TRUE(cell_boxes({corners, {}, {}}).empty());
+}
+
+TEST(CellBoxes, HaveTheCornersOfBothPrecisions) {
+    const Vec3f corners[] = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
+    const Vec3 exact[] = {{-1e-9, 0, 0}, {1, 0, 0}, {0, 1 + 1e-9, 0}};
+    const Index3 triangles[] = {{0, 1, 2}};
+    const std::vector<Bounds> cells = cell_boxes({corners, exact, triangles});
+    ASSERT_EQ(cells.size(), 1u);
+    EXPECT_EQ(cells[0].min, Vec3(-1e-9, 0, 0));
+    EXPECT_EQ(cells[0].max, Vec3(1, 1 + 1e-9, 0));
+}
+
+}  // namespace
+}  // namespace alidade::test
