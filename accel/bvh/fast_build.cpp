@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "accel/bvh/fast_build.h"
 
+#include "accel/bvh/presplit.h"
 #include "accel/leaf.h"
 #include "core/parallel.h"
 
@@ -147,8 +148,8 @@ template <class R> class Treelets {
 
 template <class R> class FastBuilder {
   public:
-    FastBuilder(LargeVector<BvhReference<R>> references, const BvhLimits& limits, std::vector<uint32_t>& order, BuildStats& stats)
-        : references_(std::move(references)), limits_(limits), order_(order), stats_(stats) {}
+    FastBuilder(LargeVector<BvhReference<R>> references, const BvhLimits& limits, std::vector<uint32_t>& order, BuildStats& stats, const TriangleSource<R>* triangles)
+        : references_(std::move(references)), limits_(limits), order_(order), stats_(stats), triangles_(triangles) {}
 
     LargeVector<BvhNode<R>> build() {
         if (references_.empty()) return {};
@@ -168,15 +169,27 @@ template <class R> class FastBuilder {
     }
 
   private:
-    void make_codes() {
-        std::vector<CentroidBounds<R>> parts((references_.size() + kRange - 1) / kRange);
+    struct Extent {
+        BoxEnds<R> box = BoxEnds<R>::none();
+        CentroidBounds<R> centroids;
+    };
+    Extent extent() const {
+        std::vector<Extent> parts((references_.size() + kRange - 1) / kRange);
         for_ranges(references_.size(), limits_.threads, [&](size_t first, size_t end) {
-            BoxEnds<R> box = BoxEnds<R>::none();
-            binning_passes<R>(limits_.isa).bound(std::span(references_).subspan(first, end - first), box, parts[first / kRange]);
+            Extent& part = parts[first / kRange];
+            binning_passes<R>(limits_.isa).bound(std::span(references_).subspan(first, end - first), part.box, part.centroids);
         });
-        CentroidBounds<R> all;
-        for (const auto& part : parts) all.extend(part);
-        const CentroidMap<R> map(all, kCells);
+        Extent all;
+        for (const Extent& part : parts) all.box.extend(part.box), all.centroids.extend(part.centroids);
+        return all;
+    }
+
+    void make_codes() {
+        Extent all = extent();
+        const size_t whole = references_.size();
+        if (triangles_) presplit(references_, all.box, *triangles_, limits_.growth, limits_.threads);
+        if (references_.size() > whole) all = extent();
+        const CentroidMap<R> map(all.centroids, kCells);
         codes_.resize(references_.size());
         for_ranges(references_.size(), limits_.threads, [&](size_t first, size_t end) {
             for (size_t i = first; i < end; ++i) codes_[i] = {morton_code(references_[i], map), uint32_t(i)};
@@ -231,9 +244,13 @@ template <class R> class FastBuilder {
 
     void make_leaf(BvhNode<R>& leaf, uint32_t depth) {
         const size_t place = (order_.size() + limits_.block - 1) / limits_.block * limits_.block;
-        order_.resize(place + leaf.count, kPadding);
+        order_.resize(place, kPadding);
         const uint32_t first = std::exchange(leaf.first, uint32_t(place));
-        for (uint32_t i = 0; i < leaf.count; ++i) order_[place + i] = references_[codes_[first + i].place].id();
+        for (uint32_t i = 0; i < leaf.count; ++i) {
+            const uint32_t id = references_[codes_[first + i].place].id();
+            if (std::find(order_.begin() + std::ptrdiff_t(place), order_.end(), id) == order_.end()) order_.push_back(id);   // two parts of one are one
+        }
+        leaf.count = uint32_t(order_.size() - place);
         ++stats_.leaves;
         stats_.depth = std::max(stats_.depth, size_t(depth));
     }
@@ -242,6 +259,7 @@ template <class R> class FastBuilder {
     BvhLimits limits_;
     std::vector<uint32_t>& order_;
     BuildStats& stats_;
+    const TriangleSource<R>* triangles_;
     LargeVector<Coded> codes_;
     std::vector<Treelets<R>> stretches_;
     std::vector<std::pair<uint32_t, uint32_t>> roots_;   ///< stretch, node
@@ -250,11 +268,11 @@ template <class R> class FastBuilder {
 
 }  // namespace
 
-template <class R> LargeVector<BvhNode<R>> build_bvh_fast(LargeVector<BvhReference<R>> references, const BvhLimits& limits, std::vector<uint32_t>& order, BuildStats& stats) {
-    return FastBuilder<R>(std::move(references), limits, order, stats).build();
+template <class R> LargeVector<BvhNode<R>> build_bvh_fast(LargeVector<BvhReference<R>> references, const BvhLimits& limits, std::vector<uint32_t>& order, BuildStats& stats, const TriangleSource<R>* triangles) {
+    return FastBuilder<R>(std::move(references), limits, order, stats, triangles).build();
 }
 
-template LargeVector<BvhNode<float>> build_bvh_fast(LargeVector<BvhReference<float>>, const BvhLimits&, std::vector<uint32_t>&, BuildStats&);
-template LargeVector<BvhNode<double>> build_bvh_fast(LargeVector<BvhReference<double>>, const BvhLimits&, std::vector<uint32_t>&, BuildStats&);
+template LargeVector<BvhNode<float>> build_bvh_fast(LargeVector<BvhReference<float>>, const BvhLimits&, std::vector<uint32_t>&, BuildStats&, const TriangleSource<float>*);
+template LargeVector<BvhNode<double>> build_bvh_fast(LargeVector<BvhReference<double>>, const BvhLimits&, std::vector<uint32_t>&, BuildStats&, const TriangleSource<double>*);
 
 }  // namespace alidade

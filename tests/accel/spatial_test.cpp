@@ -150,39 +150,95 @@ struct SplitTree {
     BuildStats stats;
 };
 
-template <class R> LargeVector<BvhNode<R>> split_tree(const Mesh& mesh, const BvhLimits& limits, SplitTree& tree) {
+template <class R> LargeVector<BvhNode<R>> split_tree(const Mesh& mesh, const BvhLimits& limits, SplitTree& tree, BvhBuilder builder = BvhBuilder::sah) {
     const TriangleSource<R> source(mesh.view());
     LargeVector<BvhReference<R>> references;
     for (uint32_t id = 0; id < source.size(); ++id) {
         const Bounds box = source.bounds(id);
         references.emplace_back(BoundsT<R>{Vec3T<R>(box.min), Vec3T<R>(box.max)}, id);
     }
-    return build_bvh<R>(std::move(references), limits, tree.order, tree.stats, &source);
+    return builder == BvhBuilder::fast ? build_bvh_fast<R>(std::move(references), limits, tree.order, tree.stats, &source) : build_bvh<R>(std::move(references), limits, tree.order, tree.stats, &source);
 }
 
-/// Each point of each triangle is in a leaf that names the triangle; no leaf names one twice; the budget is kept.
+template <class R> Mesh read_as(const Mesh& mesh) { return mesh.read_at(std::is_same_v<R, float> ? Precision::float_ : Precision::double_); }
+
+/// No leaf names a triangle twice, and the budget is kept.
+template <class R> void expect_tree_holds(const Mesh& mesh, const LargeVector<BvhNode<R>>& nodes, const SplitTree& tree, double growth) {
+    const size_t references = tree.order.size() - size_t(std::count(tree.order.begin(), tree.order.end(), kPadding));
+    EXPECT_GT(references, mesh.triangles.size()) << mesh.name;
+    EXPECT_LE(double(references), (1 + growth) * double(mesh.triangles.size())) << mesh.name;
+    std::vector<std::vector<BoxEnds<R>>> boxes(mesh.triangles.size());
+    for (const BvhNode<R>& node : nodes) {
+        const auto begin = tree.order.begin() + (node.leaf() ? node.first : 0);
+        EXPECT_EQ(std::set<uint32_t>(begin, begin + node.count).size(), node.count);
+        for (uint32_t i = 0; i < node.count; ++i) boxes[begin[i]].push_back(BvhReference<R>(node.box, 0));
+    }
+    for (size_t id = 0; id < boxes.size(); ++id) {
+        const Corners corners{mesh.corner(id, 0), mesh.corner(id, 1), mesh.corner(id, 2)};
+        for (const RationalVec& p : points_of(corners, 7))
+            ASSERT_TRUE(std::any_of(boxes[id].begin(), boxes[id].end(), [&](const auto& box) { return holds(box, p); })) << mesh.name << ", triangle " << id;
+    }
+}
+
+/// Each point of each triangle is in a leaf that names the triangle.
 TYPED_TEST(Spatial, LeavesHoldEveryPointOfEveryTriangle) {
     using R = TypeParam;
     for (const Mesh& source : {battens(150), turned(moved(geodesic_sphere(5), Vec3(1e2, 1, 1), Vec3(0), ""), "needle askew"), moved(battens(100), Vec3(1e2), Vec3(1e5), "far battens")}) {
-        const Mesh mesh = source.read_at(std::is_same_v<R, float> ? Precision::float_ : Precision::double_);
+        const Mesh mesh = read_as<R>(source);
         for (const double growth : {0.2, 0.75, 3.0}) {
             SplitTree tree;
             const auto nodes = split_tree<R>(mesh, {kLanes, kLanes, Isa::best, growth}, tree);
             EXPECT_GT(tree.stats.splits, 0u) << source.name;
-            const size_t references = tree.order.size() - size_t(std::count(tree.order.begin(), tree.order.end(), kPadding));
-            EXPECT_GT(references, mesh.triangles.size()) << source.name;
-            EXPECT_LE(double(references), (1 + growth) * double(mesh.triangles.size())) << source.name;
-            std::vector<std::vector<BoxEnds<R>>> boxes(mesh.triangles.size());
-            for (const BvhNode<R>& node : nodes) {
-                const auto begin = tree.order.begin() + (node.leaf() ? node.first : 0);
-                EXPECT_EQ(std::set<uint32_t>(begin, begin + node.count).size(), node.count);
-                for (uint32_t i = 0; i < node.count; ++i) boxes[begin[i]].push_back(BvhReference<R>(node.box, 0));
-            }
-            for (size_t id = 0; id < boxes.size(); ++id) {
-                const Corners corners{mesh.corner(id, 0), mesh.corner(id, 1), mesh.corner(id, 2)};
-                for (const RationalVec& p : points_of(corners, 7))
-                    ASSERT_TRUE(std::any_of(boxes[id].begin(), boxes[id].end(), [&](const auto& box) { return holds(box, p); })) << source.name << ", triangle " << id;
-            }
+            expect_tree_holds<R>(mesh, nodes, tree, growth);
+        }
+    }
+}
+
+/// Small triangles, and `large` among them that reach far.
+Mesh unlike(int large, const Vec3& scale, const Vec3& offset) {
+    Mesh mesh = soup(4000, 0.01, 3);
+    Draws draws(RandomKey(5, 0, 0, 0));
+    for (int i = 0; i < large; ++i) {
+        const auto first = uint32_t(mesh.vertices.size());
+        for (int k = 0; k < 3; ++k) mesh.vertices.push_back(draws.in_box(Vec3(-1), Vec3(1)));
+        mesh.triangles.push_back({first, first + 1, first + 2});
+    }
+    return moved(mesh, scale, offset, "unlike");
+}
+
+TYPED_TEST(Spatial, WhatIsCutBeforeAFastBuildIsHeldToo) {
+    using R = TypeParam;
+    for (const Mesh& source : {unlike(60, Vec3(1), Vec3(0)), unlike(300, Vec3(1e-30), Vec3(0)), unlike(60, Vec3(1), Vec3(1e5)), unlike(20, Vec3(1e25, 1e22, 1), Vec3(0))}) {
+        const Mesh mesh = read_as<R>(source);
+        for (const double growth : {0.1, 0.75, 3.0}) {
+            SplitTree tree, threads;
+            const auto nodes = split_tree<R>(mesh, {kLanes, kLanes, Isa::best, growth}, tree, BvhBuilder::fast);
+            expect_tree_holds<R>(mesh, nodes, tree, growth);
+            split_tree<R>(mesh, {kLanes, kLanes, Isa::scalar, growth, 3}, threads, BvhBuilder::fast);
+            EXPECT_EQ(tree.order, threads.order);
+        }
+    }
+    for (const Mesh& source : {soup(4000, 0.01, 3), geodesic_sphere(30), torus(80, 40)}) {
+        SplitTree tree;
+        split_tree<R>(read_as<R>(source), {kLanes, kLanes, Isa::best, 1}, tree, BvhBuilder::fast);
+        EXPECT_EQ(tree.order.size() - size_t(std::count(tree.order.begin(), tree.order.end(), kPadding)), source.triangles.size()) << "nothing is cut where sizes are alike";
+    }
+}
+
+/// Rays of a tree that is built fast find no other hits for the cuts, and need fewer tests.
+TEST(Presplit, RaysMeetTheSameTriangles) {
+    const Mesh mesh = unlike(60, Vec3(1), Vec3(0)).read_at(Precision::float_);
+    const auto fast = build(*find_accelerator("hlbvh"), mesh, {}), brute = build(*find_accelerator("brute"), mesh, {});
+    WorkCounters with, unused;
+    for (const RayClass& rays : ray_classes()) {
+        for (uint64_t n = 0; n < run_size(300, 10000); ++n) {
+            const Ray ray = rays.make(mesh, RandomKey(52, 0, n, 0));
+            Hit a, b;
+            ASSERT_EQ(fast->intersect(ray, a, with), brute->intersect(ray, b, unused)) << rays.name << " " << n;
+            ASSERT_TRUE(a.t == b.t && a.primitive == b.primitive) << rays.name << " " << n;
+            std::vector<Hit> all, wanted;
+            fast->all_hits(ray, all, with), brute->all_hits(ray, wanted, unused);
+            ASSERT_EQ(all.size(), wanted.size()) << "each once: " << rays.name << " " << n;
         }
     }
 }
