@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "accel/cell_boxes.h"
 
+#include "core/error_bound.h"
+
 #include <algorithm>
 
 namespace alidade {
@@ -23,28 +25,38 @@ int cell_along(double at, double from, double size) { return size > 0 ? int(std:
 
 }  // namespace
 
-std::vector<Bounds> cell_boxes(const TriangleView& mesh) {
+CellBoxes::CellBoxes(const TriangleView& mesh) {
     Bounds all;
     for (const Index3& triangle : mesh.triangles) all.extend(triangle_box(mesh, triangle));
+    if (all.empty()) return;
     const Vec3 size = all.extent();
-    std::vector<Bounds> cells(kCells * kCells * kCells);
+    reach_ = glm::max(glm::abs(all.min), glm::abs(all.max));
+    std::vector<Bounds> boxes(kCells * kCells * kCells);
     for (const Index3& triangle : mesh.triangles) {
         const Bounds box = triangle_box(mesh, triangle);
         if (box.empty()) continue;
         const Vec3 middle = box.center();
         size_t cell = 0;
         for (int k = 0; k < 3; ++k) cell = cell * kCells + size_t(cell_along(middle[k], all.min[k], size[k]));
-        cells[cell].extend(box);
+        boxes[cell].extend(box);
     }
-    std::erase_if(cells, [](const Bounds& box) { return box.empty(); });
-    return cells;
+    for (const Bounds& box : boxes)
+        if (!box.empty()) cells_.push_back({box.center(), box.max * 0.5 - box.min * 0.5});
 }
 
-Bounds placed_bounds(const Transform& to_world, const Bounds& bounds, std::span<const Bounds> cells) {
+Bounds CellBoxes::placed(const Transform& to_world, const Bounds& bounds) const {
     const Bounds whole = to_world.bounds(bounds);
+    if (cells_.empty() || !whole.finite()) return whole;
+    const auto& linear = to_world.linear;
+    const Vec3 x = glm::abs(linear[0]), y = glm::abs(linear[1]), z = glm::abs(linear[2]);
     Bounds parts;
-    for (const Bounds& cell : cells) parts.extend(to_world.bounds(cell));
-    return cells.empty() ? whole : intersection(whole, parts);
+    for (const Cell& cell : cells_) {
+        const Vec3 middle = to_world.point(cell.middle), half = x * cell.half.x + y * cell.half.y + z * cell.half.z;
+        parts.extend({middle - half, middle + half});
+    }
+    // Three roundings of a cell, twelve of a side: of numbers that are no larger than these.
+    const Vec3 pad = gamma_bound(16) * (glm::abs(to_world.translation) + x * reach_.x + y * reach_.y + z * reach_.z) + Vec3(0x1p-1070);
+    return intersection(whole, Bounds{parts.min - pad, parts.max + pad});
 }
 
 }  // namespace alidade

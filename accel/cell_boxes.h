@@ -8,9 +8,22 @@ namespace alidade {
 
 /// Boxes that hold the triangles of a mesh, by the cell of a 4 x 4 x 4 grid that a triangle's middle is in. The box of a turned box has room for what is not
 /// there: in a forest of turned trees, the boxes of the turned cells make top nodes that one ray in ten need not enter.
-std::vector<Bounds> cell_boxes(const TriangleView& mesh);
+class CellBoxes {
+  public:
+    CellBoxes() = default;
+    explicit CellBoxes(const TriangleView& mesh);
 
-/// The box of a mesh that is placed: its box and its cells', each as it is moved, hold it.
-Bounds placed_bounds(const Transform& to_world, const Bounds& bounds, std::span<const Bounds> cells);
+    /// Of a mesh with `bounds` that is placed: its box and its cells', each as it is moved, hold it.
+    Bounds placed(const Transform& to_world, const Bounds& bounds) const;
+
+    struct Cell {
+        Vec3 middle{0}, half{0};   ///< rounded to nearest: placed() pads
+    };
+    std::span<const Cell> cells() const { return cells_; }
+
+  private:
+    std::vector<Cell> cells_;   ///< without any, the box of the whole is taken
+    Vec3 reach_{0};             ///< the largest coordinates in them, without their signs
+};
 
 }  // namespace alidade

@@ -9,12 +9,12 @@
 namespace alidade {
 
 StressInstances::StressInstances(std::vector<const Accelerator*> meshes, const StressScene& scene) : meshes_(std::move(meshes)) {
-    std::vector<std::vector<Bounds>> cells;
-    for (const StressMesh& mesh : scene.meshes) cells.push_back(cell_boxes(mesh.view()));
+    std::vector<CellBoxes> cells;
+    for (const StressMesh& mesh : scene.meshes) cells.emplace_back(mesh.view());
     places_.reserve(scene.places.size());
     for (const StressPlace& place : scene.places) {
         const auto back = inverse(place.to_world);
-        places_.push_back({back.value_or(Transform()), back ? placed_bounds(place.to_world, meshes_[place.mesh]->bounds(), cells[place.mesh]) : Bounds(), place.mesh});
+        places_.push_back({back.value_or(Transform()), back ? cells[place.mesh].placed(place.to_world, meshes_[place.mesh]->bounds()) : Bounds(), place.mesh});
     }
 }
 

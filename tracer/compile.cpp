@@ -234,12 +234,12 @@ void build_solids(CompiledScene& out, std::vector<CsgExpression> solids) {
 void place_bounds(CompiledScene& out, int threads) {
     std::vector<uint32_t> shown(out.geometries.size(), 0);
     for (const Instance& instance : out.instances) shown[instance.geometry] += !instance.in_place;
-    std::vector<std::vector<Bounds>> cells(out.geometries.size());
+    std::vector<CellBoxes> cells(out.geometries.size());
     parallel_for(out.geometries.size(), threads, [&](size_t i) {
         const Mesh* mesh = out.geometries[i].mesh;
-        if (mesh && shown[i] > 1) cells[i] = cell_boxes({mesh->positions, mesh->exact_positions, mesh->triangles});
+        if (mesh && shown[i] > 1) cells[i] = CellBoxes({mesh->positions, mesh->exact_positions, mesh->triangles});
     });
-    for (Instance& instance : out.instances) instance.bounds = placed_bounds(instance.to_world, out.geometries[instance.geometry].bounds, cells[instance.geometry]);
+    for (Instance& instance : out.instances) instance.bounds = cells[instance.geometry].placed(instance.to_world, out.geometries[instance.geometry].bounds);
 }
 
 /// Meshes get their accelerators, in parallel, large ones each on several threads; only those that an instance shows. Lazy ones get them when a ray comes near.

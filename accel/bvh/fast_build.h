@@ -9,7 +9,7 @@ namespace alidade {
 /// As build_bvh; if the references are of `triangles`, large ones are cut before (bvh/presplit.h). The order does not depend on the number of threads.
 ///
 /// Method   references are sorted along a Morton curve through their centroids; cells of the curve with few references become subtrees, divided by the bits of the codes
-///          (what fits into two leaves, where they are smallest), and binned SAH makes the tree above those: after Pantaleoni and Luebke, "HLBVH: Hierarchical LBVH Construction for Real-Time Ray Tracing", 2010.
+///          (the last few leaves, where areas times blocks are least), and binned SAH makes the tree above those: after Pantaleoni and Luebke, "HLBVH: Hierarchical LBVH Construction for Real-Time Ray Tracing", 2010.
 template <class R> LargeVector<BvhNode<R>> build_bvh_fast(LargeVector<BvhReference<R>> references, const BvhLimits& limits, std::vector<uint32_t>& order, BuildStats& stats, const TriangleSource<R>* triangles = nullptr);
 
 extern template LargeVector<BvhNode<float>> build_bvh_fast(LargeVector<BvhReference<float>>, const BvhLimits&, std::vector<uint32_t>&, BuildStats&, const TriangleSource<float>*);

@@ -21,11 +21,11 @@ Transform anywhere(Draws& draws) {
 void expect_holds(const TriangleView& view, Draws& draws, const std::string& name) {
     Bounds all;
     for (const Vec3f& p : view.positions) all.extend(Vec3(p));
-    const std::vector<Bounds> cells = cell_boxes(view);
-    ASSERT_LE(cells.size(), 64u) << name;
+    const CellBoxes cells(view);
+    ASSERT_LE(cells.cells().size(), 64u) << name;
     for (int i = 0; i < 20; ++i) {
         const Transform to_world = anywhere(draws);
-        const Bounds placed = placed_bounds(to_world, all, cells), whole = to_world.bounds(all);
+        const Bounds placed = cells.placed(to_world, all), whole = to_world.bounds(all);
         for (const Index3& triangle : view.triangles)
             for (int k = 0; k < 3; ++k) ASSERT_TRUE(placed.contains(to_world.point(Vec3(view.positions[triangle[k]])))) << name;
         ASSERT_TRUE(whole.contains(placed.min) && whole.contains(placed.max)) << name;
@@ -41,13 +41,13 @@ TEST(CellBoxes, AreSmallAroundATurnedBall) {
     const Mesh ball = geodesic_sphere(20);
     Draws draws(RandomKey(82, 0, 0, 0));
     double parts = 0, whole = 0;
-    const std::vector<Bounds> cells = cell_boxes({ball.positions, {}, ball.triangles});
+    const CellBoxes cells({ball.positions, {}, ball.triangles});
     const Bounds all{Vec3(-1), Vec3(1)};
     for (int i = 0; i < 100; ++i) {
         Transform turn;
         orthonormal_basis(normalized(Vec3(draws.uniform(-1, 1), draws.uniform(-1, 1), draws.uniform(-1, 1))), turn.linear[0], turn.linear[1]);
         turn.linear[2] = cross(turn.linear[0], turn.linear[1]);
-        parts += placed_bounds(turn, all, cells).half_area(), whole += turn.bounds(all).half_area();
+        parts += cells.placed(turn, all).half_area(), whole += turn.bounds(all).half_area();
     }
     EXPECT_LT(parts, 0.75 * whole);
     EXPECT_GT(parts, 100 * 12) << "a ball's own box";
@@ -56,21 +56,25 @@ TEST(CellBoxes, AreSmallAroundATurnedBall) {
 TEST(CellBoxes, PassOverWhatHasNoPlace) {
     const Vec3f corners[] = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {std::numeric_limits<float>::quiet_NaN(), 0, 0}, {std::numeric_limits<float>::infinity(), 0, 0}};
     const Index3 triangles[] = {{0, 1, 2}, {0, 1, 3}, {1, 2, 4}};
-    const std::vector<Bounds> cells = cell_boxes({corners, {}, triangles});
-    ASSERT_EQ(cells.size(), 1u);
-    EXPECT_EQ(cells[0].min, Vec3(0));
-    EXPECT_EQ(cells[0].max, Vec3(1, 1, 0));
-    EXPECT_TRUE(cell_boxes({corners, {}, {}}).empty());
+    const CellBoxes boxes({corners, {}, triangles});
+    ASSERT_EQ(boxes.cells().size(), 1u);
+    EXPECT_EQ(boxes.cells()[0].middle, Vec3(0.5, 0.5, 0));
+    EXPECT_EQ(boxes.cells()[0].half, Vec3(0.5, 0.5, 0));
+    const Bounds all{Vec3(-1), Vec3(2)};
+    EXPECT_TRUE(CellBoxes({corners, {}, {}}).cells().empty());
+    EXPECT_EQ(CellBoxes({corners, {}, {}}).placed(Transform(), all).min, Transform().bounds(all).min) << "nothing is known of it";
+    const Bounds endless{Vec3(-kInf), Vec3(kInf)};
+    EXPECT_EQ(boxes.placed(Transform(), endless).max, Vec3(kInf));
 }
 
 TEST(CellBoxes, HaveTheCornersOfBothPrecisions) {
     const Vec3f corners[] = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
     const Vec3 exact[] = {{-1e-9, 0, 0}, {1, 0, 0}, {0, 1 + 1e-9, 0}};
     const Index3 triangles[] = {{0, 1, 2}};
-    const std::vector<Bounds> cells = cell_boxes({corners, exact, triangles});
-    ASSERT_EQ(cells.size(), 1u);
-    EXPECT_EQ(cells[0].min, Vec3(-1e-9, 0, 0));
-    EXPECT_EQ(cells[0].max, Vec3(1, 1 + 1e-9, 0));
+    const Bounds placed = CellBoxes({corners, exact, triangles}).placed(Transform(), {Vec3(-1), Vec3(2)});
+    EXPECT_LE(placed.min.x, -1e-9);
+    EXPECT_GE(placed.max.y, 1 + 1e-9);
+    EXPECT_LT(placed.max.y, 1 + 2e-9);
 }
 
 }  // namespace

@@ -101,9 +101,10 @@ TEST(FastTree, RaysTakeLittleMoreThanInTheBestTree) {
             }
             ++i;
         }
-        const double ratio = double(work[1].boxes + work[1].filtered) / double(work[0].boxes + work[0].filtered);
-        fmt::print("{}: {:.3f} of the tests\n", mesh.name, ratio);
-        EXPECT_LE(ratio, 1.1) << mesh.name;
+        const double boxes = double(work[1].boxes) / double(work[0].boxes), filtered = double(work[1].filtered) / double(work[0].filtered);
+        fmt::print("{}: {:.3f} of the boxes, {:.3f} of the triangles\n", mesh.name, boxes, filtered);
+        EXPECT_LE(boxes, 1.1) << mesh.name;
+        EXPECT_LE(filtered, 1.4) << mesh.name << ": leaves are fuller, and eight triangles are tested at once";
     }
 }
 
