@@ -19,6 +19,19 @@ template <class Body> void for_ranges(size_t count, int threads, const Body& bod
     parallel_for((count + kRange - 1) / kRange, threads, [&](size_t i) { body(i * kRange, (i + 1) * kRange < count ? (i + 1) * kRange : count); });
 }
 
+/// Work that makes more work.
+class Tasks {
+  public:
+    /// Calls task() once, on any of the threads, sooner or later.
+    virtual void run(std::function<void()> task) = 0;
+
+  protected:
+    ~Tasks() = default;
+};
+
+/// Calls body(tasks), and waits for all that it and its tasks ask to be run, on at most `threads` threads (0: as many as the machine has). An exception ends the work, and is thrown again here.
+void with_tasks(int threads, const std::function<void(Tasks&)>& body);
+
 /// What `threads` = 0 means on this machine.
 int hardware_threads();
 

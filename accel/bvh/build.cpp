@@ -4,6 +4,8 @@
 #include "accel/bvh/divide.h"
 #include "accel/leaf.h"
 
+#include <mutex>
+
 namespace alidade {
 
 namespace {
@@ -76,8 +78,8 @@ template <class R> class Subtree {
     LargeVector<BvhNode<R>> nodes_;
 };
 
-/// On many threads large nodes are divided one after the other, with all threads in each pass, and what is below them is a subtree for each thread. The parts
-/// are put together in the order in which one thread would have made them.
+/// On many threads each child of a large node is a task, and so is each subtree below; nodes with more than a thread's share of the references are divided with all threads in each pass.
+/// The parts are put together in the order in which one thread would have made them.
 template <class R> class Builder {
   public:
     Builder(LargeVector<BvhReference<R>> references, const BvhLimits& limits, std::vector<uint32_t>& order, BuildStats& stats, const TriangleSource<R>* triangles)
@@ -91,16 +93,16 @@ template <class R> class Builder {
         const Part<R> all = whole();
         BvhTask<R> root{0, 0, count, count + growth, growth, references_.data(), spare_.get(), all.centroids, {}};
         subtree_size_ = std::max(kLeastSubtree, count / kSubtrees);
+        share_ = count / uint32_t(limits_.threads > 0 ? limits_.threads : hardware_threads());
         if (limits_.threads == 1 || count <= subtree_size_) {
             nodes_ = Subtree<R>(limits_, triangles_, order_, stats_).build(std::move(root), all.box.box());
         } else {
-            divide_top(std::move(root), all.box.box());
-            build_subtrees();
+            top_.emplace_back().box = all.box.box();
+            with_tasks(limits_.threads, [&](Tasks& tasks) { grow(std::move(root), tasks); });
             references_ = {}, spare_.reset();
             join();
         }
-        nodes_.shrink_to_fit();
-        add_nodes(nodes_, stats_);
+        stats_.nodes = nodes_.size();
         return std::move(nodes_);
     }
 
@@ -109,10 +111,8 @@ template <class R> class Builder {
     static constexpr uint32_t kSubtrees = 64, kLeastSubtree = 4096;
 
     struct Below {
-        BvhTask<R> task;
         LargeVector<BvhNode<R>> nodes;
         std::vector<uint32_t> order;
-        BuildStats stats;
         size_t node = 0, rest = 0, place = 0;   ///< where the node, what is below it, and its references go
     };
 
@@ -129,38 +129,41 @@ template <class R> class Builder {
         return all;
     }
 
-    /// top_ gets the large nodes and their children; `first` of those that are not divided further is a number in below_.
-    void divide_top(BvhTask<R> root, const BoundsT<R>& box) {
-        Divider<R> divider(limits_, triangles_, limits_.threads, stats_);
-        top_.emplace_back().box = box;
-        std::vector<BvhTask<R>> tasks{std::move(root)};
-        while (!tasks.empty()) {
-            BvhTask<R>& task = tasks.back();
+    /// All below a node of top_. `first` of those that are not divided further is a number in below_.
+    void grow(BvhTask<R> task, Tasks& tasks) {
+        BuildStats stats;
+        while (task.count > subtree_size_) {
+            Divider<R> divider(limits_, triangles_, task.count > share_ ? limits_.threads : 1, stats);
             Part<R> left, right;
-            const Divided to = task.count > subtree_size_ ? divider.divide(task, top_[task.node].box, left, right) : Divided();
-            if (!to) {
-                top_[task.node].first = uint32_t(below_.size()), top_[task.node].count = task.count;
-                below_.emplace_back().task = std::move(task);
-                tasks.pop_back();
-                continue;
-            }
-            const auto child = top_[task.node].first = uint32_t(top_.size());
-            top_.emplace_back().box = left.box.box(), top_.emplace_back().box = right.box.box();
-            replace_by_children(tasks, to, left, right, child, true);
+            const Divided to = divider.divide(task, box_of(task.node), left, right);
+            if (!to) break;
+            const uint32_t child = add_children(task.node, left.box.box(), right.box.box());
+            std::vector<BvhTask<R>> both;
+            both.push_back(std::move(task));
+            replace_by_children(both, to, left, right, child, true);
+            tasks.run([this, right_one = std::move(both[0]), &tasks] { grow(right_one, tasks); });
+            task = std::move(both[1]);
         }
+        Below below;
+        const uint32_t node = task.node, count = task.count;
+        below.nodes = Subtree<R>(limits_, triangles_, below.order, stats).build(std::move(task), box_of(node));
+        const std::scoped_lock lock(mutex_);
+        top_[node].first = uint32_t(below_.size()), top_[node].count = count;
+        below_.push_back(std::move(below));
+        stats_.leaves += stats.leaves, stats_.splits += stats.splits, stats_.split_candidates += stats.split_candidates;
+        stats_.depth = std::max(stats_.depth, stats.depth);
     }
 
-    void build_subtrees() {
-        parallel_for(below_.size(), limits_.threads, [&](size_t i) {
-            Below& below = below_[i];
-            const BoundsT<R> box = top_[below.task.node].box;
-            below.nodes = Subtree<R>(limits_, triangles_, below.order, below.stats).build(std::move(below.task), box);
-            below.nodes.shrink_to_fit();
-        });
-        for (const Below& below : below_) {
-            stats_.leaves += below.stats.leaves, stats_.splits += below.stats.splits, stats_.split_candidates += below.stats.split_candidates;
-            stats_.depth = std::max(stats_.depth, below.stats.depth);
-        }
+    BoundsT<R> box_of(uint32_t node) {
+        const std::scoped_lock lock(mutex_);
+        return top_[node].box;
+    }
+
+    uint32_t add_children(uint32_t node, const BoundsT<R>& left, const BoundsT<R>& right) {
+        const std::scoped_lock lock(mutex_);
+        const auto child = top_[node].first = uint32_t(top_.size());
+        top_.emplace_back().box = left, top_.emplace_back().box = right;
+        return child;
     }
 
     void join() {
@@ -201,9 +204,10 @@ template <class R> class Builder {
     const TriangleSource<R>* triangles_;
     std::vector<uint32_t>& order_;
     BuildStats& stats_;
-    uint32_t subtree_size_ = 0;
+    uint32_t subtree_size_ = 0, share_ = 0;
     LargeVector<BvhNode<R>> nodes_;
     std::shared_ptr<BvhReference<R>[]> spare_;
+    std::mutex mutex_;   ///< of what follows
     std::vector<BvhNode<R>> top_;
     std::vector<Below> below_;
 };

@@ -45,13 +45,6 @@ template <class R>
 LargeVector<BvhNode<R>> build_bvh(LargeVector<BvhReference<R>> references, const BvhLimits& limits, std::vector<uint32_t>& order, BuildStats& stats,
                                   const TriangleSource<R>* triangles = nullptr);
 
-/// Adds the number of nodes and the surface area heuristic's cost.
-template <class R> void add_nodes(const LargeVector<BvhNode<R>>& nodes, BuildStats& stats) {
-    stats.nodes = nodes.size();
-    const double root = area(nodes[0].box);
-    for (const auto& node : nodes) stats.sah_cost += (root > 0 ? area(node.box) / root : 1) * (node.leaf() ? double(node.count) : 2.0);
-}
-
 extern template LargeVector<BvhNode<float>> build_bvh(LargeVector<BvhReference<float>>, const BvhLimits&, std::vector<uint32_t>&, BuildStats&, const TriangleSource<float>*);
 extern template LargeVector<BvhNode<double>> build_bvh(LargeVector<BvhReference<double>>, const BvhLimits&, std::vector<uint32_t>&, BuildStats&, const TriangleSource<double>*);
 

@@ -166,7 +166,7 @@ template <class R> class FastBuilder {
         BuildStats ignored;
         const auto top = build_bvh(std::move(roots), above, places, ignored);
         join(top, places);
-        add_nodes(nodes_, stats_);
+        stats_.nodes = nodes_.size();
         return std::move(nodes_);
     }
 

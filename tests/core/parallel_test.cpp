@@ -57,5 +57,34 @@ TEST(ParallelFor, LoopsNest) {
     EXPECT_GE(hardware_threads(), 1);
 }
 
+/// Each task makes two until there are many: all are run before with_tasks() ends, on any number of threads.
+TEST(Tasks, AllAreRunOnce) {
+    for (const int threads : {0, 1, 2, 3, 16}) {
+        std::vector<std::atomic<int>> calls(1024);
+        const std::function<void(Tasks&, size_t)> grow = [&](Tasks& tasks, size_t i) {
+            ++calls[i];
+            for (const size_t child : {2 * i, 2 * i + 1})
+                if (child < calls.size()) tasks.run([&grow, &tasks, child] { grow(tasks, child); });
+        };
+        with_tasks(threads, [&](Tasks& tasks) { grow(tasks, 1); });
+        for (size_t i = 1; i < calls.size(); ++i) ASSERT_EQ(calls[i], 1) << i << " of " << threads;
+    }
+}
+
+TEST(Tasks, ExceptionsAreThrownAgain) {
+    for (const int threads : {1, 4})
+        EXPECT_THROW(with_tasks(threads, [](Tasks& tasks) {
+            for (int i = 0; i < 100; ++i) tasks.run([i] { if (i == 50) throw std::length_error("full"); });
+        }), std::length_error);
+}
+
+TEST(Tasks, MayUseLoops) {
+    std::atomic<int> sum{0};
+    with_tasks(3, [&](Tasks& tasks) {
+        for (int i = 0; i < 10; ++i) tasks.run([&] { parallel_for(100, 3, [&](size_t j) { sum += int(j); }); });
+    });
+    EXPECT_EQ(sum, 10 * 4950);
+}
+
 }  // namespace
 }  // namespace alidade
