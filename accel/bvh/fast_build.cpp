@@ -72,7 +72,9 @@ void sort_codes(LargeVector<Coded>& codes, int threads) {
 /// Subtrees of one stretch of the curve.
 template <class R> class Treelets {
   public:
-    Treelets(const LargeVector<BvhReference<R>>& references, LargeVector<Coded>& codes, const BvhLimits& limits) : references_(references), codes_(codes), limits_(limits) {}
+    Treelets(const LargeVector<BvhReference<R>>& references, LargeVector<Coded>& codes, const BvhLimits& limits) : references_(references), codes_(codes), limits_(limits) {
+        for (uint32_t i = 0; i <= kSwept; ++i) blocks_[i] = double((i + limits.max_leaf - 1) / limits.max_leaf);
+    }
 
     /// Of the references from `first` on, whose codes differ in no bit above `bit`.
     void add(uint32_t first, uint32_t end, int bit) {
@@ -109,18 +111,20 @@ template <class R> class Treelets {
 
     /// Where on the curve a few leaves are divided at the least cost: areas times started blocks.
     uint32_t swept(uint32_t first, uint32_t end) const {
-        const uint32_t count = end - first, least = (count + 3) / 4;   // of one side, so that paths are short
-        const auto blocks = [&](uint32_t n) { return double((n + limits_.max_leaf - 1) / limits_.max_leaf); };
+        const uint32_t count = end - first, least = (count + 3) / 4, most = count - least;   // on one side, so that paths are short
         std::array<double, kSwept> above;
         BoxEnds<R> box = BoxEnds<R>::none();
-        for (uint32_t i = count; i-- > 1;) box.extend(references_[codes_[first + i].place]), above[i] = box.half_area() * blocks(count - i);
+        for (uint32_t i = count; i-- > least;) {
+            box.extend(references_[codes_[first + i].place]);
+            if (i <= most) above[i] = box.half_area() * blocks_[count - i];
+        }
         box = BoxEnds<R>::none();
         uint32_t best = least;
         double best_cost = kInf;
-        for (uint32_t i = 1; i < count; ++i) {
+        for (uint32_t i = 1; i <= most; ++i) {
             box.extend(references_[codes_[first + i - 1].place]);
-            const double cost = box.half_area() * blocks(i) + above[i];
-            if (i >= least && i <= count - least && cost < best_cost) best = i, best_cost = cost;
+            if (i < least) continue;
+            if (const double cost = box.half_area() * blocks_[i] + above[i]; cost < best_cost) best = i, best_cost = cost;
         }
         return first + best;
     }
@@ -146,6 +150,7 @@ template <class R> class Treelets {
     const LargeVector<BvhReference<R>>& references_;
     LargeVector<Coded>& codes_;
     BvhLimits limits_;
+    std::array<double, kSwept + 1> blocks_;   ///< that so many references start
 };
 
 template <class R> class FastBuilder {
