@@ -10,13 +10,21 @@ namespace {
 
 constexpr int kCells = 4;   // along each axis
 
-/// With both kinds of its corners, so that the cells are those of every precision. Empty where one is not finite: such a triangle cannot be hit.
+/// No structure keeps what reaches farther.
+constexpr double kFarthest = 0x1p480;
+
+/// With both kinds of its corners, so that the cells are those of every precision. Empty if it is one of those that every structure removes.
 Bounds triangle_box(const TriangleView& mesh, const Index3& triangle) {
+    const bool exact = mesh.exact_positions.size() == mesh.positions.size();
     Bounds box;
     for (int k = 0; k < 3; ++k) {
-        const Vec3 corner(mesh.positions[triangle[k]]), exact = mesh.exact_positions.empty() ? corner : mesh.exact_positions[triangle[k]];
-        if (!is_finite(corner) || !is_finite(exact)) return {};
-        box.extend(corner), box.extend(exact);
+        const uint32_t vertex = triangle[k];
+        if (vertex >= mesh.positions.size()) return {};
+        for (const Vec3& corner : {Vec3(mesh.positions[vertex]), exact ? mesh.exact_positions[vertex] : Vec3(mesh.positions[vertex])}) {
+            const Vec3 far = glm::abs(corner);
+            if (!(far.x <= kFarthest && far.y <= kFarthest && far.z <= kFarthest)) return {};
+            box.extend(corner);
+        }
     }
     return box;
 }

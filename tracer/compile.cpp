@@ -149,7 +149,7 @@ class Placer : private CsgParts {
             const auto carried = carried_material(out_.scene, visit.path, slot);
             SlotMaterial material = materials_.slot(carried ? std::optional(carried->material) : std::nullopt, interior, hollow);
             if (carried) material.space = materials_.space(*carried, visit.path);
-            instance.usual_material = !carried || out_.scene.nodes[visit.path[carried->carrier].index].usual_material;
+            instance.usual_material = (slot == 0 || instance.usual_material) && (!carried || out_.scene.nodes[visit.path[carried->carrier].index].usual_material);
             out_.slots.push_back(material);
         }
         out_.instances.push_back(instance);

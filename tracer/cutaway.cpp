@@ -40,7 +40,7 @@ class Finder {
         asked = asked || e.cutaway_textures;
         for (size_t i = 0; i < e.parts.size(); ++i) {
             const CsgExpression& part = e.parts[i];
-            if (!is_instance(part)) look(part, inverted != part.inverse != (e.op == CsgOp::difference && i > 0), asked);
+            if (!is_instance(part)) look(part, (inverted != part.inverse) != (e.op == CsgOp::difference && i > 0), asked);
             else if (here && asked && scene_.instances[part.leaf.id].usual_material) leaves_.push_back(part.leaf.id);
         }
         if (outermost) finish(inverted);

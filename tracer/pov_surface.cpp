@@ -154,7 +154,7 @@ Color PovSurface::albedo() const {
 }
 
 bool PovSurface::is_hole() const {
-    return std::all_of(textures_.begin(), textures_.end(), [&](const PovTexture& t) {
+    return !textures_.empty() && std::all_of(textures_.begin(), textures_.end(), [&](const PovTexture& t) {
         const auto begin = layers_.begin() + std::ptrdiff_t(t.begin), end = layers_.begin() + std::ptrdiff_t(t.end);
         const bool clear = t.through == Color(1) && std::all_of(begin, end, [](const PovLayer& l) { return l.opacity == 0 && !shines(*l.finish); });
         return t.share == 0 || clear;

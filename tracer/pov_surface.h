@@ -37,8 +37,8 @@ class PovSurface {
     bool sends_on() const { return sends_on_; }
     /// The mirrors and the transmitted rays. `facing` is the geometric normal on the side of the eye.
     void secondary(const CompiledScene& scene, const ShadePoint& point, const RayState& state, const Vec3& facing, Secondaries& out) const;
-    /// Of the layer on top of the first texture.
-    const PovLayer& top() const { return layers_.front(); }
+    /// Of the layer on top of the first texture, if there is any.
+    const Vec3& normal() const { return layers_.empty() ? normal_ : layers_.front().normal; }
     /// The colours of the layers as they cover each other, mixed as the textures are; of what covers nothing, such as glass, that of the layer on top.
     Color albedo() const;
     /// Does the surface neither reflect, nor emit, nor take anything from what is behind it? So are the holes of a texture that is cut out.

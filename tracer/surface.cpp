@@ -29,7 +29,7 @@ Surface shade_pov(const CompiledScene& scene, const ShadePoint& point, const Vec
     s.normal_ = dot(point.shading_normal, dir) > 0 ? -point.shading_normal : point.shading_normal;
     s.pov_.emplace(scene, point, dir, s.normal_);
     s.mirrors_or_refracts_ = s.pov_->sends_on();
-    s.normal_ = s.pov_->top().normal;
+    s.normal_ = s.pov_->normal();
     s.emitted_ = s.pov_->emitted(scene.scene.settings.ambient_light);
     // A ray that passes a hole goes on as it is, so that layers tell what is seen through it; where there is glass or fog it must learn that it enters or leaves something.
     if (scene.all_air && s.pov_->is_hole()) s.coverage_ = 0, s.mirrors_or_refracts_ = false;

@@ -141,7 +141,7 @@ template <class R> class Builder {
             std::vector<BvhTask<R>> both;
             both.push_back(std::move(task));
             replace_by_children(both, to, left, right, child, true);
-            tasks.run([this, right_one = std::move(both[0]), &tasks] { grow(right_one, tasks); });
+            tasks.run([this, right_one = std::move(both[0]), &tasks]() mutable { grow(std::move(right_one), tasks); });
             task = std::move(both[1]);
         }
         Below below;

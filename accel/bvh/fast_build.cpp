@@ -22,7 +22,9 @@ constexpr uint32_t kTreeletLeaves = 64;
 constexpr uint32_t kSwept = 64;
 /// Levels of a subtree that are divided by bits; below they are halved. The tree above has kDepthAbove levels, and 32 of halving.
 constexpr uint32_t kBitDepth = 8, kDepthAbove = 40;
-static_assert(kDepthAbove + 32 + kBitDepth + std::bit_width(kTreeletLeaves) <= kBvhDepth);
+/// Levels of a subtree: by bits, of halving what more than kSwept of its 512 references are, and where at least a quarter is on each side of 64, 48, 36 and so on.
+constexpr uint32_t kTreeletDepth = kBitDepth + 3 + 8;
+static_assert(kTreeletLeaves * 8 == kSwept << 3 && kDepthAbove + 32 + kTreeletDepth <= kBvhDepth);
 
 constexpr int kAxisBits = 10, kCells = 1 << kAxisBits, kDigitBits = 10, kDigits = 1 << kDigitBits, kPasses = 3;
 static_assert(kPasses * kDigitBits == 3 * kAxisBits);

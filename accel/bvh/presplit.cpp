@@ -42,10 +42,12 @@ template <class R> class Planes {
         Plane best;
         double side = 0;
         for (int a = 0; a < 3; ++a) {
-            const uint32_t from = cell(box.min(a), a), to = cell(box.max(a), a);
-            if (from == to) continue;
+            // A side that a plane has made lies on it, up to a rounding: the next plane is a finer one.
+            const double low = double(box.min(a)), high = double(box.max(a)), slack = 0x1p-10 * cell_ + double(std::numeric_limits<R>::epsilon()) * std::max(std::abs(low), std::abs(high));
+            const uint32_t from = cell(low + slack, a), to = cell(high - slack, a);
+            if (from >= to) continue;
             const int level = 31 - std::countl_zero(from ^ to);
-            const double own = double(box.max(a)) - double(box.min(a));
+            const double own = high - low;
             if (level < best.level || (level == best.level && own <= side)) continue;
             const R at = R(low_[a] + cell_ * double(to >> level << level));
             if (at > box.min(a) && at < box.max(a)) best = {a, level, at}, side = own;
@@ -54,7 +56,7 @@ template <class R> class Planes {
     }
 
   private:
-    uint32_t cell(R at, int axis) const { return uint32_t(std::clamp((double(at) - low_[axis]) / cell_, 0.0, double((1 << kLevels) - 1))); }
+    uint32_t cell(double at, int axis) const { return uint32_t(std::clamp((at - low_[axis]) / cell_, 0.0, double((1 << kLevels) - 1))); }
 
     double cell_ = 0, low_[3];
 };
@@ -62,7 +64,7 @@ template <class R> class Planes {
 template <class R> class Presplitter {
   public:
     Presplitter(LargeVector<BvhReference<R>>& references, const BoxEnds<R>& box, const TriangleSource<R>& triangles, int threads)
-        : references_(references), planes_(box), triangles_(triangles), threads_(threads) {}
+        : references_(references), planes_(box), triangles_(triangles), area_(box.half_area()), threads_(threads) {}
 
     void run(double growth) {
         if (!planes_.divides()) return;
@@ -110,7 +112,7 @@ template <class R> class Presplitter {
         const Corners c = triangles_.corners(reference.id());
         const Vec3 twice = glm::abs(cross(c[1] - c[0], c[2] - c[0]));
         const double spare = reference.half_area() - 0.5 * (twice.x + twice.y + twice.z);
-        return spare > 0 ? float(std::cbrt(std::ldexp(spare, plane.level - kLevels))) : 0.0f;
+        return spare > 0 ? float(std::cbrt(std::ldexp(spare / area_, plane.level - kLevels))) : 0.0f;
     }
 
     size_t cuts_at(float scale) const {
@@ -125,7 +127,7 @@ template <class R> class Presplitter {
         double sum = 0;
         for (const auto& range : candidates_)
             for (const Candidate& c : range) sum += double(c.priority);
-        if (!(sum > 0)) return 0;
+        if (!(sum > 1e-30)) return 0;
         float low = float(double(budget) / sum), high = 2 * low;   // fractions of cuts are lost: one fits in, and maybe twice as many
         for (int i = 0; i < 6; ++i) {
             const float middle = 0.5f * (low + high);
@@ -142,7 +144,8 @@ template <class R> class Presplitter {
         const bool below = parts.below.v[0] != -std::numeric_limits<R>::infinity(), above = parts.above.v[0] != -std::numeric_limits<R>::infinity();
         if (!below || !above) return below || above ? divided({(below ? parts.below : parts.above).box(), reference.id()}, cuts, more) : reference;
         const BvhReference<R> low{parts.below.box(), reference.id()}, high{parts.above.box(), reference.id()};
-        const uint32_t left = cuts - 1, to_low = uint32_t(double(left) * double(low.largest()) / (double(low.largest()) + double(high.largest())) + 0.5);
+        const double of_low = double(low.largest()), of_both = of_low + double(high.largest());
+        const uint32_t left = cuts - 1, to_low = of_both > 0 ? uint32_t(double(left) * of_low / of_both + 0.5) : left / 2;
         more.push_back(left > to_low ? divided(high, left - to_low, more) : high);
         return to_low ? divided(low, to_low, more) : low;
     }
@@ -150,6 +153,7 @@ template <class R> class Presplitter {
     LargeVector<BvhReference<R>>& references_;
     Planes<R> planes_;
     const TriangleSource<R>& triangles_;
+    double area_;   ///< of the whole
     int threads_;
     double mean_ = 0;
     std::vector<std::vector<Candidate>> candidates_;

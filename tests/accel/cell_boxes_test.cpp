@@ -55,7 +55,7 @@ TEST(CellBoxes, AreSmallAroundATurnedBall) {
 
 TEST(CellBoxes, PassOverWhatHasNoPlace) {
     const Vec3f corners[] = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {std::numeric_limits<float>::quiet_NaN(), 0, 0}, {std::numeric_limits<float>::infinity(), 0, 0}};
-    const Index3 triangles[] = {{0, 1, 2}, {0, 1, 3}, {1, 2, 4}};
+    const Index3 triangles[] = {{0, 1, 2}, {0, 1, 3}, {1, 2, 4}, {0, 1, 5}};   // the last names no vertex
     const CellBoxes boxes({corners, {}, triangles});
     ASSERT_EQ(boxes.cells().size(), 1u);
     EXPECT_EQ(boxes.cells()[0].middle, Vec3(0.5, 0.5, 0));
@@ -63,6 +63,8 @@ TEST(CellBoxes, PassOverWhatHasNoPlace) {
     const Bounds all{Vec3(-1), Vec3(2)};
     EXPECT_TRUE(CellBoxes({corners, {}, {}}).cells().empty());
     EXPECT_EQ(CellBoxes({corners, {}, {}}).placed(Transform(), all).min, Transform().bounds(all).min) << "nothing is known of it";
+    const Vec3 far[] = {{-1e308, 0, 0}, {1e308, 0, 0}, {0, 1e308, 0}, Vec3(0), Vec3(0)};
+    EXPECT_TRUE(CellBoxes({corners, far, {triangles, 1}}).cells().empty());
     const Bounds endless{Vec3(-kInf), Vec3(kInf)};
     EXPECT_EQ(boxes.placed(Transform(), endless).max, Vec3(kInf));
 }

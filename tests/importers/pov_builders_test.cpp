@@ -190,6 +190,8 @@ TEST_F(PovBuilders, WhatCutsShowsWhatItLaysOpen) {
     for (const NodeId root : s.roots) cut.push_back(s.nodes[root.index].cutaway_textures), usual.push_back(s.nodes[root.index].usual_material);
     EXPECT_EQ(cut, (std::vector<bool>{true, false, false, false})) << "the declared solid stays as it is";
     EXPECT_EQ(usual, (std::vector<bool>{true, true, false, false})) << "the last is the camera";
+    const Scene moved = scene("#declare D = difference { sphere { 0, 2 pigment { rgb x } } plane { z, 0 } }\n#declare E = object { D rotate y*90 }\nobject { E cutaway_textures }");
+    EXPECT_TRUE(std::any_of(moved.nodes.begin(), moved.nodes.end(), [](const Node& n) { return n.cutaway_textures && n.csg == CsgKind::difference; }));
     for (const char* other : {"sphere { 0, 1 ", "union { sphere { 0, 1 } ", "merge { sphere { 0, 1 } ", "object { union { sphere { 0, 1 } } "})
         EXPECT_THAT(said(std::string(other) + "cutaway_textures }"), HasSubstr("error: cutaway_textures stands in an intersection or a difference alone")) << other;
 }

@@ -32,6 +32,8 @@ std::vector<PovPicture> cutaway_pictures() {
         {"CutawayInAUnion", seen("union { difference { sphere { -x, 1.2" + kBlue + "}" + kNear + "cutaway_textures } box { 1, 2 } }")},
         {"CutawayCoveredFromOutside", seen("union { difference { sphere { -x, 1.2" + kBlue + "}" + kNear + "cutaway_textures } box { 1, 2 }" + kGreen + "}")},
         {"CutawayThroughGlass", seen("difference { union { sphere { -x, 1.5 pigment { rgbt <.8,.3,.2,.6> } } sphere { x, 1.5 pigment { rgbf <.2,1,.4,.7> } } }" + kNear + "cutaway_textures } plane { z, 4 hollow" + kGreen + "}")},
+        {"CutawayOfAnUnmadeSolid", seen("difference { sphere { 0, 2 } box { <-9,-9,-9>, <0,9,.05> } box { <-.2,-9,-9>, <9,9,.3>" + kGreen + "} cutaway_textures } plane { z, 4 hollow pigment { rgbt <1,.5,.5,.3> } }", grey)},
+        {"CutawayOfOnePart", seen("intersection { sphere { 0, 2" + kRed + "} cutaway_textures } sphere { x*2, 1" + kBlue + "}")},
         {"CutawayOfNothing", seen("difference { sphere { 0, 2 }" + kNear + "cutaway_textures }", grey)},
     };
 }

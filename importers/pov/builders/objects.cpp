@@ -27,6 +27,7 @@ struct Draft {
     Place texture_place;
     bool uv_mapped = false;               ///< of the texture that follows
     bool parts_textured = false;          ///< a referenced object brings its own
+    bool shows_cuts = false;              ///< cutaway_textures stands around it, which is said of the operation itself
     const Block* bound = nullptr;         ///< bounded_by, which clipped_by may name
     Transform bound_transform;            ///< of the object, where it stands
 };
@@ -42,11 +43,12 @@ CsgKind csg_of(WordId word) {
 }
 
 bool changes_surface(const Item& item) {
-    if (item.kind == Item::Kind::word) return item.word == "cutaway_textures"_w;
     if (item.value.kind != Kind::block) return false;
     const WordId word = item.block().word;
     return word == "interior"_w || word == "texture"_w || word == "pigment"_w || word == "finish"_w || word == "normal"_w || word == "material"_w;
 }
+
+bool shows_cuts(const Item& item) { return item.kind == Item::Kind::word && item.word == "cutaway_textures"_w; }
 
 void begin_texture(Draft& d, Place at) {
     if (!d.layers.empty()) return;
@@ -225,7 +227,8 @@ bool object(Build& build, Cursor& at, Draft& d) {
     if (!inner || !is_object(inner->word)) build.p.fail(at.place(), fmt::format("an object is expected in {} {{ }}", kWords[at.block().word]));
     at.next();
     const std::span<const Item> items = at.block().items;
-    if (build.shapes_alone || !std::any_of(items.begin(), items.end(), changes_surface)) return reference(build, *inner, d);
+    d.shows_cuts = d.shows_cuts || std::any_of(items.begin(), items.end(), shows_cuts);
+    if (build.shapes_alone || !(d.shows_cuts || std::any_of(items.begin(), items.end(), changes_surface))) return reference(build, *inner, d);
     constexpr size_t kMostCopies = 50'000;
     if (build.copying && ++build.copies_of_copies > kMostCopies) build.p.fail_limit(at.block().place, fmt::format("more than {} objects are copied in copies, because their textures or interiors change", kMostCopies));
     const Copying copying(build);
