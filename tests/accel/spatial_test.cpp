@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 /// Spatial splits: the parts of a triangle hold all of it, exactly; the tree finds every point of every triangle; and no hit differs by a bit.
 #include "accel/bvh/bvh.h"
+#include "accel/bvh/presplit.h"
 #include "core/draws.h"
 #include "numerics/triangles/compare.h"
 #include "numerics/triangles/rational.h"
@@ -229,6 +230,21 @@ TYPED_TEST(Spatial, WhatIsCutBeforeAFastBuildIsHeldToo) {
         split_tree<R>(read_as<R>(source), {kLanes, kLanes, Isa::best, 1}, tree, BvhBuilder::fast);
         EXPECT_EQ(tree.order.size() - size_t(std::count(tree.order.begin(), tree.order.end(), kPadding)), source.triangles.size()) << "nothing is cut where sizes are alike";
     }
+}
+
+/// All cuts that the budget allows are made: each next plane is a finer one.
+TYPED_TEST(Spatial, TheBudgetOfCutsIsSpent) {
+    using R = TypeParam;
+    const Mesh mesh = read_as<R>(unlike(60, Vec3(1), Vec3(1e3)));
+    const TriangleSource<R> source(mesh.view());
+    LargeVector<BvhReference<R>> references;
+    BoxEnds<R> all = BoxEnds<R>::none();
+    for (uint32_t id = 0; id < source.size(); ++id) references.emplace_back(source.box(id), id), all.extend(references.back());
+    const double growth = 0.75, budget = growth * double(references.size());
+    const size_t whole = references.size();
+    presplit<R>(references, all, source, growth, 1);
+    EXPECT_LE(double(references.size() - whole), budget);
+    EXPECT_GE(double(references.size() - whole), 0.95 * budget);
 }
 
 /// Rays of a tree that is built fast find no other hits for the cuts, and need fewer tests.
