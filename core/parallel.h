@@ -29,9 +29,8 @@ class Tasks {
     ~Tasks() = default;
 };
 
-/// Loops of tasks are shared with the threads of the tasks, and ask for no others.
-///
 /// Calls body(tasks), and waits for all that it and its tasks ask to be run, on at most `threads` threads (0: as many as the machine has). An exception ends the work, and is thrown again here.
+/// A parallel_for in a task is shared with the threads of the tasks, whatever number it asks for.
 void with_tasks(int threads, const std::function<void(Tasks&)>& body);
 
 /// What `threads` = 0 means on this machine.
