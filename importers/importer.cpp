@@ -62,6 +62,12 @@ const ImporterEntry* choose(const std::string& path, std::span<const std::byte> 
     return nullptr;
 }
 
+const ImporterEntry* named(const std::string& name) {
+    for (const ImporterEntry& entry : kTable)
+        if (name == entry.name) return &entry;
+    return nullptr;
+}
+
 std::string known_formats() {
     std::string names;
     for (const ImporterEntry& entry : kTable) names += fmt::format("{}{} ({})", names.empty() ? "" : ", ", entry.doc, entry.extensions);
@@ -90,6 +96,7 @@ ImportResult import_scene(const std::string& path, const ImportOptions& options)
         const std::vector<std::byte> head = read_head(path);
         if (head.empty()) return failure(path, "the file is empty or cannot be read");
         const ImporterEntry* entry = choose(path, head);
+        if (!entry) entry = named(options.format);
         if (!entry) return failure(path, "the format is not recognised", "known formats: " + known_formats());
         return validated(entry->import(path, options));
     } catch (const std::bad_alloc&) {

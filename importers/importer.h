@@ -21,6 +21,7 @@ struct ImportOptions {
     pov::FrameSettings frame;                        ///< what a scene's program may ask of the picture and the clock
     LightUnitsOption light_units = LightUnitsOption::automatic;
     uint64_t max_file_bytes = uint64_t(1) << 34;
+    std::string format;                              ///< the name of the importer for files of which neither content nor ending tells; if empty, they are errors
     bool shown_only = false;                         ///< what no node of the scene shows may stay unread, if its format has it apart: for rendering
 };
 

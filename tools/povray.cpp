@@ -36,6 +36,7 @@ std::string scene_path(const PovrayRequest& r) {
 Request request_of(const PovrayRequest& r, int frame) {
     Request request;
     request.scene = scene_path(r);
+    request.import.format = "pov";
     request.import.include_paths = r.library_paths;
     request.import.include_paths.insert(request.import.include_paths.begin(), ".");   // POV-Ray's first place; the scene's folder, which is none of POV-Ray's, comes before it here
     request.import.declarations = r.declarations;

@@ -64,6 +64,19 @@ class Povray(InFolder):
             self.render("+Is.pov", "+W8", "+H8", word)
             self.assertEqual((self.folder / "s.png").read_bytes()[24], bits, word)
 
+    def test_values_are_read_as_by_povray(self):
+        """Fractions of whole numbers are cut, a line of an INI file is one setting, and a scene may have any name."""
+        (self.folder / "a.ini").write_text('Width=24 Height=18\nHeight="12.9"\n"s.pov"\nDeclare=clock=1\n+FP\n')
+        said = self.render("a.ini")
+        self.assertEqual(self.picture("s.ppm")[:2], (24, 12))
+        for told in ("'Width=24 Height=18': what follows the value is left out", "12.9 is taken as 12", "Declare=clock changes nothing"):
+            self.assertIn(told, said)
+        (self.folder / "bare").write_text(SCENE)
+        self.render("+Ibare", "+W8", "+H6", "+FP")
+        self.assertEqual(self.picture("bare.ppm")[:2], (8, 6))
+        for word in ("+W0.5", "+W65536.5x", "+W1e9", "+Wnan"):
+            self.assertIn("has no value that Width can take", self.render("+Is.pov", word, code=1))
+
     def test_slips_exit_with_1_and_the_nearest_word(self):
         self.assertIn("did you mean 'Width='?", self.render("+Is.pov", "Widht=3", code=1))
         self.assertIn("'+~' is no word of POV-Ray", self.render("+Is.pov", "+~", code=1))

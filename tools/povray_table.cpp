@@ -1,0 +1,242 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "tools/povray_table.h"
+
+#include "tools/values.h"
+#include "tools/verbs.h"
+
+#include <algorithm>
+#include <cctype>
+#include <cstring>
+#include <fmt/format.h>
+#include <limits>
+
+namespace alidade {
+
+namespace {
+
+/// Where `Debug_File=on` writes to. Source   POV-Ray 3.7 reference, 3.2.7.2 "Directing Text Streams to Files".
+constexpr const char* kDefaultMessageFiles[kMessageStreams] = {"ALLTEXT.OUT", "DEBUG.OUT", "FATAL.OUT", "RENDER.OUT", "STATS.OUT", "WARNING.OUT"};
+
+/// Fractions are cut, as POV-Ray does.
+template <int PovrayRequest::* Member, int Low, int High> bool integer(PovrayRequest& r, const PovrayWord& w) {
+    const auto x = parse_number(w.value, Low);
+    if (!x || !(*x < double(High) + 1)) return false;
+    r.*Member = int(*x);
+    if (*x != r.*Member) r.notes.push_back(fmt::format("{} is taken as {}", w.value, r.*Member));
+    return true;
+}
+
+template <double PovrayRequest::* Member> bool number(PovrayRequest& r, const PovrayWord& w) {
+    const auto x = parse_number(w.value, -1e30);
+    return x ? (r.*Member = *x, true) : false;
+}
+
+template <std::optional<int> PovrayRequest::* Member> bool frame(PovrayRequest& r, const PovrayWord& w) {
+    const auto n = parse_integer(w.value, 0, 1 << 30);
+    return n ? (r.*Member = int(*n), true) : false;
+}
+
+/// `+X`, `-X` or `Key=on`.
+template <bool PovrayRequest::* Member> bool flag(PovrayRequest& r, const PovrayWord& w) {
+    const auto on = w.value.empty() ? std::optional(w.on) : truth(w.value);
+    return on ? (r.*Member = *on, true) : false;
+}
+
+/// `+X0.3`, `+X` or `-X`: a switch that may bring its number.
+template <bool PovrayRequest::* Member, double PovrayRequest::* Number> bool flag_with_number(PovrayRequest& r, const PovrayWord& w) {
+    if (!w.value.empty() && truth(w.value)) return r.*Member = *truth(w.value), true;
+    r.*Member = w.on;
+    if (w.value.empty()) return true;
+    const auto x = parse_number(w.value, 0);
+    return x ? (r.*Number = *x, true) : false;
+}
+
+/// Cut to what POV-Ray takes.
+bool antialias_depth(PovrayRequest& r, const PovrayWord& w) {
+    const auto n = parse_integer(w.value, 0, 1 << 30);
+    return n ? (r.antialias_depth = std::clamp(int(*n), 1, 9), true) : false;
+}
+
+bool input(PovrayRequest& r, const PovrayWord& w) { return r.input = w.value, !w.value.empty(); }
+bool output(PovrayRequest& r, const PovrayWord& w) { return r.output = w.value, true; }
+bool library(PovrayRequest& r, const PovrayWord& w) { return r.library_paths.push_back(w.value), !w.value.empty(); }
+bool declare(PovrayRequest& r, const PovrayWord& w) {
+    const size_t equals = w.value.find('=');
+    if (lower(w.value.substr(0, equals)) == "clock") r.notes.emplace_back("Declare=clock changes nothing: the clock is what +K says");
+    else r.declarations.push_back(w.value);
+    return equals != std::string::npos;
+}
+
+/// Known words that change no picture here.
+bool nothing(PovrayRequest&, const PovrayWord&) { return true; }
+template <const char* const& Sentence> bool told(PovrayRequest& r, const PovrayWord& w) {
+    if (w.on && std::find(r.notes.begin(), r.notes.end(), Sentence) == r.notes.end()) r.notes.emplace_back(Sentence);
+    return true;
+}
+constexpr const char* kNoAlpha = "+UA (Output_Alpha): pictures have no alpha channel yet";
+constexpr const char* kNoQuality = "+Q (Quality): pictures are always made in full quality";
+constexpr const char* kNoField = "+UF (Field_Render): all rows are rendered";
+constexpr const char* kNoGray = "+FNg (Grayscale_Output): pictures are written in colour";
+constexpr const char* kNoFileGamma = "File_Gamma: pictures are encoded as sRGB";
+constexpr const char* kNoIni = "+GI (Create_Ini): no INI file is written";
+constexpr const char* kNoHeader = "+HI (Include_Header): nothing is included before the scene";
+constexpr const char* kNoCommands = "commands around frames are not run";
+
+bool file_type(PovrayRequest& r, const PovrayWord& w) { return file_switch(r, {w.value, r.to_file}); }
+
+bool clock(PovrayRequest& r, const PovrayWord& w) { return r.clock_given = true, number<&PovrayRequest::clock>(r, w); }
+
+/// `+GD`, `-GD`, `Debug_Console=on`: what is said goes to stderr, all of it. `+GDname`: to a file, too.
+template <MessageStream Stream> bool message_switch(PovrayRequest& r, const PovrayWord& w) {
+    if (w.on && !w.value.empty() && !truth(w.value)) r.message_files[size_t(Stream)] = w.value;
+    return true;
+}
+template <MessageStream Stream> bool message_file(PovrayRequest& r, const PovrayWord& w) {
+    const auto on = truth(w.value);
+    r.message_files[size_t(Stream)] = !on ? w.value : *on ? kDefaultMessageFiles[size_t(Stream)] : "";
+    return true;
+}
+
+bool file_gamma(PovrayRequest& r, const PovrayWord& w) { return lower(w.value) == "srgb" || told<kNoFileGamma>(r, w); }
+
+/// Below 9 POV-Ray leaves things out.
+bool quality(PovrayRequest& r, const PovrayWord& w) {
+    const auto n = parse_integer(w.value, 0, 11);
+    return n && (*n >= 9 || told<kNoQuality>(r, w));
+}
+
+/// The manual's order: every row is a word of POV-Ray.
+constexpr PovrayRow kTable[] = {
+    {"Width", "W", integer<&PovrayRequest::width, 1, 65536>},
+    {"Height", "H", integer<&PovrayRequest::height, 1, 65536>},
+    {"Input_File_Name", "I", input},
+    {"Output_File_Name", "O", output},
+    {"Output_To_File", "F", file_switch},
+    {"Output_File_Type", "", file_type},
+    {"Bits_Per_Color", "", integer<&PovrayRequest::bits, 1, 100>},
+    {"Library_Path", "L", library},
+    {"Declare", "", declare},
+    {"Antialias", "A", flag_with_number<&PovrayRequest::antialias, &PovrayRequest::antialias_threshold>},
+    {"Antialias_Threshold", "", number<&PovrayRequest::antialias_threshold>},
+    {"Antialias_Gamma", "AG", number<&PovrayRequest::antialias_gamma>},
+    {"Antialias_Depth", "R", antialias_depth},
+    {"Sampling_Method", "AM", integer<&PovrayRequest::sampling_method, 1, 2>},
+    {"Jitter", "J", flag_with_number<&PovrayRequest::jitter, &PovrayRequest::jitter_amount>},
+    {"Jitter_Amount", "", number<&PovrayRequest::jitter_amount>},
+    {"Quality", "Q", quality},
+    {"Verbose", "V", flag<&PovrayRequest::verbose>},
+    {"Display", "D", nothing},
+    {"Video_Mode", "", nothing},
+    {"Palette", "", nothing},
+    {"Display_Gamma", "", nothing},
+    {"File_Gamma", "", file_gamma},
+    {"Pause_When_Done", "P", nothing},
+    {"Test_Abort", "X", nothing},
+    {"Test_Abort_Count", "", nothing},
+    {"Clockless_Animation", "", nothing},
+    {"Continue_Trace", "C", flag<&PovrayRequest::continued>},
+    {"Create_Continue_Trace_Log", "", nothing},
+    {"Clock", "K", clock},
+    {"Initial_Clock", "KI", number<&PovrayRequest::initial_clock>},
+    {"Final_Clock", "KF", number<&PovrayRequest::final_clock>},
+    {"Initial_Frame", "KFI", integer<&PovrayRequest::initial_frame, 0, 1 << 30>},
+    {"Final_Frame", "KFF", integer<&PovrayRequest::final_frame, 0, 1 << 30>},
+    {"Frame_Step", "STP", integer<&PovrayRequest::frame_step, 1, 1 << 30>},
+    {"Cyclic_Animation", "KC", flag<&PovrayRequest::cyclic>},
+    {"Subset_Start_Frame", "SF", frame<&PovrayRequest::subset_start>},
+    {"Subset_End_Frame", "EF", frame<&PovrayRequest::subset_end>},
+    {"Field_Render", "UF", told<kNoField>},
+    {"Odd_Field", "UO", nothing},
+    {"Start_Column", "SC", number<&PovrayRequest::start_column>},
+    {"End_Column", "EC", number<&PovrayRequest::end_column>},
+    {"Start_Row", "SR", number<&PovrayRequest::start_row>},
+    {"End_Row", "ER", number<&PovrayRequest::end_row>},
+    {"Output_Alpha", "UA", told<kNoAlpha>},
+    {"Work_Threads", "WT", integer<&PovrayRequest::threads, 0, 4096>},
+    {"Render_Block_Size", "BS", nothing},
+    {"Render_Block_Step", "", nothing},
+    {"Render_Pattern", "RP", nothing},
+    {"Bounding", "MB", nothing},
+    {"Bounding_Threshold", "", nothing},
+    {"Bounding_Method", "BM", nothing},
+    {"BSP_MaxDepth", "", nothing},
+    {"BSP_BaseAccess", "", nothing},
+    {"BSP_ChildAccess", "", nothing},
+    {"BSP_IsectCost", "", nothing},
+    {"BSP_MissChance", "", nothing},
+    {"Light_Buffer", "UL", nothing},
+    {"Vista_Buffer", "UV", nothing},
+    {"Draw_Vistas", "UD", nothing},
+    {"Remove_Bounds", "UR", nothing},
+    {"Split_Unions", "SU", nothing},
+    {"Buffer_Output", "", nothing},
+    {"Buffer_Size", "B", nothing},
+    {"Max_Image_Buffer_Memory", "MI", nothing},
+    {"Compression", "", nothing},
+    {"Dither", "TH", nothing},
+    {"Dither_Method", "", nothing},
+    {"Grayscale_Output", "", told<kNoGray>},
+    {"Include_Header", "HI", told<kNoHeader>},
+    {"Version", "MV", nothing},
+    {"Create_Ini", "GI", told<kNoIni>},
+    {"Create_Histogram", "", nothing},
+    {"Warning_Level", "WL", nothing},
+    {"All_Console", "GA", message_switch<MessageStream::all>},
+    {"Debug_Console", "GD", message_switch<MessageStream::debug>},
+    {"Fatal_Console", "GF", message_switch<MessageStream::fatal>},
+    {"Render_Console", "GR", message_switch<MessageStream::render>},
+    {"Statistic_Console", "GS", message_switch<MessageStream::statistic>},
+    {"Warning_Console", "GW", message_switch<MessageStream::warning>},
+    {"All_File", "", message_file<MessageStream::all>},
+    {"Debug_File", "", message_file<MessageStream::debug>},
+    {"Fatal_File", "", message_file<MessageStream::fatal>},
+    {"Render_File", "", message_file<MessageStream::render>},
+    {"Statistic_File", "", message_file<MessageStream::statistic>},
+    {"Warning_File", "", message_file<MessageStream::warning>},
+    {"Radiosity_File_Name", "RF", nothing},
+    {"Radiosity_From_File", "RFI", nothing},
+    {"Radiosity_To_File", "RFO", nothing},
+    {"Radiosity_Vain_Pretrace", "RVP", nothing},
+    {"High_Reproducibility", "HR", nothing},
+    {"Preview_Start_Size", "SP", nothing},
+    {"Preview_End_Size", "EP", nothing},
+    {"Real_Time_Raytracing", "RTR", nothing},
+    {"Pre_Scene_Command", "", told<kNoCommands>},
+    {"Post_Scene_Command", "", told<kNoCommands>},
+    {"Pre_Frame_Command", "", told<kNoCommands>},
+    {"Post_Frame_Command", "", told<kNoCommands>},
+    {"User_Abort_Command", "", told<kNoCommands>},
+    {"Fatal_Error_Command", "", told<kNoCommands>},
+    {"Pre_Scene_Return", "", nothing},
+    {"Post_Scene_Return", "", nothing},
+    {"Pre_Frame_Return", "", nothing},
+    {"Post_Frame_Return", "", nothing},
+    {"User_Abort_Return", "", nothing},
+    {"Fatal_Error_Return", "", nothing},
+};
+
+}  // namespace
+
+std::span<const PovrayRow> povray_table() { return kTable; }
+
+std::optional<bool> truth(const std::string& text) {
+    const std::string t = lower(text);
+    if (t == "on" || t == "true" || t == "yes" || t == "1") return true;
+    if (t == "off" || t == "false" || t == "no" || t == "0") return false;
+    return std::nullopt;
+}
+
+bool file_switch(PovrayRequest& r, const PovrayWord& w) {
+    r.to_file = w.on;
+    if (w.value.empty()) return true;
+    const char type = char(std::toupper(static_cast<unsigned char>(w.value[0])));
+    if (!std::strchr("NPETJSBCH", type)) return false;
+    r.file_type = type == 'S' ? 'N' : type == 'C' ? 'T' : type;
+    std::string bits = w.value.substr(1);
+    if (!bits.empty() && (bits[0] == 'g' || bits[0] == 'G')) bits.erase(0, 1), told<kNoGray>(r, w);
+    if (bits.empty()) return true;
+    const auto n = parse_integer(bits, 1, 100);
+    return n ? (r.bits = int(*n), true) : false;
+}
+
+}  // namespace alidade
