@@ -37,12 +37,13 @@ class CustomLeaf {
     using Real = double;
     using Source = PrimitiveSetSource;
     static constexpr uint32_t kBlock = 1;
-    static constexpr bool kMovesRay = false;
+    static constexpr RayEntry kEntry{false, kFar};
 
     struct Probe {
         Probe(const CustomLeaf& leaf, const Ray& r, const LocalRay&, uint32_t) : ray(r) {   // the instance of a hit is the set's own affair
             if (leaf.shared_) asked.fill(kNoId);
         }
+        void prepare() {}
         const Ray& ray;
         mutable std::array<uint32_t, 32> asked;   ///< where primitives are shared: at its number's place, the last id that was. To ask one again changes nothing
     };

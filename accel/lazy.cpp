@@ -53,7 +53,7 @@ class LazyTriangles final : public Accelerator {
     /// The structure, if there is one already or the ray enters its bounds; else null, and the ray hits nothing. Where structures leave some rays where they are, the interval of such a ray is asked: it is the wider one.
     const Accelerator* needed_by(const Ray& ray) const {
         if (const Accelerator* structure = known()) return structure;
-        if (!can_hit(ray, largest_) || !local_ray(ray, bounds_, options_.intersect == Intersect::exact).enters_box()) return nullptr;
+        if (!can_hit(ray, largest_) || !local_ray(ray, bounds_, {options_.intersect == Intersect::exact, kFar}).enters_box()) return nullptr;
         return &structure();
     }
 

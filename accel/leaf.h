@@ -40,14 +40,14 @@ template <class R, class Source> BoundsT<R> box_of(const Source& source, uint32_
 /// Primitives packed in the order that the structure wants; `first` and `count` below are places in that order. A Probe is what a leaf makes of a ray, once.
 ///
 /// - `Real`: the type of node coordinates. `kBlock`: references that one test handles at once; leaves cost by started blocks.
-/// - `kMovesRay`: the hits are those of the moved local ray, see local_ray().
+/// - `kEntry`: of its local rays, whose hits are those that it finds, see local_ray().
 /// - `closest` replaces `hit` by the first hit in the range that comes before it; `any` is true if there is one; `all` appends all.
 template <class L>
 concept LeafKind = PrimitiveSource<typename L::Source> &&
     requires(const L& leaf, const typename L::Probe& probe, uint32_t place, Hit& hit, std::vector<Hit>& hits, WorkCounters& work) {
         typename L::Real;
         { L::kBlock } -> std::convertible_to<uint32_t>;
-        { L::kMovesRay } -> std::convertible_to<bool>;
+        { L::kEntry } -> std::convertible_to<RayEntry>;
         { leaf.closest(probe, place, place, hit, work) } -> std::same_as<bool>;
         { leaf.any(probe, place, place, work) } -> std::same_as<bool>;
         leaf.all(probe, place, place, hits, work);

@@ -33,6 +33,8 @@ struct alignas(32) LocalRay {
 
     LocalRay() {}   // not one by one in memory: that takes longer than a box test
     bool enters_box() const { return tmin <= tmax; }
+    /// Do the powers of two neither overflow nor vanish in products with what is as small, or large, as coordinates are?
+    bool is_plain() const { return to_local >= 0x1p-300 && to_local <= 0x1p300; }
     double caller_t(double t) const { return shift * to_caller + t * to_caller; }
     /// Sets tmin and tmax to the ends of an interval, padded; to an empty one if near > far.
     void set_interval(double near, double far) {
@@ -49,6 +51,13 @@ struct alignas(32) LocalRay {
     /// Not less than any local t whose caller_t is at most `caller`, and the same from below.
     double upper(double caller) const { return padded_up((above(caller) - shift * to_caller) * to_local, kHitPad); }
     double lower(double caller) const { return padded_down((-above(-caller) - shift * to_caller) * to_local, kHitPad); }
+    /// The part of the interval that is the caller's.
+    void narrow(const Ray& ray) { tmin = std::max(tmin, lower(ray.tmin)), tmax = std::min(tmax, upper(ray.tmax)); }
+    /// The caller's interval, from 0 on; empty if a ray with these ends misses the bounds.
+    [[gnu::always_inline]] inline void leave_unclipped(const Ray& ray, double near, double far) {
+        far = SlabRay<double>::padded(far);
+        tmin = 0, tmax = !(near <= far && far >= 0) ? -1 : ray.tmax == std::numeric_limits<double>::infinity() ? ray.tmax : upper(ray.tmax);
+    }
 
   private:
     /// A number above x, the next one but for 0: processors take a hundred cycles for a product with a denormal number, and most rays begin at 0. What is
@@ -71,8 +80,29 @@ inline bool can_hit(const Ray& ray, double largest) {
     return std::abs(o.x) <= largest && std::abs(o.y) <= largest && std::abs(o.z) <= largest && is_finite(d) && !(d.x == 0 && d.y == 0 && d.z == 0) && ray.tmin <= ray.tmax;
 }
 
-/// `ray`, which can hit, made ready for primitives within `bounds` (finite or empty). `move`: to the entry into the bounds. Custom primitives
-/// answer in the caller's t, so for them the ray stays where it is. The same bits for all instructions.
-LocalRay local_ray(const Ray& ray, const Bounds& bounds, bool move, Isa isa = Isa::best);
+/// What is made of a ray that begins far from the bounds, `far` times their greatest extent from the middle, and of one that begins near.
+struct RayEntry {
+    bool moves;          ///< far: to where it enters the bounds. Custom primitives answer in the caller's t, so for them the ray stays where it is
+    double far;
+    bool clips = true;   ///< near: its interval is that in which it is in the bounds. Else, from 0 on, it is the caller's, or empty where the ray misses them: nothing waits for the ends to be known
+};
+/// Pads grow with the distance, and the part of a mesh that they take in with them: from as far away a pixel in a thousand meets some more triangles in vain.
+inline constexpr double kFar = 64;
+
+/// Bounds (finite or empty) as rays are compared with them, four numbers at once: the last is one that decides nothing.
+struct alignas(32) RayBounds {
+    RayBounds() : RayBounds(Bounds()) {}
+    RayBounds(const Bounds& bounds);   // NOLINT: it is the bounds
+
+    double low[4], high[4];
+    double doubled_middle[4];   ///< low + high
+    double doubled_size;        ///< twice the greatest extent; of empty bounds negative
+
+    bool empty() const { return doubled_size < 0; }
+    Bounds bounds() const { return {{low[0], low[1], low[2]}, {high[0], high[1], high[2]}}; }
+};
+
+/// `ray`, which can hit, made ready for primitives within `bounds`. The same bits for all instructions.
+LocalRay local_ray(const Ray& ray, const RayBounds& bounds, RayEntry entry, Isa isa = Isa::best);
 
 }  // namespace alidade

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// The three questions. A structure asks a query how far it need look (limit, in local t) and shows it ranges of primitives (visit, true to stop).
+/// The three questions. A structure asks a query how far it need look (limit, in local t) and shows it ranges of primitives (visit, true to stop); finish() completes what was found, and is true if there was something.
 #pragma once
 
 #include "accel/leaf.h"
@@ -16,7 +16,7 @@ template <class Leaf> class ClosestQuery {
     using Real = typename Leaf::Real;
     static constexpr bool kNearestFirst = true;
 
-    ClosestQuery(const Leaf& leaf, const Ray& ray, const LocalRay& local, Hit& hit, WorkCounters& work, uint32_t instance)
+    ClosestQuery(const Leaf& leaf, const Ray& ray, const LocalRay& local, WorkCounters& work, Hit& hit, uint32_t instance)
         : leaf_(leaf), probe_(leaf, ray, local, instance), local_(local), hit_(hit), work_(work) {
         shorten();
     }
@@ -30,16 +30,17 @@ template <class Leaf> class ClosestQuery {
         if (leaf_.closest_of(probe_, block, number, lanes, limit_, hit_, work_)) found_ = true, shorten();
         return false;
     }
+    /// Before the first visit or decision: what of a probe rays pay for that come to a leaf.
+    [[gnu::always_inline]] inline void prepare() { probe_.prepare(); }
     const Leaf& leaf() const { return leaf_; }
     const auto& probe() const { return probe_; }
-    /// Completes the hit. Was there one?
     bool finish() {
         if constexpr (requires { leaf_.finish(probe_, hit_); }) leaf_.finish(probe_, hit_);
         return found_;
     }
 
   private:
-    void shorten() { limit_ = std::min(local_.tmax, local_.upper(hit_.t)); }
+    void shorten() { limit_ = hit_.valid() ? std::min(local_.tmax, local_.upper(hit_.t)) : local_.tmax; }
 
     const Leaf& leaf_;
     typename Leaf::Probe probe_;
@@ -60,9 +61,11 @@ template <class Leaf> class AnyQuery {
     double limit() const { return limit_; }
     bool visit(uint32_t first, uint32_t count) { return found_ = leaf_.any(probe_, first, count, work_); }
     bool decide(const auto& block, uint32_t, uint32_t lanes) { return found_ = leaf_.any_of(probe_, block, lanes, work_); }
+    /// Before the first visit or decision: what of a probe rays pay for that come to a leaf.
+    [[gnu::always_inline]] inline void prepare() { probe_.prepare(); }
     const Leaf& leaf() const { return leaf_; }
     const auto& probe() const { return probe_; }
-    bool found() const { return found_; }
+    bool finish() const { return found_; }
 
   private:
     const Leaf& leaf_;
@@ -85,7 +88,7 @@ template <class Leaf> class AllQuery {
     using Real = typename Leaf::Real;
     static constexpr bool kNearestFirst = false;
 
-    AllQuery(const Leaf& leaf, const Ray& ray, const LocalRay& local, std::vector<Hit>& hits, WorkCounters& work, uint32_t instance)
+    AllQuery(const Leaf& leaf, const Ray& ray, const LocalRay& local, WorkCounters& work, std::vector<Hit>& hits, uint32_t instance)
         : leaf_(leaf), probe_(leaf, ray, local, instance), limit_(local.tmax), hits_(hits), old_(hits.size()), work_(work) {}
     double limit() const { return limit_; }
     bool visit(uint32_t first, uint32_t count) {
@@ -96,10 +99,12 @@ template <class Leaf> class AllQuery {
         leaf_.all_of(probe_, block, lanes, hits_, work_);
         return false;
     }
+    /// Before the first visit or decision: what of a probe rays pay for that come to a leaf.
+    [[gnu::always_inline]] inline void prepare() { probe_.prepare(); }
     const Leaf& leaf() const { return leaf_; }
     const auto& probe() const { return probe_; }
     /// Puts the new hits in order. A structure may hold a primitive in several places, so a hit may have been found more than once.
-    void finish() { put_in_order(hits_, old_); }
+    bool finish() { return put_in_order(hits_, old_), hits_.size() > old_; }
 
   private:
     const Leaf& leaf_;

@@ -15,7 +15,7 @@
 
 namespace alidade {
 
-/// A structure has a constructor (BuildInput&, AccelOptions, BuildStats&), `traverse(local ray, query, work)`, and `bytes()`; a tree has `visit_nodes(visit)`: visit(TreeNode, first place of a leaf, count), the
+/// A structure has a constructor (BuildInput&, AccelOptions, BuildStats&), `traverse(local ray, query, work)` or else `tree(leaf, bounds, unbounded)` and `traversals()` of it, and `bytes()`; a tree has `visit_nodes(visit)`: visit(TreeNode, first place of a leaf, count), the
 /// primitives left to the caller.
 template <template <class> class Structure, class Leaf> class StructureAccelerator final : public Accelerator {
   public:
@@ -23,7 +23,7 @@ template <template <class> class Structure, class Leaf> class StructureAccelerat
         const auto start = std::chrono::steady_clock::now();
         PhaseClock clock(stats_);
         auto [ids, order, removed, bounds] = sort_out<typename Leaf::Real>(source, options.threads);
-        bounds_ = bounds;
+        set_bounds(bounds);
         unbounded_ = uint32_t(order.size());
         stats_.primitives = ids.size() + order.size();
         stats_.removed = std::move(removed);
@@ -39,35 +39,24 @@ template <template <class> class Structure, class Leaf> class StructureAccelerat
     }
 
     /// Of parts that are there already.
-    StructureAccelerator(Structure<Leaf> structure, Leaf leaf, const Bounds& bounds, BuildStats stats) : bounds_(bounds), stats_(std::move(stats)), structure_(std::move(structure)), leaf_(std::move(leaf)) {
+    StructureAccelerator(Structure<Leaf> structure, Leaf leaf, const Bounds& bounds, BuildStats stats) : stats_(std::move(stats)), structure_(std::move(structure)), leaf_(std::move(leaf)) {
+        set_bounds(bounds);
         stats_.bytes = sizeof(*this) + structure_->bytes() + leaf_->bytes();
     }
 
     bool intersect(const Ray& ray, Hit& hit, WorkCounters& work, uint32_t instance) const override {
-        if (!can_hit(ray, kLargestCoordinate<typename Leaf::Real>)) return false;
-        const LocalRay local = ready(ray);
-        if (unbounded_ == 0 && !local.enters_box()) return false;
-        ClosestQuery<Leaf> query(*leaf_, ray, local, hit, work, instance);
-        ask(local, query, work);
-        return query.finish();
+        if constexpr (kWalksItself) return structure_->traversals().closest(tree(), ray, work, hit, instance);
+        else return ask<ClosestQuery<Leaf>>(ray, work, hit, instance);
     }
 
     bool occluded(const Ray& ray, WorkCounters& work) const override {
-        if (!can_hit(ray, kLargestCoordinate<typename Leaf::Real>)) return false;
-        const LocalRay local = ready(ray);
-        if (unbounded_ == 0 && !local.enters_box()) return false;
-        AnyQuery<Leaf> query(*leaf_, ray, local, work);
-        ask(local, query, work);
-        return query.found();
+        if constexpr (kWalksItself) return structure_->traversals().any(tree(), ray, work);
+        else return ask<AnyQuery<Leaf>>(ray, work);
     }
 
     void all_hits(const Ray& ray, std::vector<Hit>& hits, WorkCounters& work, uint32_t instance) const override {
-        if (!can_hit(ray, kLargestCoordinate<typename Leaf::Real>)) return;
-        const LocalRay local = ready(ray);
-        if (unbounded_ == 0 && !local.enters_box()) return;
-        AllQuery<Leaf> query(*leaf_, ray, local, hits, work, instance);
-        ask(local, query, work);
-        query.finish();
+        if constexpr (kWalksItself) structure_->traversals().all(tree(), ray, work, hits, instance);
+        else ask<AllQuery<Leaf>>(ray, work, hits, instance);
     }
 
     bool candidates(const Shaft& shaft, size_t most, std::vector<uint32_t>& ids) const override {
@@ -105,7 +94,7 @@ template <template <class> class Structure, class Leaf> class StructureAccelerat
             const SortedOut found = sort_out<typename Leaf::Real>(source, threads);
             if (found.bounded.size() != stats_.primitives || found.removed != stats_.removed) return false;
             clock.ended("sort out");
-            bounds_ = found.bounds;
+            set_bounds(found.bounds);
             stats_.sah_cost = structure_->refit(*leaf_, source, threads);
             clock.ended("refit");
             stats_.phases = std::move(clocked.phases);
@@ -121,19 +110,24 @@ template <template <class> class Structure, class Leaf> class StructureAccelerat
     }
 
   private:
-    bool moves(const Ray& ray) const {
-        if constexpr (requires { Leaf::Kernel::moves(ray, bounds_); }) return Leaf::Kernel::moves(ray, bounds_);
-        else return Leaf::kMovesRay;
-    }
-    LocalRay ready(const Ray& ray) const { return local_ray(ray, bounds_, moves(ray)); }
+    /// Are its questions compiled whole, from the caller's ray on?
+    static constexpr bool kWalksItself = requires(const Structure<Leaf>& s) { s.traversals(); };
+    auto tree() const { return structure_->tree(*leaf_, ray_bounds_, unbounded_); }
 
-    template <class Query> void ask(const LocalRay& local, Query& query, WorkCounters& work) const {
-        if (unbounded_ && query.visit(0, unbounded_)) return;
-        if (!local.enters_box()) return;
-        ++work.rays;
-        structure_->traverse(local, query, work);
+    template <class Query, class... Results> bool ask(const Ray& ray, WorkCounters& work, Results&&... results) const {
+        if (!can_hit(ray, kLargestCoordinate<typename Leaf::Real>)) return false;
+        const LocalRay local = local_ray(ray, ray_bounds_, Leaf::kEntry);
+        if (unbounded_ == 0 && !local.enters_box()) return false;
+        Query query(*leaf_, ray, local, work, std::forward<Results>(results)...);
+        query.prepare();
+        if (unbounded_ && query.visit(0, unbounded_)) return query.finish();
+        if (local.enters_box()) ++work.rays, structure_->traverse(local, query, work);
+        return query.finish();
     }
 
+    void set_bounds(const Bounds& bounds) { bounds_ = bounds, ray_bounds_ = bounds; }
+
+    RayBounds ray_bounds_;
     Bounds bounds_;
     BuildStats stats_;
     uint32_t unbounded_ = 0;

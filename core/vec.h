@@ -43,6 +43,9 @@ using glm::dot;
 inline constexpr double kInf = std::numeric_limits<double>::infinity();
 inline constexpr double kPi = 3.14159265358979323846;
 
+/// v[axis], for axes that only the data know: GLM's is a switch, and what it costs are branches that no processor foresees.
+template <class R> R component(const Vec3T<R>& v, int axis) { return reinterpret_cast<const R*>(&v)[axis]; }
+
 template <class R> R max_component(const Vec3T<R>& v) { return std::max({v.x, v.y, v.z}); }
 template <class R> R max_abs(const Vec3T<R>& v) { return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)}); }
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 /// Rays and triangles against rational arithmetic: the decision has the exact sign; t, u, v and the error bound are right.
-#include "accel/local_ray.h"
+#include "accel/triangles/kernel.h"
 #include "core/draws.h"
 #include "numerics/rows.h"
 #include "numerics/triangles/rational.h"
@@ -132,7 +132,7 @@ void check_hit(const Hit& hit, const Truth& truth, const TriangleClass& c, const
 }
 
 void check_ray(const std::vector<Built>& structures, const TriangleClass& c, const Triangle& triangle, const Ray& ray, bool wide, NumericsTally& tally) {
-    const LocalRay local = local_ray(ray, structures.front().accelerator->bounds(), true);
+    const LocalRay local = local_ray(ray, structures.front().accelerator->bounds(), TriangleKernel<float, TriangleTest::exact>::kEntry);
     const Truth exact = truth(ray, local, triangle);
     if (exact.open) return;
     for (const Built& built : structures) {

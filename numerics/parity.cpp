@@ -4,7 +4,7 @@
 /// Method   an edge or a corner that is met exactly belongs to several triangles, all of which are hits. Which of them is the crossing is said by the line moved aside by less than any number
 ///          (simulation of simplicity, Edelsbrunner and Mücke 1990): an edge function that is exactly 0 has the sign of its derivative. The moved line meets no edge, so it crosses a closed surface an even
 ///          number of times.
-#include "accel/local_ray.h"
+#include "accel/triangles/kernel.h"
 #include "core/draws.h"
 #include "numerics/rows.h"
 #include "numerics/triangles/rational.h"
@@ -113,7 +113,7 @@ Check parity() {
         const Compared& s = kept->at(number / kBlock, solid);
         const RandomKey key(4, 0, number);
         const Ray ray = whole_line(s.mesh, key);
-        const LocalRay local = local_ray(ray, s.structures.front().accelerator->bounds(), true);
+        const LocalRay local = local_ray(ray, s.structures.front().accelerator->bounds(), TriangleKernel<float, TriangleTest::exact>::kEntry);
         Draws draws(key.child(3));
         const MovedLine line{local.origin, local.dir, draws.direction()};
         std::vector<Passing> want;

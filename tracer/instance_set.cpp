@@ -37,7 +37,7 @@ bool looked_for(const Instance& instance, const Ray& ray) {
     const Bounds& box = instance.bounds;
     if (instance.in_place || !inside_bounds(ray, box).empty()) return true;   // crossings in place lie in the bounds of their shape
     const bool bounded = max_abs(box.min) <= kLargestCoordinate<double> && max_abs(box.max) <= kLargestCoordinate<double>;
-    return !bounded || local_ray(ray, box, false).enters_box();
+    return !bounded || local_ray(ray, box, {false, kFar}).enters_box();
 }
 
 }  // namespace

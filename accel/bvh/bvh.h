@@ -68,7 +68,8 @@ template <class Leaf, class Node> class WideBvh {
     /// Of nodes that were saved. `watertight`: their boxes are those of make_watertight(), which other tests may have as well.
     WideBvh(LargeArray<Node> nodes, bool watertight, const AccelOptions& options) : nodes_(std::move(nodes)), watertight_(watertight), traversals_(wide_traversals<Node, Leaf>(options.isa)) {}
 
-    template <class Query> void traverse(const LocalRay& ray, Query& query, WorkCounters& work) const { traversals_(nodes_.data(), ray, query, work); }
+    WideTree<Node, Leaf> tree(const Leaf& leaf, const RayBounds& bounds, uint32_t unbounded) const { return {nodes_.data(), leaf, bounds, unbounded}; }
+    const WideTraversals<Node, Leaf>& traversals() const { return traversals_; }
     size_t bytes() const { return nodes_.bytes(); }
 
   protected:

@@ -92,18 +92,22 @@ template <class R, int kUnits = kTriangleUnits> class WideRay {
     bool negative_[3];
 };
 
-/// Shows `query` the leaves whose boxes the ray enters.
-template <class Node, class Query> using WideTraversal = void (*)(const Node* nodes, const LocalRay& ray, Query& query, WorkCounters& work);
+/// What is asked: eight boxes a node, the leaves below, the bounds of all; those of a set that have none stand first in the leaf.
+template <class Node, class Leaf> struct WideTree {
+    const Node* nodes;
+    const Leaf& leaf;
+    const RayBounds& bounds;
+    uint32_t unbounded;
+};
 
-/// The traversals for each question on one kind of machine. All test the same boxes, bit for bit, in the same order.
+/// A near ray need not be clipped to the bounds: the boxes of the root are.
+template <class Leaf> inline constexpr RayEntry kWideEntry{Leaf::kEntry.moves, Leaf::kEntry.far, false};
+
+/// The three questions (Accelerator's, true if there is a hit) on one kind of machine, compiled whole, from the caller's ray on. All test the same boxes, bit for bit, in the same order.
 template <class Node, class Leaf> struct WideTraversals {
-    WideTraversal<Node, ClosestQuery<Leaf>> closest;
-    WideTraversal<Node, AnyQuery<Leaf>> any;
-    WideTraversal<Node, AllQuery<Leaf>> all;
-
-    void operator()(const Node* nodes, const LocalRay& ray, ClosestQuery<Leaf>& query, WorkCounters& work) const { closest(nodes, ray, query, work); }
-    void operator()(const Node* nodes, const LocalRay& ray, AnyQuery<Leaf>& query, WorkCounters& work) const { any(nodes, ray, query, work); }
-    void operator()(const Node* nodes, const LocalRay& ray, AllQuery<Leaf>& query, WorkCounters& work) const { all(nodes, ray, query, work); }
+    bool (*closest)(const WideTree<Node, Leaf>& tree, const Ray& ray, WorkCounters& work, Hit& hit, uint32_t instance);
+    bool (*any)(const WideTree<Node, Leaf>& tree, const Ray& ray, WorkCounters& work);
+    bool (*all)(const WideTree<Node, Leaf>& tree, const Ray& ray, WorkCounters& work, std::vector<Hit>& hits, uint32_t instance);
 };
 
 /// Those for these instructions, as edge_filter() chooses: of WideNodes and packed blocks, of CompactNodes and numbered ones, or of WideNodes and a set.

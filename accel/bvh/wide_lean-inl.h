@@ -59,7 +59,7 @@ template <class R, TriangleTest test> class LeanVectorBoxes {
     size_t near_plane_[3], far_plane_[3];
 };
 
-template <class R, TriangleTest test> struct LeanVectorMachine {
+template <class R, TriangleTest test> struct LeanVectorMachine : VectorEntry {
     using Boxes = LeanVectorBoxes<R, test>;
     template <class Leaf> static HWY_INLINE HWY_ATTR decltype(auto) block(const Leaf& leaf, uint32_t number, uint32_t lanes) { return load_block(leaf.blocks(), number, lanes); }
     template <class Leaf> static HWY_INLINE HWY_ATTR uint32_t filter(const Leaf&, const TriangleBlock<R>& block, const auto& ray, bool near) {

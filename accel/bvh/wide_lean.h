@@ -2,7 +2,7 @@
 /// The box tests of Intersect::robust and fast: nothing is padded but the ray's origin, once a ray, or nothing at all.
 #pragma once
 
-#include "accel/bvh/wide.h"
+#include "accel/bvh/wide_scalar.h"
 
 namespace alidade {
 
@@ -43,7 +43,7 @@ template <class R, TriangleTest test> class LeanBoxes {
     R start_, near_origin_[3], far_origin_[3];
 };
 
-template <class R, TriangleTest test> struct LeanMachine {
+template <class R, TriangleTest test> struct LeanMachine : ScalarEntry {
     using Boxes = LeanBoxes<R, test>;
     static decltype(auto) block(const auto& leaf, uint32_t number, uint32_t lanes) { return leaf.blocks().block(number, lanes); }
     static uint32_t filter(const auto& leaf, const TriangleBlock<R>& block, const auto& ray, bool near) { return leaf.filter(block, ray, near); }

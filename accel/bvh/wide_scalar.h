@@ -26,7 +26,16 @@ template <class R, int kUnits = kTriangleUnits> class ScalarBoxes {
     WideRay<R, kUnits> ray_;
 };
 
-template <class R> struct ScalarMachine {
+/// Without vectors.
+struct ScalarEntry {
+    template <class Leaf> static bool enter(const Ray& ray, const RayBounds& bounds, LocalRay& local) {
+        if (!can_hit(ray, kLargestCoordinate<typename Leaf::Real>)) return false;
+        local = local_ray(ray, bounds, kWideEntry<Leaf>, Isa::scalar);
+        return true;
+    }
+};
+
+template <class R> struct ScalarMachine : ScalarEntry {
     using Boxes = ScalarBoxes<R>;
     static decltype(auto) block(const auto& leaf, uint32_t number, uint32_t lanes) { return leaf.blocks().block(number, lanes); }
     static uint32_t filter(const auto& leaf, const TriangleBlock<R>& block, const FilterRay<R>& ray, bool near) { return leaf.filter(block, ray, near); }

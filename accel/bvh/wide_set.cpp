@@ -24,7 +24,7 @@ namespace alidade {
 
 namespace {
 
-struct ScalarSetMachine {
+struct ScalarSetMachine : ScalarEntry {
     using Boxes = ScalarBoxes<double, kSetUnits>;
 };
 

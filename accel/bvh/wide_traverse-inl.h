@@ -9,6 +9,7 @@
 
 #include "accel/bvh/compact-inl.h"
 #include "accel/bvh/wide_scalar.h"
+#include "accel/local_ray-inl.h"
 #include "accel/triangles/edge_filter-inl.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -23,11 +24,22 @@ template <class V> HWY_INLINE HWY_ATTR V larger(V a, V b) { return hn::IfThenEls
 template <class V> HWY_INLINE HWY_ATTR V smaller(V a, V b) { return hn::IfThenElse(hn::Lt(a, b), a, b); }
 #endif
 
-/// A WideRay, each number in all lanes. The operations below are those of WideRay::enter, in their order; differences and inverses have the other sign, so
+/// Where the first planes of the near ends of three axes stand in a node, then those of the far ends, by the signs of a direction: bit a is set if axis a is negative.
+inline constexpr auto kPlaneOrders = [] {
+    std::array<std::array<size_t, 6>, 8> orders{};
+    for (size_t signs = 0; signs < 8; ++signs)
+        for (size_t a = 0; a < 3; ++a) {
+            const size_t negative = signs >> a & 1;
+            orders[signs][a] = (2 * a + negative) * kWide, orders[signs][3 + a] = (2 * a + 1 - negative) * kWide;
+        }
+    return orders;
+}();
+
+/// A WideRay. The operations below are those of WideRay::enter, in their order; differences and inverses have the other sign, so
 /// that planes are operands from memory.
 template <class R, int kUnits = kTriangleUnits> class VectorBoxes {
   public:
-    explicit HWY_ATTR VectorBoxes(const LocalRay& ray) : start_(ray.tmin) {
+    explicit HWY_INLINE HWY_ATTR VectorBoxes(const LocalRay& ray) : start_(ray.tmin) {
         if (!set_sloped(ray)) set(WideRay<R, kUnits>(ray));
     }
 
@@ -40,8 +52,8 @@ template <class R, int kUnits = kTriangleUnits> class VectorBoxes {
         for (uint32_t lane = 0; lane < kWide; lane += lanes) {
             V near = hn::Zero(d), far = hn::Set(d, limit);
             for (int a = 0; a < 3; ++a) {
-                near = larger(hn::Mul(hn::Sub(near_origin_[a], load_planes(d, node, a, near_plane_[a] + lane)), near_inverse_[a]), near);
-                far = smaller(hn::Mul(hn::Sub(far_origin_[a], load_planes(d, node, a, far_plane_[a] + lane)), far_inverse_[a]), far);
+                near = larger(hn::Mul(hn::Sub(hn::Set(d, near_origin_[a]), load_planes(d, node, a, planes_[a] + lane)), hn::Set(d, near_inverse_[a])), near);
+                far = smaller(hn::Mul(hn::Sub(hn::Set(d, far_origin_[a]), load_planes(d, node, a, planes_[3 + a] + lane)), hn::Set(d, far_inverse_[a])), far);
             }
             hn::Store(near, d, entries + lane);
             bits |= mask_bits(d, hn::Le(near, far)) << lane;
@@ -50,13 +62,13 @@ template <class R, int kUnits = kTriangleUnits> class VectorBoxes {
     }
 
   private:
-    HWY_INLINE HWY_ATTR void set(const WideRay<R, kUnits>& ray) {
-        for (int a = 0; a < 3; ++a) set_axis(a, ray.negative(a), ray.near_origin(a), ray.far_origin(a), -ray.near_inverse(a), -ray.far_inverse(a));
-    }
-    HWY_INLINE HWY_ATTR void set_axis(int a, bool negative, R near_origin, R far_origin, R near_inverse, R far_inverse) {
-        const D d;
-        near_plane_[a] = size_t(2 * a + negative) * kWide, far_plane_[a] = size_t(2 * a + !negative) * kWide;
-        near_origin_[a] = hn::Set(d, near_origin), far_origin_[a] = hn::Set(d, far_origin), near_inverse_[a] = hn::Set(d, near_inverse), far_inverse_[a] = hn::Set(d, far_inverse);
+    HWY_NOINLINE HWY_ATTR void set(const WideRay<R, kUnits>& ray) {
+        uint32_t negative = 0;
+        for (int a = 0; a < 3; ++a) {
+            near_origin_[a] = ray.near_origin(a), far_origin_[a] = ray.far_origin(a), near_inverse_[a] = -ray.near_inverse(a), far_inverse_[a] = -ray.far_inverse(a);
+            negative |= uint32_t(ray.negative(a)) << a;
+        }
+        planes_ = kPlaneOrders[negative].data();
     }
 
     /// As set(WideRay), the three axes at once, where the machine has vectors of four doubles. False, and nothing done, for rays that are along an axis.
@@ -69,18 +81,14 @@ template <class R, int kUnits = kTriangleUnits> class VectorBoxes {
             else return v;
         };
         const auto at = hn::Load(wide, &ray.origin.x), dir = hn::Load(wide, &ray.dir.x);
-        uint8_t flat[8] = {};
-        hn::StoreMaskBits(wide, hn::Lt(hn::Abs(dir), hn::Set(wide, kSmallestSlope<R>)), flat);
-        if (flat[0] & 7) return false;
+        if (mask_bits(wide, hn::Lt(hn::Abs(dir), hn::Set(wide, kSmallestSlope<R>))) & 7) return false;
         const auto o = rounded(hn::Add(at, hn::Mul(hn::Set(wide, start_), dir)));
         const auto moved = hn::Add(rounded(hn::Mul(hn::Abs(at), hn::Set(wide, kUnits * kMoved))), hn::Set(d, kOriginPad<R>));
         const auto e = hn::Add(hn::Mul(hn::Abs(o), hn::Set(d, kUnits * kUnitRoundoff<R>)), moved);
         const auto inverse = rounded(hn::Load(wide, &ray.inverse.x)), outward = hn::CopySign(e, inverse), near_inverse = hn::Neg(inverse);
-        alignas(32) R near_origins[4], far_origins[4], near_inverses[4], far_inverses[4];
-        hn::Store(hn::Add(o, outward), d, near_origins), hn::Store(hn::Sub(o, outward), d, far_origins);
-        hn::Store(near_inverse, d, near_inverses), hn::Store(hn::Mul(near_inverse, hn::Set(d, kWidened<R, kUnits>)), d, far_inverses);
-        hn::StoreMaskBits(d, hn::Lt(inverse, hn::Zero(d)), flat);
-        for (int a = 0; a < 3; ++a) set_axis(a, flat[0] >> a & 1, near_origins[a], far_origins[a], near_inverses[a], far_inverses[a]);
+        hn::Store(hn::Add(o, outward), d, near_origin_), hn::Store(hn::Sub(o, outward), d, far_origin_);
+        hn::Store(near_inverse, d, near_inverse_), hn::Store(hn::Mul(near_inverse, hn::Set(d, kWidened<R, kUnits>)), d, far_inverse_);
+        planes_ = kPlaneOrders[mask_bits(d, hn::Lt(inverse, hn::Zero(d))) & 7].data();
         return true;
 #else
         static_cast<void>(ray);
@@ -91,19 +99,32 @@ template <class R, int kUnits = kTriangleUnits> class VectorBoxes {
     using D = hn::CappedTag<R, kWide>;
     using V = hn::Vec<D>;
 
-    V near_origin_[3], far_origin_[3], near_inverse_[3], far_inverse_[3];
-    size_t near_plane_[3], far_plane_[3];
+    alignas(32) R near_origin_[4], far_origin_[4], near_inverse_[4], far_inverse_[4];   // spread over lanes where they are used: to read one of them to all lanes is no slower
+    const size_t* planes_;
     double start_;
 };
 
-template <class R> struct VectorMachine {
+/// As StructureAccelerator does, in vectors. False: the ray hits nothing.
+struct VectorEntry {
+    template <class Leaf> static HWY_INLINE HWY_ATTR bool enter(const Ray& ray, const RayBounds& bounds, LocalRay& local) {
+        constexpr double largest = kLargestCoordinate<typename Leaf::Real>;
+#if HWY_TARGET == HWY_AVX2 || HWY_TARGET == HWY_AVX3
+        if (ray.tmin <= ray.tmax && !bounds.empty() && local_ray_lanes(ray, bounds, kWideEntry<Leaf>, largest, local)) return true;
+#endif
+        if (!can_hit(ray, largest)) return false;
+        local = local_ray(ray, bounds, kWideEntry<Leaf>, Isa::scalar);
+        return true;
+    }
+};
+
+template <class R> struct VectorMachine : VectorEntry {
     using Boxes = VectorBoxes<R>;
     template <class Leaf> static HWY_INLINE HWY_ATTR decltype(auto) block(const Leaf& leaf, uint32_t number, uint32_t lanes) { return load_block(leaf.blocks(), number, lanes); }
     template <class Leaf> static HWY_INLINE HWY_ATTR uint32_t filter(const Leaf&, const TriangleBlock<R>& block, const FilterRay<R>& ray, bool near) { return filter_block(block, ray, near); }
 };
 
 /// Of sets, which are shown what is in leaves.
-struct VectorSetMachine {
+struct VectorSetMachine : VectorEntry {
     using Boxes = VectorBoxes<double, kSetUnits>;
 };
 
@@ -150,24 +171,26 @@ HWY_INLINE HWY_ATTR void sort_top(WideWaiting* top, uint32_t count) {
     }
 }
 
+/// Of the lowest bit.
+template <class Node> HWY_INLINE HWY_ATTR WideWaiting child_at(const Node& node, uint32_t bits, const typename Node::Real* entries) {
+    const auto i = size_t(std::countr_zero(bits));
+    return {node.child[i], float(entries[i])};
+}
+
 /// Puts the children whose bits are set on the stack, all but one: returns that one, the nearest if `sorted`. One or two are the common case.
 template <bool sorted, class Node>
 HWY_INLINE HWY_ATTR WideWaiting take_children(const Node& node, uint32_t bits, const typename Node::Real* entries, WideWaiting*& top) {
-    const auto next = [&]() HWY_ATTR {
-        const auto i = size_t(std::countr_zero(bits));
-        bits &= bits - 1;
-        return WideWaiting(node.child[i], float(entries[i]));
-    };
-    WideWaiting near = next();
+    WideWaiting near = child_at(node, bits, entries);
+    bits &= bits - 1;
     if (!bits) return near;
-    WideWaiting far = next();
+    WideWaiting far = child_at(node, bits, entries);
+    bits &= bits - 1;
     if constexpr (sorted) put_in_order(far, near);
     top[0] = far;
     if (!bits) return ++top, near;
     top[1] = near;
     uint32_t count = 2;
-    do top[count++] = next();
-    while (bits);
+    for (; bits; bits &= bits - 1) top[count++] = child_at(node, bits, entries);
     if constexpr (sorted) sort_top(top, count);
     top += count - 1;
     return *top;
@@ -176,7 +199,7 @@ HWY_INLINE HWY_ATTR WideWaiting take_children(const Node& node, uint32_t bits, c
 /// Nearer children first, where the order matters to the query. A box is skipped only if its padded entry is beyond the padded limit: at an equal t there may
 /// be a lower id inside.
 template <class Machine, class Node, class Query>
-HWY_ATTR void wide_traverse(const Node* nodes, const LocalRay& ray, Query& query, WorkCounters& work) {
+HWY_INLINE HWY_ATTR void wide_traverse(const Node* nodes, const LocalRay& ray, Query& query, WorkCounters& work) {
     using R = typename Query::Real;
     WideWaiting stack[1 + (kWide - 1) * kBvhDepth + kWide];
     const typename Machine::Boxes boxes(ray);
@@ -204,6 +227,7 @@ HWY_ATTR void wide_traverse(const Node* nodes, const LocalRay& ray, Query& query
             limit = boxes.limit(query.limit());
             last = last_key(float(limit));
         } else {
+            query.prepare();
             const uint32_t number = WideLeaf::block(current);
             uint32_t lanes = (2u << (WideLeaf::count(current) - 1)) - 1;
             if constexpr (requires { leaf.blocks().boxes(number); }) {
@@ -214,7 +238,7 @@ HWY_ATTR void wide_traverse(const Node* nodes, const LocalRay& ray, Query& query
             filtered += uint32_t(std::popcount(lanes));
             if (lanes) {
                 const auto& block = Machine::block(leaf, number, lanes);
-                const uint32_t bits = Machine::filter(leaf, block, query.probe().filter, near) & lanes;
+                const uint32_t bits = Machine::filter(leaf, block, query.probe().filter(), near) & lanes;
                 if (bits) {
                     if (query.decide(block, number, bits)) break;
                     limit = boxes.limit(query.limit());
@@ -230,9 +254,19 @@ HWY_ATTR void wide_traverse(const Node* nodes, const LocalRay& ray, Query& query
     work.boxes += tested, work.filtered += filtered;
 }
 
-/// The walks of a machine for each question.
+template <class Machine, class Query, class Node, class Leaf, class... Results> HWY_ATTR bool wide_answer(const WideTree<Node, Leaf>& tree, const Ray& ray, WorkCounters& work, Results... results) {
+    LocalRay local;
+    if (!Machine::template enter<Leaf>(ray, tree.bounds, local)) return false;
+    if (tree.unbounded == 0 && !local.enters_box()) return false;
+    Query query(tree.leaf, ray, local, work, std::forward<Results>(results)...);
+    if (tree.unbounded && query.visit(0, tree.unbounded)) return query.finish();
+    if (local.enters_box()) ++work.rays, wide_traverse<Machine>(tree.nodes, local, query, work);
+    return query.finish();
+}
+
+/// The questions of a machine.
 template <class Machine, class Node, class Leaf> constexpr WideTraversals<Node, Leaf> traversals_of() {
-    return {wide_traverse<Machine, Node, ClosestQuery<Leaf>>, wide_traverse<Machine, Node, AnyQuery<Leaf>>, wide_traverse<Machine, Node, AllQuery<Leaf>>};
+    return {wide_answer<Machine, ClosestQuery<Leaf>, Node, Leaf, Hit&, uint32_t>, wide_answer<Machine, AnyQuery<Leaf>, Node, Leaf>, wide_answer<Machine, AllQuery<Leaf>, Node, Leaf, std::vector<Hit>&, uint32_t>};
 }
 
 }  // namespace alidade::HWY_NAMESPACE

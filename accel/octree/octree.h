@@ -240,7 +240,8 @@ template <class T, TriangleTest test> class Octree<TriangleLeaf<T, test>> {
         clock.ended("divide");
     }
 
-    template <class Query> void traverse(const LocalRay& ray, Query& query, WorkCounters& work) const { traversals_(nodes_.data(), ray, query, work); }
+    WideTree<WideNode<T>, TriangleLeaf<T, test>> tree(const TriangleLeaf<T, test>& leaf, const RayBounds& bounds, uint32_t unbounded) const { return {nodes_.data(), leaf, bounds, unbounded}; }
+    const PackedTraversals<T, test>& traversals() const { return traversals_; }
     template <class Visit> void visit_nodes(const Visit& visit) const { visit_wide(std::span<const WideNode<T>>(nodes_), kLanes, visit); }
     size_t bytes() const { return nodes_.capacity() * sizeof(WideNode<T>); }
 

@@ -33,7 +33,7 @@ struct EdgeFunctions {
 [[gnu::noinline]] void make_exact(const DecideRay& ray, const Corners& corners, bool blurred, EdgeFunctions& f, uint64_t& exact) {
     for (size_t c = 0; c < 3; ++c) {
         if (!blurred && std::abs(f.e[c]) > f.error) continue;
-        f.e[c] = exact_edge(ray.dir, ray.origin, corners[(c + 1) % 3], corners[(c + 2) % 3]) / ray.dir[ray.axes.z];
+        f.e[c] = exact_edge(ray.dir, ray.origin, corners[(c + 1) % 3], corners[(c + 2) % 3]) / ray.dir_z;
         ++exact;
     }
     if (blurred) f.error = 0;
@@ -45,9 +45,9 @@ EdgeFunctions edge_functions(const DecideRay& ray, const Corners& corners, uint6
     std::array<double, 3> x, y;
     double mx = 0, my = 0;
     for (size_t c = 0; c < 3; ++c) {
-        f.z[c] = corners[c][ray.axes.z] - ray.origin[ray.axes.z];
-        x[c] = (corners[c][ray.axes.x] - ray.origin[ray.axes.x]) - ray.shear_x * f.z[c];
-        y[c] = (corners[c][ray.axes.y] - ray.origin[ray.axes.y]) - ray.shear_y * f.z[c];
+        f.z[c] = component(corners[c], ray.axes.z) - component(ray.origin, ray.axes.z);
+        x[c] = (component(corners[c], ray.axes.x) - component(ray.origin, ray.axes.x)) - ray.shear_x * f.z[c];
+        y[c] = (component(corners[c], ray.axes.y) - component(ray.origin, ray.axes.y)) - ray.shear_y * f.z[c];
         mx = std::max(mx, std::abs(x[c])), my = std::max(my, std::abs(y[c])), f.depth = std::max(f.depth, std::abs(f.z[c]));
     }
     f.e = {x[1] * y[2] - y[1] * x[2], x[2] * y[0] - y[2] * x[0], x[0] * y[1] - y[0] * x[1]};
@@ -113,7 +113,7 @@ std::optional<TriangleCrossing> decide(const DecideRay& ray, const Corners& corn
     const double sum = f.sum(), a = f.e[0] / sum, b = f.e[1] / sum, c = f.e[2] / sum;
     const double depth = (a * f.z[0] + b * f.z[1]) + c * f.z[2], error = (3 * f.error / std::abs(sum) + 8 * kUnitRoundoff<double>) * f.depth;
     const bool sharp = error <= kDepthError * std::abs(depth);
-    const double at = depth / ray.dir[ray.axes.z], slack = kClampSlack * std::abs(at);
+    const double at = depth / ray.dir_z, slack = kClampSlack * std::abs(at);
     if (at + error + slack < low) return std::nullopt;              // |dir[z]| >= 1, so that error bounds that of t
     if (sharp && at - slack > high) return std::nullopt;            // else t comes from the plane: `high` is not everywhere the same, t must be
     return TriangleCrossing{clamped_to_box(ray, corners, sharp ? at : t_of_plane(ray, corners, exact)), b, c};

@@ -12,12 +12,13 @@ using Corners = std::array<Vec3, 3>;
 
 /// Refers to the local ray.
 struct DecideRay {
-    explicit DecideRay(const LocalRay& ray)
-        : origin(ray.origin), dir(ray.dir), axes(ray.dir), shear_x(dir[axes.x] / dir[axes.z]), shear_y(dir[axes.y] / dir[axes.z]) {}
+    explicit DecideRay(const LocalRay& ray) : DecideRay(ray, ShearAxes(ray.dir)) {}
+    [[gnu::always_inline]] inline DecideRay(const LocalRay& ray, const ShearAxes& shear_axes)
+        : origin(ray.origin), dir(ray.dir), axes(shear_axes), dir_z(component(dir, axes.z)), shear_x(component(dir, axes.x) / dir_z), shear_y(component(dir, axes.y) / dir_z) {}
 
     const Vec3 &origin, &dir;
     ShearAxes axes;
-    double shear_x, shear_y;
+    double dir_z, shear_x, shear_y;
 };
 
 struct TriangleCrossing {

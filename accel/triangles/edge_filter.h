@@ -31,9 +31,10 @@ template <class T> struct alignas(64) TriangleBlock {
 struct ShearAxes {
     int x, y, z;
     explicit ShearAxes(const Vec3& dir) {
-        constexpr int kAfter[] = {1, 2, 0, 1};
+        static constexpr int kAfter[] = {1, 2, 0, 1};
         const double ax = std::abs(dir.x), ay = std::abs(dir.y), az = std::abs(dir.z);
-        z = az > std::max(ax, ay) ? 2 : int(ay > ax);   // no branch: directions are random
+        const int up = az > std::max(ax, ay);   // no branch: directions are random
+        z = up << 1 | (int(ay > ax) & ~up);
         x = kAfter[z], y = kAfter[z + 1];
     }
 };
@@ -61,8 +62,8 @@ template <class T> struct EdgeError {
 
 /// What the filter needs of a ray: p - origin is sheared along the direction, x' = x - shear[0] z, y' = y - shear[1] z. `asked`: begins_at_origin().
 template <class T> struct FilterRay {
-    FilterRay(const LocalRay& ray, const ShearAxes& shear_axes, double shear_x, double shear_y, bool asked)
-        : axes(shear_axes), origin{T(ray.origin[axes.x]), T(ray.origin[axes.y]), T(ray.origin[axes.z])} {
+    [[gnu::always_inline]] inline FilterRay(const LocalRay& ray, const ShearAxes& shear_axes, double shear_x, double shear_y, bool asked)
+        : axes(shear_axes), origin{T(component(ray.origin, axes.x)), T(component(ray.origin, axes.y)), T(component(ray.origin, axes.z))} {
         using Error = EdgeError<T>;
         shear[0] = T(shear_x), shear[1] = T(shear_y);
         T farthest = 0, slope = 0;
@@ -71,7 +72,7 @@ template <class T> struct FilterRay {
             slope = std::max(slope, bound), farthest = std::max(farthest, std::abs(origin[i]) + bound * std::abs(origin[2]));
         }
         origin_blur = Error::kOrigin * farthest + Error::kQuanta, depth_blur = Error::kDepth * slope;
-        ahead = ray.dir[axes.z] < 0 ? T(1) : T(-1), behind_blur = BehindError<T>::blur(origin, asked);
+        ahead = -std::copysign(T(1), T(component(ray.dir, axes.z))), behind_blur = BehindError<T>::blur(origin, asked);
     }
 
     ShearAxes axes;

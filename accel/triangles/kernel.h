@@ -14,15 +14,17 @@ enum class TriangleTest { exact, watertight, watertight_in_double, fast };
 
 /// R: of the mesh.
 ///
-/// - `Ray`: what it makes of a ray, once; its `filter` is for the lanes. `kMovesRay`, or `moves` for each ray: is it to begin at the bounds, see local_ray()?
+/// - `Ray`: what it makes of a ray, once; its `filter` is for the lanes. `kEntry`: where it is to begin, see local_ray().
 /// - `crossing`: of a lane that passed, in local t; nothing where the triangle is not hit. Crossings that are surely before the local interval or beyond `limit` may be left out.
 /// - `error`: how far ray.at(t) may be from the triangle's plane, as far as what is spawned there must know.
 template <class R, TriangleTest test> struct TriangleKernel;
 
 template <class R> struct TriangleKernel<R, TriangleTest::exact> {
-    static constexpr bool kMovesRay = true;
+    static constexpr RayEntry kEntry{true, kFar};
     struct Ray {
-        Ray(const alidade::Ray& ray, const LocalRay& local) : decide(local), filter(local, decide.axes, decide.shear_x, decide.shear_y, begins_at_origin(ray, local)) {}
+        [[gnu::always_inline]] inline Ray(const alidade::Ray& ray, const LocalRay& local) : Ray(local, ShearAxes(local.dir), begins_at_origin(ray, local)) {}
+        /// The axes by themselves: copied from one to the other, two numbers would be read where one was just written, and wait.
+        [[gnu::always_inline]] inline Ray(const LocalRay& local, const ShearAxes axes, bool asked) : decide(local, axes), filter(local, axes, decide.shear_x, decide.shear_y, asked) {}
         DecideRay decide;
         FilterRay<R> filter;
     };
@@ -39,13 +41,11 @@ template <class R> struct TriangleKernel<R, TriangleTest::watertight_in_double> 
 };
 
 template <class R> struct TriangleKernel<R, TriangleTest::watertight> {
-    static constexpr bool kMovesRay = true;
+    static constexpr RayEntry kEntry{true, 2};   // pads grow with the distance
     struct Ray {
         Ray(const alidade::Ray& ray, const LocalRay& local) : filter(local, begins_at_origin(ray, local)) {}
         WatertightRay<R> filter;
     };
-    /// Pads grow with the distance: only a ray that begins near enough stays where it is.
-    static bool moves(const alidade::Ray& ray, const Bounds& bounds) { return max_abs(ray.origin - bounds.center()) > 2 * max_component(bounds.extent()); }
     static WatertightTest<R> filter(Isa isa) { return watertight_test<R>(isa); }
     static std::optional<TriangleCrossing> crossing(const Ray& ray, const LocalRay& local, const TriangleBlock<R>& block, uint32_t lane, const Corners& corners, double, WorkCounters& work) {
         if (ray.filter.unsure >> lane & 1) {
@@ -58,7 +58,7 @@ template <class R> struct TriangleKernel<R, TriangleTest::watertight> {
 };
 
 template <class R> struct TriangleKernel<R, TriangleTest::fast> {
-    static constexpr bool kMovesRay = false;
+    static constexpr RayEntry kEntry{false, kFar};
     struct Ray {
         Ray(const alidade::Ray& ray, const LocalRay& local) : filter(local, local.lower(ray.tmin), local.upper(ray.tmax)) {}
         FastRay<R> filter;

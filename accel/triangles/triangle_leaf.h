@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <array>
 #include <bit>
+#include <new>
 
 namespace alidade {
 
@@ -18,10 +19,20 @@ template <class R, TriangleTest test = TriangleTest::exact, class Blocks = Packe
     static constexpr uint32_t kBlock = kLanes;
     static constexpr TriangleTest kTest = test;
     using Kernel = TriangleKernel<R, test>;
-    static constexpr bool kMovesRay = Kernel::kMovesRay;
+    static constexpr RayEntry kEntry = Kernel::kEntry;
 
-    struct Probe : Kernel::Ray {
-        Probe(const TriangleLeaf&, const Ray& r, const LocalRay& l, uint32_t id) : Kernel::Ray(r, l), ray(r), local(l), instance(id) {}
+    struct Probe {
+        Probe(const TriangleLeaf&, const Ray& r, const LocalRay& l, uint32_t id) : ray(r), local(l), instance(id) {}
+        [[gnu::always_inline]] inline void prepare() {
+            if (!prepared) make();
+        }
+        [[gnu::noinline]] void make() { ::new (&kernel) typename Kernel::Ray(ray, local), prepared = true; }   // in a walk of its own it would take the registers of the loop
+        const auto& filter() const { return kernel.filter; }
+
+        union {
+            typename Kernel::Ray kernel;   ///< once it is prepared
+        };
+        bool prepared = false;
         const Ray& ray;
         const LocalRay& local;
         uint32_t instance;
@@ -98,7 +109,7 @@ template <class R, TriangleTest test = TriangleTest::exact, class Blocks = Packe
         for (uint32_t number = first / kLanes, end = first + count; number * kLanes < end; ++number) {
             const uint32_t start = number * kLanes;
             const TriangleBlock<R>& block = blocks_[number];
-            uint32_t lanes = filter_(block, probe.filter, false);
+            uint32_t lanes = filter_(block, probe.filter(), false);
             if (start < first) lanes &= ~uint32_t(0) << (first - start);
             if (end - start < kLanes) lanes &= (1u << (end - start)) - 1;
             lanes = undecided(probe, block, lanes);
@@ -130,7 +141,7 @@ template <class R, TriangleTest test = TriangleTest::exact, class Blocks = Packe
     template <class F> static bool decide_lane(const Probe& probe, const TriangleBlock<R>& block, uint32_t lane, double limit, WorkCounters& work, F&& found) {
         ++work.primitives;
         const Corners corners = block.corners(lane);
-        const auto crossing = Kernel::crossing(probe, probe.local, block, lane, corners, limit, work);
+        const auto crossing = Kernel::crossing(probe.kernel, probe.local, block, lane, corners, limit, work);
         if (!crossing) return false;
         const double t = probe.local.caller_t(crossing->t);
         if (!(t >= probe.ray.tmin && t <= probe.ray.tmax && std::isfinite(t))) return false;

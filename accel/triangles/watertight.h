@@ -9,9 +9,9 @@ namespace alidade {
 
 /// A ray in T, as the shear wants it, and which of the lanes that were returned are to be asked again. `asked`: begins_at_origin().
 template <class T> struct WatertightRay {
-    [[gnu::always_inline]] inline WatertightRay(const LocalRay& ray, bool asked) : axes(ray.dir), origin{T(ray.origin[axes.x]), T(ray.origin[axes.y]), T(ray.origin[axes.z])} {
-        const double inverse = ray.inverse[axes.z];
-        shear[0] = T(ray.dir[axes.x] * inverse), shear[1] = T(ray.dir[axes.y] * inverse);
+    [[gnu::always_inline]] inline WatertightRay(const LocalRay& ray, bool asked) : axes(ray.dir), origin{T(component(ray.origin, axes.x)), T(component(ray.origin, axes.y)), T(component(ray.origin, axes.z))} {
+        const double inverse = component(ray.inverse, axes.z);
+        shear[0] = T(component(ray.dir, axes.x) * inverse), shear[1] = T(component(ray.dir, axes.y) * inverse);
         ahead = inverse < 0 ? T(-1) : T(1), behind_blur = BehindError<T>::blur(origin, asked);
     }
 
@@ -58,7 +58,7 @@ template <class T> bool is_met(const TriangleBlock<T>& block, uint32_t lane, con
     const Vec3 p = cross(ray.dir, f), q = cross(s, e);
     const double whole = 1 / dot(e, p), u = dot(s, p) * whole, v = dot(ray.dir, q) * whole;
     const double b = u > 0 ? std::min(u, 1.0) : 0, c = v > 0 ? std::min(v, 1 - b) : 0;   // NaN: edge-on
-    return {(b * e[z] + c * f[z] - s[z]) * ray.inverse[z], b, c};
+    return {(b * component(e, z) + c * component(f, z) - component(s, z)) * component(ray.inverse, z), b, c};
 }
 
 /// As decide(), with the signs that double arithmetic gives: watertight for the same reasons as the lanes.
@@ -66,15 +66,15 @@ inline std::optional<TriangleCrossing> decide_watertight(const DecideRay& ray, c
     double x[3], y[3], z[3];
     for (size_t c = 0; c < 3; ++c) {
         const Vec3 p = corners[c] - ray.origin;
-        z[c] = p[ray.axes.z];
-        x[c] = p[ray.axes.x] - ray.shear_x * z[c];
-        y[c] = p[ray.axes.y] - ray.shear_y * z[c];
+        z[c] = component(p, ray.axes.z);
+        x[c] = component(p, ray.axes.x) - ray.shear_x * z[c];
+        y[c] = component(p, ray.axes.y) - ray.shear_y * z[c];
     }
     const double u = x[1] * y[2] - y[1] * x[2], v = x[2] * y[0] - y[2] * x[0], w = x[0] * y[1] - y[0] * x[1];
     const bool positive = u > 0 || v > 0 || w > 0, negative = u < 0 || v < 0 || w < 0;
     if (positive == negative) return std::nullopt;   // on both sides, or edge-on
     const double whole = 1 / (u + v + w), b = v * whole, c = w * whole;
-    return TriangleCrossing{(u * whole * z[0] + b * z[1] + c * z[2]) / ray.dir[ray.axes.z], b, c};
+    return TriangleCrossing{(u * whole * z[0] + b * z[1] + c * z[2]) / ray.dir_z, b, c};
 }
 
 }  // namespace alidade

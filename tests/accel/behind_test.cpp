@@ -57,7 +57,7 @@ template <class T> struct Case {
         ray.origin = p + roundings * double(kUnitRoundoff<T>) * max_abs(p) * normal;
         if (draws.below(4) == 0) ray.origin = Vec3(Vec3T<T>(ray.origin));
         ray.dir = draws.below(4) == 0 ? draws.direction() : normalized(normal + draws.direction() * 0.999);
-        local = local_ray(ray, bounds, false);
+        local = local_ray(ray, bounds, {false, kFar});
     }
 };
 
@@ -119,10 +119,10 @@ TEST(Behind, OnlyWhatIsBehindIsLeftOutInDouble) {
 TEST(Behind, OnlyRaysThatBeginAtTheirOriginAreAsked) {
     const Bounds box{Vec3(-1), Vec3(1)};
     const Ray inside{Vec3(0.5), Vec3(0, 0, 1)}, outside{Vec3(0, 0, -5), Vec3(0, 0, 1)}, whole{Vec3(0.5), Vec3(0, 0, 1), -kInf};
-    EXPECT_TRUE(begins_at_origin(inside, local_ray(inside, box, true)));
-    EXPECT_FALSE(begins_at_origin(outside, local_ray(outside, box, true)));
-    EXPECT_TRUE(begins_at_origin(outside, local_ray(outside, box, false)));
-    EXPECT_FALSE(begins_at_origin(whole, local_ray(whole, box, false)));
+    EXPECT_TRUE(begins_at_origin(inside, local_ray(inside, box, {true, 2})));
+    EXPECT_FALSE(begins_at_origin(outside, local_ray(outside, box, {true, 2})));
+    EXPECT_TRUE(begins_at_origin(outside, local_ray(outside, box, {false, 2})));
+    EXPECT_FALSE(begins_at_origin(whole, local_ray(whole, box, {false, 2})));
     EXPECT_EQ(BehindError<float>::blur({1, 1, 1}, false), std::numeric_limits<float>::infinity());
 }
 

@@ -41,27 +41,58 @@ bool same_bits(const Vec3& a, const Vec3& b) { return same_bits(a.x, b.x) && sam
 
 TEST(LocalRay, IsTheSameForAllInstructions) {
     const size_t count = run_size(300000, 10000000);
-    size_t moved = 0, missed = 0;
+    size_t moved = 0, missed = 0, unclipped = 0;
     for (size_t n = 0; n < count; ++n) {
         Draws draws(RandomKey(51, 0, n, 0));
         Bounds box;
         box.extend(point(draws)), box.extend(point(draws));
         const Ray ray = random_ray(box, draws);
-        const bool move = draws.below(4) > 0;
-        const LocalRay want = local_ray(ray, box, move, Isa::scalar);
+        const RayEntry entry{draws.below(4) > 0, draws.coin() ? 0.25 : kFar, draws.coin()};
+        const LocalRay want = local_ray(ray, box, entry, Isa::scalar);
         for (const Isa isa : available_isas()) {
-            const LocalRay got = local_ray(ray, box, move, isa);
+            const LocalRay got = local_ray(ray, box, entry, isa);
             ASSERT_EQ(got.enters_box(), want.enters_box()) << name(isa) << ", seed 51, ray " << n;
             ASSERT_TRUE(same_bits(got.origin, want.origin) && same_bits(got.dir, want.dir) && same_bits(got.inverse, want.inverse)) << name(isa) << ", seed 51, ray " << n;
             ASSERT_TRUE(same_bits(got.shift, want.shift) && same_bits(got.to_local, want.to_local) && same_bits(got.to_caller, want.to_caller)) << name(isa) << ", seed 51, ray " << n;
             ASSERT_TRUE(same_bits(got.tmin, want.tmin) && same_bits(got.tmax, want.tmax) && same_bits(got.reach, want.reach))
                 << name(isa) << ", seed 51, ray " << n << ": tmin " << got.tmin << " not " << want.tmin << ", tmax " << got.tmax << " not " << want.tmax << ", reach " << got.reach << " not " << want.reach;
         }
-        moved += want.shift != 0, missed += !want.enters_box();
+        moved += want.shift != 0, missed += !want.enters_box(), unclipped += want.tmax == kInf;
     }
+    EXPECT_GT(unclipped, count / 50);
     EXPECT_GT(moved, count / 20);
     EXPECT_GT(missed, count / 20);
     EXPECT_LT(missed, count - count / 5);
+}
+
+/// Where a ray is not clipped, it is where it was, and its interval holds that of the clipped one from 0 on; it is empty only where that is.
+TEST(LocalRay, IsLeftWhereItIsNear) {
+    const size_t count = run_size(300000, 10000000);
+    size_t near = 0, far = 0, missed = 0;
+    for (size_t n = 0; n < count; ++n) {
+        Draws draws(RandomKey(52, 0, n, 0));
+        Bounds box;
+        box.extend(point(draws)), box.extend(point(draws));
+        Ray ray = random_ray(box, draws);
+        if (draws.below(4) > 0) ray.tmin = 0, ray.tmax = draws.coin() ? kInf : draws.uniform(0, 4);
+        const LocalRay clipped = local_ray(ray, box, {true, 2}), left = local_ray(ray, box, {true, 2, false});
+        const bool begins_near = max_abs(ray.origin - box.center()) <= 2 * max_component(box.extent());
+        ASSERT_TRUE(!begins_near || clipped.shift == 0) << "seed 52, ray " << n;
+        ASSERT_TRUE(!clipped.enters_box() || left.enters_box() || clipped.tmax <= kOriginPad<double>) << "seed 52, ray " << n;   // what is behind it may be in the pad of the clipped one
+        if (!begins_near || ray.tmin != 0 || !left.is_plain()) {
+            ASSERT_TRUE(same_bits(clipped.tmin, left.tmin) && same_bits(clipped.tmax, left.tmax) && same_bits(clipped.origin, left.origin)) << "seed 52, ray " << n;
+            far += clipped.shift != 0;
+            continue;
+        }
+        missed += !left.enters_box();
+        if (!left.enters_box()) continue;
+        ++near;
+        ASSERT_TRUE(left.shift == 0 && left.tmin == 0 && left.tmax >= std::min(left.upper(ray.tmax), ray.tmax == kInf ? kInf : clipped.tmax)) << "seed 52, ray " << n;
+        ASSERT_TRUE(!clipped.enters_box() || left.tmax >= clipped.tmax) << "seed 52, ray " << n;
+    }
+    EXPECT_GT(near, count / 20);
+    EXPECT_GT(far, count / 50);
+    EXPECT_GT(missed, count / 50);
 }
 
 }  // namespace
