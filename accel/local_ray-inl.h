@@ -38,7 +38,7 @@ struct RayLanes {
     }
 };
 
-/// As a plain local_ray(), the same bits by a shorter way: slabs are in the caller's t until powers of two are known. False, and nothing done, for rays that are
+/// As a plain local_ray(), the same bits by a shorter way: slabs are in the caller's t until powers of two are known. False, and nothing to be used, for rays that are
 /// along an axis, or very long or short, and for those without a direction, with a NaN, or with an origin that is not within `largest`. The bounds are not empty.
 HWY_INLINE HWY_ATTR bool local_ray_lanes(const Ray& ray, const RayBounds& bounds, RayEntry entry, double largest, LocalRay& local) {
     using L = RayLanes;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// The entry point that all structures share: the ray is moved, in double, to where it enters the bounds of the primitives.
+/// The entry point that all structures share: the ray is scaled and, if it begins far away, moved, in double, to where it enters the bounds of the primitives.
 #pragma once
 
 #include "accel/isa.h"
@@ -29,7 +29,7 @@ struct alignas(32) LocalRay {
     double shift = 0;                   ///< local t of the new origin, seen from the caller's origin
     double to_caller = 1, to_local = 1; ///< powers of two
     double tmin = 0, tmax = -1;         ///< local interval that holds all hits; empty if the ray misses the bounds
-    double reach = 0;                   ///< bounds |t| in it, where somebody needs it: boxes, if a component of dir is very small (kSmallestSlope<float>)
+    double reach = 0;                   ///< bounds |t| in the bounds, where somebody needs it: boxes, if a component of dir is very small (kSmallestSlope<float>)
 
     LocalRay() {}   // not one by one in memory: that takes longer than a box test
     bool enters_box() const { return tmin <= tmax; }

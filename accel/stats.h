@@ -12,7 +12,7 @@ namespace alidade {
 
 /// Added up over rays; each thread has its own and they are summed in a fixed order.
 struct WorkCounters {
-    uint64_t rays = 0;         ///< rays that entered an accelerator's box
+    uint64_t rays = 0;         ///< rays whose line meets an accelerator's box, at up to tmax where the structure asks that before it walks
     uint64_t boxes = 0;        ///< box tests (BVH), cells or nodes stepped through (grid, octree)
     uint64_t filtered = 0;     ///< primitives looked at: for triangles by the float filter
     uint64_t primitives = 0;   ///< primitives decided in double

@@ -44,7 +44,7 @@ struct ImporterEntry {
 
 std::span<const ImporterEntry> importers();
 
-/// Picks the importer by content, then by ending; reads, validates. Never throws on bad input.
+/// Picks the importer by content, then by ending, then by ImportOptions::format; reads, validates. Never throws on bad input.
 ImportResult import_scene(const std::string& path, const ImportOptions& options = {});
 
 }  // namespace alidade

@@ -8,7 +8,7 @@
 #include <cctype>
 #include <cstring>
 #include <fmt/format.h>
-#include <limits>
+#include <iterator>
 
 namespace alidade {
 
@@ -17,13 +17,23 @@ namespace {
 /// Where `Debug_File=on` writes to. Source   POV-Ray 3.7 reference, 3.2.7.2 "Directing Text Streams to Files".
 constexpr const char* kDefaultMessageFiles[kMessageStreams] = {"ALLTEXT.OUT", "DEBUG.OUT", "FATAL.OUT", "RENDER.OUT", "STATS.OUT", "WARNING.OUT"};
 
-/// Fractions are cut, as POV-Ray does.
+/// A word is told of once.
+void tell(PovrayRequest& r, std::string note) {
+    if (std::find(r.notes.begin(), r.notes.end(), note) == r.notes.end()) r.notes.push_back(std::move(note));
+}
+
+/// A whole number of these; a fraction is cut, as POV-Ray does.
+std::optional<int> whole_number(PovrayRequest& r, const PovrayWord& w, int low, int high) {
+    const auto x = parse_number(w.value, low);
+    if (!x || !(*x < double(high) + 1) || w.value.find_first_not_of("+-.0123456789") != std::string::npos) return std::nullopt;   // POV-Ray reads no exponents here
+    const int n = int(*x);
+    if (*x != n) tell(r, fmt::format("{} is taken as {}", w.value, n));
+    return n;
+}
+
 template <int PovrayRequest::* Member, int Low, int High> bool integer(PovrayRequest& r, const PovrayWord& w) {
-    const auto x = parse_number(w.value, Low);
-    if (!x || !(*x < double(High) + 1)) return false;
-    r.*Member = int(*x);
-    if (*x != r.*Member) r.notes.push_back(fmt::format("{} is taken as {}", w.value, r.*Member));
-    return true;
+    const auto n = whole_number(r, w, Low, High);
+    return n ? (r.*Member = *n, true) : false;
 }
 
 template <double PovrayRequest::* Member> bool number(PovrayRequest& r, const PovrayWord& w) {
@@ -32,8 +42,8 @@ template <double PovrayRequest::* Member> bool number(PovrayRequest& r, const Po
 }
 
 template <std::optional<int> PovrayRequest::* Member> bool frame(PovrayRequest& r, const PovrayWord& w) {
-    const auto n = parse_integer(w.value, 0, 1 << 30);
-    return n ? (r.*Member = int(*n), true) : false;
+    const auto n = whole_number(r, w, 0, 1 << 30);
+    return n ? (r.*Member = *n, true) : false;
 }
 
 /// `+X`, `-X` or `Key=on`.
@@ -53,8 +63,8 @@ template <bool PovrayRequest::* Member, double PovrayRequest::* Number> bool fla
 
 /// Cut to what POV-Ray takes.
 bool antialias_depth(PovrayRequest& r, const PovrayWord& w) {
-    const auto n = parse_integer(w.value, 0, 1 << 30);
-    return n ? (r.antialias_depth = std::clamp(int(*n), 1, 9), true) : false;
+    const auto n = whole_number(r, w, 0, 1 << 30);
+    return n ? (r.antialias_depth = std::clamp(*n, 1, 9), true) : false;
 }
 
 bool input(PovrayRequest& r, const PovrayWord& w) { return r.input = w.value, !w.value.empty(); }
@@ -62,7 +72,7 @@ bool output(PovrayRequest& r, const PovrayWord& w) { return r.output = w.value, 
 bool library(PovrayRequest& r, const PovrayWord& w) { return r.library_paths.push_back(w.value), !w.value.empty(); }
 bool declare(PovrayRequest& r, const PovrayWord& w) {
     const size_t equals = w.value.find('=');
-    if (lower(w.value.substr(0, equals)) == "clock") r.notes.emplace_back("Declare=clock changes nothing: the clock is what +K says");
+    if (w.value.substr(0, equals) == "clock") tell(r, "Declare=clock changes nothing: the clock is what +K says");
     else r.declarations.push_back(w.value);
     return equals != std::string::npos;
 }
@@ -70,7 +80,7 @@ bool declare(PovrayRequest& r, const PovrayWord& w) {
 /// Known words that change no picture here.
 bool nothing(PovrayRequest&, const PovrayWord&) { return true; }
 template <const char* const& Sentence> bool told(PovrayRequest& r, const PovrayWord& w) {
-    if (w.on && std::find(r.notes.begin(), r.notes.end(), Sentence) == r.notes.end()) r.notes.emplace_back(Sentence);
+    if (w.on) tell(r, Sentence);
     return true;
 }
 constexpr const char* kNoAlpha = "+UA (Output_Alpha): pictures have no alpha channel yet";
@@ -101,7 +111,7 @@ bool file_gamma(PovrayRequest& r, const PovrayWord& w) { return lower(w.value) =
 
 /// Below 9 POV-Ray leaves things out.
 bool quality(PovrayRequest& r, const PovrayWord& w) {
-    const auto n = parse_integer(w.value, 0, 11);
+    const auto n = whole_number(r, w, 0, 11);
     return n && (*n >= 9 || told<kNoQuality>(r, w));
 }
 
@@ -218,6 +228,12 @@ constexpr PovrayRow kTable[] = {
 }  // namespace
 
 std::span<const PovrayRow> povray_table() { return kTable; }
+
+bool takes_name(const PovrayRow& row) { 
+    const ApplyPovrayWord names[] = {input, output, library, told<kNoCommands>, message_file<MessageStream::all>, message_file<MessageStream::debug>, message_file<MessageStream::fatal>, message_file<MessageStream::render>,
+                                     message_file<MessageStream::statistic>, message_file<MessageStream::warning>};
+    return std::find(std::begin(names), std::end(names), row.apply) != std::end(names);
+}
 
 std::optional<bool> truth(const std::string& text) {
     const std::string t = lower(text);

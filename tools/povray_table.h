@@ -26,6 +26,8 @@ struct PovrayRow {
 
 /// All that are known.
 std::span<const PovrayRow> povray_table();
+/// Is its value a name, of a file, a folder or a command, in which blanks may be?
+bool takes_name(const PovrayRow& row);
 
 /// on, true, yes, 1; off, false, no, 0.
 std::optional<bool> truth(const std::string& text);

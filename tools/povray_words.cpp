@@ -6,9 +6,7 @@
 #include "tools/verbs.h"
 
 #include <algorithm>
-#include <cctype>
 #include <cstdlib>
-#include <cstring>
 #include <filesystem>
 #include <fmt/format.h>
 #include <fstream>
@@ -67,11 +65,6 @@ class Reading {
   private:
     std::string apply(const PovrayRow& row, const PovrayWord& value, const std::string& word) {
         if (row.apply(request, value)) return {};
-        const size_t blank = value.value.find_first_of(" \t");
-        if (blank != std::string::npos && row.apply(request, {value.value.substr(0, blank), value.on})) {
-            request.notes.push_back(fmt::format("'{}': what follows the value is left out, as POV-Ray does: one Key=Value a line", word));
-            return {};
-        }
         return fmt::format("'{}' has no value that {} can take", word, row.key);
     }
 
@@ -95,8 +88,7 @@ class Reading {
 
     std::string take_key(const std::string& word, size_t equals) {
         const std::string key = lower(word.substr(0, equals));
-        std::string value = word.substr(equals + 1);
-        value = unquoted(value);
+        const std::string value = unquoted(word.substr(equals + 1));
         if (key == "include_ini") return take_ini(value);
         for (const PovrayRow& row : povray_table()) {
             if (key != lower(row.key)) continue;
@@ -139,7 +131,8 @@ class Reading {
                 const size_t a = s.find_first_not_of(" \t"), b = s.find_last_not_of(" \t");
                 return a == std::string::npos ? std::string() : s.substr(a, b - a + 1);
             };
-            return take(trim(line.substr(0, equals)) + "=" + trim(line.substr(equals + 1)));
+            const std::string key = trim(line.substr(0, equals)), value = trim(line.substr(equals + 1));
+            return take(key + "=" + value.substr(0, length_of_value(key, value)));
         }
         for (size_t at = 0; at < line.size();) {
             const size_t end = std::min(line.find_first_of(" \t", at), line.size());
@@ -148,6 +141,18 @@ class Reading {
             at = end + 1;
         }
         return {};
+    }
+
+    /// POV-Ray reads one Key=Value a line: to the end of what is quoted, or to a blank, unless it is a name. What follows is told.
+    size_t length_of_value(const std::string& key, const std::string& value) {
+        const bool quoted = !value.empty() && (value[0] == '"' || value[0] == '\'');
+        const auto table = povray_table();
+        const bool name = lower(key) == "include_ini" || std::any_of(table.begin(), table.end(), [&](const PovrayRow& row) { return lower(row.key) == lower(key) && takes_name(row); });
+        size_t end = quoted ? value.find(value[0], 1) : name ? std::string::npos : value.find_first_of(" \t");
+        if (end == std::string::npos) return end;
+        end += quoted;
+        if (end < value.size()) request.notes.push_back(fmt::format("'{}={}': what follows the value is left out, as POV-Ray does: one Key=Value a line", key, value));
+        return end;
     }
 
     int depth_ = 0;

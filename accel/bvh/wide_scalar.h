@@ -30,7 +30,7 @@ template <class R, int kUnits = kTriangleUnits> class ScalarBoxes {
 struct ScalarEntry {
     template <class Leaf> static bool enter(const Ray& ray, const RayBounds& bounds, LocalRay& local) {
         if (!can_hit(ray, kLargestCoordinate<typename Leaf::Real>)) return false;
-        local = local_ray(ray, bounds, kWideEntry<Leaf>, Isa::scalar);
+        if (!bounds.empty()) local = local_ray(ray, bounds, kWideEntry<Leaf>, Isa::scalar);
         return true;
     }
 };

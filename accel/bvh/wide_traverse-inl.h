@@ -104,7 +104,7 @@ template <class R, int kUnits = kTriangleUnits> class VectorBoxes {
     double start_;
 };
 
-/// As StructureAccelerator does, in vectors. False: the ray hits nothing.
+/// Makes the ray ready, in vectors. False: it hits nothing.
 struct VectorEntry {
     template <class Leaf> static HWY_INLINE HWY_ATTR bool enter(const Ray& ray, const RayBounds& bounds, LocalRay& local) {
         constexpr double largest = kLargestCoordinate<typename Leaf::Real>;
@@ -112,7 +112,7 @@ struct VectorEntry {
         if (ray.tmin <= ray.tmax && !bounds.empty() && local_ray_lanes(ray, bounds, kWideEntry<Leaf>, largest, local)) return true;
 #endif
         if (!can_hit(ray, largest)) return false;
-        local = local_ray(ray, bounds, kWideEntry<Leaf>, Isa::scalar);
+        if (!bounds.empty()) local = local_ray(ray, bounds, kWideEntry<Leaf>, Isa::scalar);
         return true;
     }
 };
@@ -259,6 +259,7 @@ template <class Machine, class Query, class Node, class Leaf, class... Results> 
     if (!Machine::template enter<Leaf>(ray, tree.bounds, local)) return false;
     if (tree.unbounded == 0 && !local.enters_box()) return false;
     Query query(tree.leaf, ray, local, work, std::forward<Results>(results)...);
+    if (tree.unbounded) query.prepare();
     if (tree.unbounded && query.visit(0, tree.unbounded)) return query.finish();
     if (local.enters_box()) ++work.rays, wide_traverse<Machine>(tree.nodes, local, query, work);
     return query.finish();

@@ -52,7 +52,7 @@ template <class R> LocalRay random_ray(Draws& draws) {
     LocalRay ray;
     for (int a = 0; a < 3; ++a) ray.origin[a] = double(coordinate<R>(draws));
     ray.dir = random_dir(draws), ray.inverse = Vec3(1.0) / ray.dir, ray.reach = draws.coin() ? 4 : 1e30;
-    ray.tmin = draws.coin() ? -0x1p-200 : draws.uniform(-2, 2);
+    ray.tmin = draws.coin() ? 0 : draws.coin() ? -0x1p-200 : draws.uniform(-2, 2);
     return ray;
 }
 

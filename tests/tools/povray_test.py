@@ -74,8 +74,19 @@ class Povray(InFolder):
         (self.folder / "bare").write_text(SCENE)
         self.render("+Ibare", "+W8", "+H6", "+FP")
         self.assertEqual(self.picture("bare.ppm")[:2], (8, 6))
-        for word in ("+W0.5", "+W65536.5x", "+W1e9", "+Wnan"):
+        for word in ("+W0.5", "+W65537", "+W1e2", "+Wnan", "+W8 +H6", "Width=8 Height=6"):
             self.assertIn("has no value that Width can take", self.render("+Is.pov", word, code=1))
+        said = self.render("+Is.pov", "+W8", "+H6.9", "+H6.9", "+FP", "Antialias_Depth=3.5", "Quality=9.5")
+        self.assertEqual((self.picture("s.ppm")[:2], said.count("6.9 is taken as 6")), ((8, 6), 1))
+
+    def test_a_line_of_an_ini_file_is_one_setting(self):
+        (self.folder / "two words.pov").write_text(SCENE.replace("R = .5", "R = Clock"))
+        (self.folder / "a.ini").write_text("Input_File_Name=two words.pov\nWidth='8' Height=9\nHeight=6 7\nDeclare=Clock=2 Declare=R=0\nOutput_File_Type=p Display=on\nOutput_To_File=off Display=off\n")
+        said = self.render("a.ini")
+        self.assertEqual(said.count("what follows the value is left out"), 5)
+        self.assertEqual(list(self.folder.glob("*.p[np]*")), [], "it is switched off")
+        self.render("a.ini", "+F")
+        self.assertEqual((self.picture("two words.ppm")[:2], set(self.picture("two words.ppm")[2])), ((8, 6), {255}), "a name of one's own that differs from a keyword by a capital")
 
     def test_slips_exit_with_1_and_the_nearest_word(self):
         self.assertIn("did you mean 'Width='?", self.render("+Is.pov", "Widht=3", code=1))
