@@ -86,7 +86,7 @@ struct RayEntry {
     double far;
     bool clips = true;   ///< near: its interval is that in which it is in the bounds. Else, from 0 on, it is the caller's, or empty where the ray misses them: nothing waits for the ends to be known
 };
-/// Pads grow with the distance, and the part of a mesh that they take in with them: from as far away a pixel in a thousand meets some more triangles in vain.
+/// Pads grow with the distance: from as far away they are about a hundred thousandth of a mesh in float.
 inline constexpr double kFar = 64;
 
 /// Bounds (finite or empty) as rays are compared with them, four numbers at once: the last is one that decides nothing.
