@@ -22,13 +22,13 @@ template <template <class> class Structure, class Leaf> class StructureAccelerat
     StructureAccelerator(const typename Leaf::Source& source, const AccelOptions& options) {
         const auto start = std::chrono::steady_clock::now();
         PhaseClock clock(stats_);
-        auto [ids, order, removed, bounds] = sort_out<typename Leaf::Real>(source, options.threads);
-        set_bounds(bounds);
+        auto [ids, order, removed, box] = sort_out<typename Leaf::Real>(source, options.threads);
+        bounds_ = box;
         unbounded_ = uint32_t(order.size());
         stats_.primitives = ids.size() + order.size();
         stats_.removed = std::move(removed);
         clock.ended("sort out");
-        BuildInput<typename Leaf::Source> input{source, std::move(ids), bounds_, order};
+        BuildInput<typename Leaf::Source> input{source, std::move(ids), box, order};
         structure_.emplace(input, options, stats_);   // has phases of its own
         clock.restart();
         stats_.references = order.size() - size_t(std::count(order.begin(), order.end(), kPadding));
@@ -39,8 +39,7 @@ template <template <class> class Structure, class Leaf> class StructureAccelerat
     }
 
     /// Of parts that are there already.
-    StructureAccelerator(Structure<Leaf> structure, Leaf leaf, const Bounds& bounds, BuildStats stats) : stats_(std::move(stats)), structure_(std::move(structure)), leaf_(std::move(leaf)) {
-        set_bounds(bounds);
+    StructureAccelerator(Structure<Leaf> structure, Leaf leaf, const Bounds& bounds, BuildStats stats) : bounds_(bounds), stats_(std::move(stats)), structure_(std::move(structure)), leaf_(std::move(leaf)) {
         stats_.bytes = sizeof(*this) + structure_->bytes() + leaf_->bytes();
     }
 
@@ -63,12 +62,12 @@ template <template <class> class Structure, class Leaf> class StructureAccelerat
         ids.clear();
         if constexpr (requires(const Leaf& leaf) { leaf.candidates(shaft, 0, 0, most, ids); } && requires(const Structure<Leaf>& s) { s.visit_shaft(shaft, [](uint32_t, uint32_t) { return true; }); }) {
             if (!leaf_->candidates(shaft, 0, unbounded_, most, ids)) return false;
-            return !shaft.meets(bounds_) || structure_->visit_shaft(shaft, [&](uint32_t first, uint32_t count) { return leaf_->candidates(shaft, first, count, most, ids); });
+            return !shaft.meets(bounds()) || structure_->visit_shaft(shaft, [&](uint32_t first, uint32_t count) { return leaf_->candidates(shaft, first, count, most, ids); });
         }
         return false;
     }
 
-    Bounds bounds() const override { return bounds_; }
+    Bounds bounds() const override { return bounds_.bounds(); }
     const BuildStats& stats() const override { return stats_; }
 
     bool visit_nodes(const std::function<void(const TreeNode&)>& visit) const override {
@@ -94,7 +93,7 @@ template <template <class> class Structure, class Leaf> class StructureAccelerat
             const SortedOut found = sort_out<typename Leaf::Real>(source, threads);
             if (found.bounded.size() != stats_.primitives || found.removed != stats_.removed) return false;
             clock.ended("sort out");
-            set_bounds(found.bounds);
+            bounds_ = found.bounds;
             stats_.sah_cost = structure_->refit(*leaf_, source, threads);
             clock.ended("refit");
             stats_.phases = std::move(clocked.phases);
@@ -105,18 +104,18 @@ template <template <class> class Structure, class Leaf> class StructureAccelerat
     }
 
     tl::expected<void, std::string> save(const std::string& path, const TriangleView& mesh) const override {
-        if constexpr (requires(const Structure<Leaf>& s) { s.save(path, mesh, *leaf_, bounds_, stats_); }) return structure_->save(path, mesh, *leaf_, bounds_, stats_);
+        if constexpr (requires(const Structure<Leaf>& s) { s.save(path, mesh, *leaf_, bounds(), stats_); }) return structure_->save(path, mesh, *leaf_, bounds(), stats_);
         else return Accelerator::save(path, mesh);
     }
 
   private:
     /// Are its questions compiled whole, from the caller's ray on?
     static constexpr bool kWalksItself = requires(const Structure<Leaf>& s) { s.traversals(); };
-    auto tree() const { return structure_->tree(*leaf_, ray_bounds_, unbounded_); }
+    auto tree() const { return structure_->tree(*leaf_, bounds_, unbounded_); }
 
     template <class Query, class... Results> bool ask(const Ray& ray, WorkCounters& work, Results&&... results) const {
         if (!can_hit(ray, kLargestCoordinate<typename Leaf::Real>)) return false;
-        const LocalRay local = local_ray(ray, ray_bounds_, Leaf::kEntry);
+        const LocalRay local = local_ray(ray, bounds_, Leaf::kEntry);
         if (unbounded_ == 0 && !local.enters_box()) return false;
         Query query(*leaf_, ray, local, work, std::forward<Results>(results)...);
         query.prepare();
@@ -125,10 +124,7 @@ template <template <class> class Structure, class Leaf> class StructureAccelerat
         return query.finish();
     }
 
-    void set_bounds(const Bounds& bounds) { bounds_ = bounds, ray_bounds_ = bounds; }
-
-    RayBounds ray_bounds_;
-    Bounds bounds_;
+    RayBounds bounds_;
     BuildStats stats_;
     uint32_t unbounded_ = 0;
     std::optional<Structure<Leaf>> structure_;

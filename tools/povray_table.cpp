@@ -229,7 +229,7 @@ constexpr PovrayRow kTable[] = {
 
 std::span<const PovrayRow> povray_table() { return kTable; }
 
-bool takes_name(const PovrayRow& row) { 
+bool takes_name(const PovrayRow& row) {
     const ApplyPovrayWord names[] = {input, output, library, told<kNoCommands>, message_file<MessageStream::all>, message_file<MessageStream::debug>, message_file<MessageStream::fatal>, message_file<MessageStream::render>,
                                      message_file<MessageStream::statistic>, message_file<MessageStream::warning>};
     return std::find(std::begin(names), std::end(names), row.apply) != std::end(names);

@@ -259,8 +259,10 @@ template <class Machine, class Query, class Node, class Leaf, class... Results> 
     if (!Machine::template enter<Leaf>(ray, tree.bounds, local)) return false;
     if (tree.unbounded == 0 && !local.enters_box()) return false;
     Query query(tree.leaf, ray, local, work, std::forward<Results>(results)...);
-    if (tree.unbounded) query.prepare();
-    if (tree.unbounded && query.visit(0, tree.unbounded)) return query.finish();
+    if (tree.unbounded) {
+        query.prepare();
+        if (query.visit(0, tree.unbounded)) return query.finish();
+    }
     if (local.enters_box()) ++work.rays, wide_traverse<Machine>(tree.nodes, local, query, work);
     return query.finish();
 }
