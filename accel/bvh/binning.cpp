@@ -16,7 +16,7 @@ namespace hn = hwy::HWY_NAMESPACE;
 
 /// BoxEnds::extend; coordinates are finite, so that all maxima are the same.
 template <class R> HWY_INLINE HWY_ATTR void extend(BoxEnds<R>& box, const BoxEnds<R>& by) {
-    const hn::CappedTag<R, 8> d;
+    const hn::CappedTag<R, 32 / sizeof(R)> d;
     for (size_t i = 0; i < 8; i += hn::Lanes(d)) hn::Store(hn::Max(hn::Load(d, by.v + i), hn::Load(d, box.v + i)), d, box.v + i);
 }
 
@@ -46,7 +46,7 @@ template <class R> HWY_ATTR void bound(std::span<const BvhReference<R>> referenc
 }
 
 template <class R> HWY_INLINE HWY_ATTR void copy(const BvhReference<R>& from, BvhReference<R>& to) {
-    const hn::CappedTag<R, 8> d;
+    const hn::CappedTag<R, 32 / sizeof(R)> d;
     for (size_t i = 0; i < 8; i += hn::Lanes(d)) hn::Store(hn::Load(d, from.v + i), d, to.v + i);
 }
 

@@ -31,6 +31,7 @@ class NumberedBlocks {
 
     /// The eight boxes of a block. The children are triangles.
     const CompactNode& boxes(uint32_t number) const { return boxes_[number]; }
+    const void* address(uint32_t number) const { return &boxes_[number]; }
     uint32_t id(uint32_t place) const { return boxes_[place / kLanes].child[place % kLanes]; }
     Corners corners(uint32_t place) const { return source_.corners(id(place)); }
     /// What a block of PackedBlocks has in `lanes`; zeros in the others.

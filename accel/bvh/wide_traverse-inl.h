@@ -96,7 +96,8 @@ template <class R, int kUnits = kTriangleUnits> class VectorBoxes {
 #endif
     }
 
-    using D = hn::CappedTag<R, kWide>;
+    /// Of sets four at once: what is below them is in float, and vectors of 64 bytes slow down what follows (-mprefer-vector-width in cmake/folder.cmake).
+    using D = hn::CappedTag<R, kUnits == kSetUnits ? 4 : kWide>;
     using V = hn::Vec<D>;
 
     alignas(32) R near_origin_[4], far_origin_[4], near_inverse_[4], far_inverse_[4];   // spread over lanes where they are used: to read one of them to all lanes is no slower
@@ -142,9 +143,6 @@ struct WideWaiting {
     uint32_t child() const { return uint32_t(uint64_t(key)); }
     bool near() const { return uint64_t(key) >> 32 == 0; }   ///< does the ray begin in the box?
 };
-
-/// The child below all that waits; no leaf (WideLeaf::kMaxBlocks).
-inline constexpr uint32_t kNoChild = ~0u;
 
 /// Not less than the key of any child that is entered at up to `limit`.
 inline int64_t last_key(float limit) { return WideWaiting(~0u, limit).key; }
@@ -196,6 +194,15 @@ HWY_INLINE HWY_ATTR WideWaiting take_children(const Node& node, uint32_t bits, c
     return *top;
 }
 
+/// Begins to read a node, or the triangles of a leaf, or what of them is read first.
+template <class Node, class Leaf> HWY_INLINE HWY_ATTR void fetch(const Node* nodes, const Leaf& leaf, uint32_t child) {
+    const void* what = nullptr;
+    if (!WideLeaf::is(child)) what = &nodes[child];
+    else if constexpr (requires { leaf.blocks(); }) what = leaf.blocks().address(WideLeaf::block(child));
+    const auto* const bytes = static_cast<const char*>(what);
+    __builtin_prefetch(bytes), __builtin_prefetch(bytes + 64), __builtin_prefetch(bytes + 128);
+}
+
 /// Nearer children first, where the order matters to the query. A box is skipped only if its padded entry is beyond the padded limit: at an equal t there may
 /// be a lower id inside.
 template <class Machine, class Node, class Query>
@@ -207,18 +214,20 @@ HWY_INLINE HWY_ATTR void wide_traverse(const Node* nodes, const LocalRay& ray, Q
     int64_t last = last_key(float(limit));
     const auto& leaf = query.leaf();
     WideWaiting* top = stack;
-    (top++)->key = std::numeric_limits<int64_t>::min() | kNoChild;
+    (top++)->key = std::numeric_limits<int64_t>::min();   // below all that waits; its child is the root, which is there to be fetched
     uint32_t current = 0;
     bool near = false;   // does the ray begin in the box of `current`?
     uint64_t tested = 0, filtered = 0;
     for (;;) {
         if (!WideLeaf::is(current)) {
             const Node& node = nodes[current];
+            __builtin_prefetch(node.child);   // asked for only once the boxes are tested
             alignas(64) R entries[kWide];
             const uint32_t bits = boxes.enter(node, limit, entries);
             tested += kWide;
             if (bits) {
                 const WideWaiting next = take_children<Query::kNearestFirst>(node, bits, entries, top);
+                fetch(nodes, leaf, top[-1].child());   // its turn may come after that of `next`
                 current = next.child(), near = next.near();
                 continue;
             }
@@ -248,8 +257,8 @@ HWY_INLINE HWY_ATTR void wide_traverse(const Node* nodes, const LocalRay& ray, Q
         }
         do --top;
         while (top->key > last);
+        if (top == stack) break;
         current = top->child(), near = top->near();
-        if (current == kNoChild) break;
     }
     work.boxes += tested, work.filtered += filtered;
 }

@@ -27,6 +27,7 @@ template <class R> class PackedBlocks {
     explicit PackedBlocks(LargeArray<TriangleBlock<R>> blocks) : blocks_(std::move(blocks)) {}
 
     const TriangleBlock<R>& operator[](uint32_t number) const { return blocks_[number]; }
+    const void* address(uint32_t number) const { return &blocks_[number]; }
     const TriangleBlock<R>& block(uint32_t number, uint32_t) const { return blocks_[number]; }
     Corners corners(uint32_t place) const { return blocks_[place / kLanes].corners(place % kLanes); }
     uint32_t id(uint32_t place) const { return blocks_[place / kLanes].id[place % kLanes]; }
