@@ -194,11 +194,12 @@ HWY_INLINE HWY_ATTR WideWaiting take_children(const Node& node, uint32_t bits, c
     return *top;
 }
 
-/// Begins to read a node, or the triangles of a leaf, or what of them is read first.
+/// Begins to read a node or the triangles of a leaf: what of them is read first.
 template <class Node, class Leaf> HWY_INLINE HWY_ATTR void fetch(const Node* nodes, const Leaf& leaf, uint32_t child) {
     const void* what = nullptr;
     if (!WideLeaf::is(child)) what = &nodes[child];
     else if constexpr (requires { leaf.blocks(); }) what = leaf.blocks().address(WideLeaf::block(child));
+    else return;
     const auto* const bytes = static_cast<const char*>(what);
     __builtin_prefetch(bytes), __builtin_prefetch(bytes + 64), __builtin_prefetch(bytes + 128);
 }

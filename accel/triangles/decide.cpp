@@ -119,19 +119,4 @@ std::optional<TriangleCrossing> decide(const DecideRay& ray, const Corners& corn
     return TriangleCrossing{clamped_to_box(ray, corners, sharp ? at : t_of_plane(ray, corners, exact)), b, c};
 }
 
-ErrorBound plane_error(const Ray& ray, double t, const Corners& corners) {
-    const Vec3 e = corners[1] - corners[0], f = corners[2] - corners[0], q = ray.at(t) - corners[0];
-    const Vec3 normal = cross(e, f), area = {std::abs(e.y * f.z) + std::abs(e.z * f.y), std::abs(e.z * f.x) + std::abs(e.x * f.z), std::abs(e.x * f.y) + std::abs(e.y * f.x)};
-    const Vec3 travel = t * ray.dir;
-    const double size = length(normal);
-    double wrong = 0, far = 0;
-    for (int i = 0; i < 3; ++i) {
-        const double rounding = gamma_bound(3) * (std::abs(ray.origin[i]) + std::abs(travel[i]) + std::abs(q[i]));   // of at(), however it is evaluated, and of q
-        wrong += gamma_bound(8) * area[i] * std::abs(q[i]) + std::abs(normal[i]) * rounding;
-        far += std::abs(q[i]) + rounding;
-    }
-    const double bound = (std::abs(dot(normal, q)) + wrong) / size * (1 + gamma_bound(16));
-    return {bound < far ? bound : far};   // the plane is not farther than a corner; also for needles whose normal is all rounding
-}
-
 }  // namespace alidade

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 /// Instruction sets change the speed, never a bit of a hit.
+#include "accel/triangles/decide.h"
+#include "core/draws.h"
 #include "numerics/triangles/compare.h"
 #include "numerics/triangles/rays.h"
 #include "tests/accel/run_size.h"
@@ -8,6 +10,8 @@
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
+
+#include <bit>
 
 namespace alidade::test {
 
@@ -26,6 +30,26 @@ TEST(Isa, AreThoseThatHighwayFinds) {
     EXPECT_EQ(machine_has(Isa::sse4), (found & HWY_SSE4) != 0);
     EXPECT_EQ(machine_has(Isa::avx2), (found & HWY_AVX2) != 0);
     EXPECT_EQ(machine_has(Isa::avx512), (found & HWY_AVX3) != 0);
+}
+
+/// Of triangles of any size and shape, needles and points too, and of what overflows: compared as bits.
+TEST(Isa, AllGiveTheErrorOfScalarCode) {
+    size_t plain = 0;
+    const size_t count = run_size(100000, 10000000);
+    for (size_t n = 0; n < count; ++n) {
+        Draws draws(RandomKey(151, 0, n));
+        const double size = draws.below(4) ? 1 : std::ldexp(1.0, int(draws.below(1600)) - 800), thin = draws.below(3) ? 1 : std::ldexp(1.0, -int(draws.below(60)));
+        Corners corners;
+        for (Vec3& corner : corners) corner = size * draws.in_box(Vec3(-1), Vec3(1)) * Vec3(1, thin, 1);
+        if (draws.below(50) == 0) corners[2] = corners[draws.below(2)];
+        Ray ray;
+        ray.origin = size * draws.in_box(Vec3(-4), Vec3(4)), ray.dir = draws.direction();
+        const double t = size * draws.uniform(-4, 4), want = plane_error(ray, t, corners, Isa::scalar).along_normal;
+        for (const Isa isa : available_isas().subspan(1))
+            ASSERT_EQ(std::bit_cast<uint64_t>(plane_error(ray, t, corners, isa).along_normal), std::bit_cast<uint64_t>(want)) << alidade::name(isa) << ", seed 151, triangle " << n << ": " << want;
+        plain += want > 0 && want < kInf;
+    }
+    EXPECT_GT(plain, count / 2);
 }
 
 TEST(Isa, AllGiveTheHitsOfScalarCode) {
