@@ -37,7 +37,10 @@ constexpr TriangleClass kUsual[] = {
     {"grazing 1e-5", 1, 0, 1, 3, 1e-5},
     {"grazing 1e-9", 1, 0, 1, 3, 1e-9},
     {"far", 1, 0, 1, 1e6, 0},
+    {"moved", 1, 0, 1, 200, 0},   // a little more than as far as rays are left where they are
+    {"moved, grazing 1e-5", 1, 0, 1, 200, 1e-5},
     {"sliver", 1, 0, 1e-4, 3, 0},
+    {"sliver, moved", 1, 0, 1e-4, 200, 0},
     {"size 1e6, origin at 1", 1e6, 0, 1, 1e-6, 0},
     {"size 1e-3 at 1", 1e-3, 1, 1, 3, 0},
     {"size 1e-5 at 1", 1e-5, 1, 1, 3, 0},
