@@ -101,6 +101,8 @@ Ray whole_line(const Mesh& mesh, const RandomKey& key) {
     Ray ray;
     for (const RayClass& rays : ray_classes())
         if (name == rays.name) ray = rays.make(mesh, key);
+    Draws draws(key.child(4));
+    if (draws.below(4) == 0) ray.origin -= draws.uniform(100, 1000) * max_component(mesh.bounds().extent()) * normalized(ray.dir);   // from so far it is moved to the mesh
     ray.tmin = -kInf;
     return ray;
 }

@@ -17,7 +17,7 @@ constexpr NumericsRow kSuite[] = {
      "each hits", 1800000, 2770000000, leak_vertex},
     {"T03", "leak-scale", "closed meshes of any size from 1e-15 to 1e15, as they are, 1e-6 to 1e-5 flat, needles of 1e3 to 1e4, blades, up to 1e6 sizes from the origin; half of the rays at edges, half at vertices",
      "each hits", 400000, 400000000, leak_scale},
-    {"T04", "parity", "whole lines through closed meshes, at edges, vertices and in planes of the mesh: all hits of all accelerators; rational arithmetic, and a line moved aside by less than any number",
+    {"T04", "parity", "whole lines through closed meshes, at edges, vertices and in planes of the mesh, a quarter from 100 to 1000 sizes away: all hits of all accelerators; rational arithmetic, and a line moved aside by less than any number",
      "each triangle that is touched is hit once, and an even number is crossed", 20000, 10000000, parity},
     {"T05", "tri-exact", "triangles generic, grazing to 1e-9 radians, far, thin, small beside their offset, on a lattice; targets on edges and within 1e-6 of them; rational arithmetic; units of roundoff of float of t",
      "all decisions those of the exact local ray, t within 1, u and v within 1e-6, the point within its own bound", 5000, 4000000, tri_exact},
