@@ -9,7 +9,7 @@ endif()
 # Every geometric result is a contract, bit for bit: no fused multiply-add that the source does not spell.
 target_compile_options(alidade_flags INTERFACE -ffp-contract=off)
 if(CMAKE_SYSTEM_PROCESSOR MATCHES "x86_64|AMD64|amd64")
-  # In bits. On processors of Intel's a single vector of 512 slows down all that comes near it. A hit was copied in one, and rays were a tenth slower.
+  # In bits. On processors of Intel's a single vector of 512 slows down all that comes near it. The corners of a triangle were copied in one, and rays were a tenth slower (bench/results/accel_peers.md).
   target_compile_options(alidade_flags INTERFACE -mprefer-vector-width=256)
 endif()
 if(ALIDADE_SANITIZE)

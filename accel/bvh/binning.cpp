@@ -14,9 +14,12 @@ namespace alidade::HWY_NAMESPACE {
 
 namespace hn = hwy::HWY_NAMESPACE;
 
+/// In double, too, vectors are of 256 bits: -mprefer-vector-width in cmake/folder.cmake says why.
+template <class R> inline constexpr size_t kAtOnce = 32 / sizeof(R);
+
 /// BoxEnds::extend; coordinates are finite, so that all maxima are the same.
 template <class R> HWY_INLINE HWY_ATTR void extend(BoxEnds<R>& box, const BoxEnds<R>& by) {
-    const hn::CappedTag<R, 32 / sizeof(R)> d;
+    const hn::CappedTag<R, kAtOnce<R>> d;
     for (size_t i = 0; i < 8; i += hn::Lanes(d)) hn::Store(hn::Max(hn::Load(d, by.v + i), hn::Load(d, box.v + i)), d, box.v + i);
 }
 
@@ -46,7 +49,7 @@ template <class R> HWY_ATTR void bound(std::span<const BvhReference<R>> referenc
 }
 
 template <class R> HWY_INLINE HWY_ATTR void copy(const BvhReference<R>& from, BvhReference<R>& to) {
-    const hn::CappedTag<R, 32 / sizeof(R)> d;
+    const hn::CappedTag<R, kAtOnce<R>> d;
     for (size_t i = 0; i < 8; i += hn::Lanes(d)) hn::Store(hn::Load(d, from.v + i), d, to.v + i);
 }
 

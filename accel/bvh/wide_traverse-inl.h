@@ -96,7 +96,7 @@ template <class R, int kUnits = kTriangleUnits> class VectorBoxes {
 #endif
     }
 
-    /// Of sets four at once: what is below them is in float, and vectors of 64 bytes slow down what follows (-mprefer-vector-width in cmake/folder.cmake).
+    /// Of sets four at once: what is below them is in float, and vectors of 512 bits slow down what follows (-mprefer-vector-width in cmake/folder.cmake).
     using D = hn::CappedTag<R, kUnits == kSetUnits ? 4 : kWide>;
     using V = hn::Vec<D>;
 

@@ -31,13 +31,6 @@ struct TriangleCrossing {
 /// Crossings that are surely before `low`, or whose t would surely be beyond `high`, may be left out, which is cheaper.
 std::optional<TriangleCrossing> decide(const DecideRay& ray, const Corners& corners, double low, double high, uint64_t& exact);
 
-/// How far a point is from the plane through a corner: the product of the vector there and the normal, its error, and the normal's length; no more than `far`, since the plane is not farther than the corner, also for needles
-/// whose normal is all rounding.
-inline ErrorBound distance_bound(double product, double wrong, double length, double far) {
-    const double bound = (std::abs(product) + wrong) / length * (1 + gamma_bound(16));
-    return {bound < far ? bound : far};
-}
-
 /// How far ray.at(t) may be from the plane of the triangle. Derived in docs/numerics.md, "The error of a hit". The same bits for all instructions.
 ErrorBound plane_error(const Ray& ray, double t, const Corners& corners, Isa isa = Isa::best);
 

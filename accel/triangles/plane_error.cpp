@@ -21,8 +21,8 @@ HWY_INLINE HWY_ATTR RayLanes::V sums(RayLanes::V a, RayLanes::V b, RayLanes::V c
     return hn::Add(hn::Add(hn::ConcatLowerLower(d, ce, ab), hn::ConcatLowerLower(d, ce_y, ab_y)), hn::ConcatUpperUpper(d, ce, ab));
 }
 
-/// plain_error() below, three components at once: the same operations in the same order. False, and nothing done, where squares overflow or vanish.
-HWY_ATTR bool vector_error(const Ray& ray, double t, const Corners& corners, ErrorBound& error) {
+/// What plain_error() below sums up, three components at once: the same operations in the same order.
+HWY_ATTR void vector_sums(const Ray& ray, double t, const Corners& corners, double (&of)[4]) {
     using L = RayLanes;
     using V = L::V;
     const L::D d;
@@ -33,11 +33,7 @@ HWY_ATTR bool vector_error(const Ray& ray, double t, const Corners& corners, Err
     const V a = hn::Mul(y_z_x(e), z_x_y(f)), b = hn::Mul(y_z_x(f), z_x_y(e)), normal = hn::Sub(a, b), area = hn::Add(hn::Abs(a), hn::Abs(b)), size = hn::Abs(q);
     const V rounding = hn::Mul(hn::Set(d, gamma_bound(3)), hn::Add(hn::Add(hn::Abs(origin), hn::Abs(travel)), size));
     const V wrong = hn::Add(hn::Mul(hn::Mul(hn::Set(d, gamma_bound(8)), area), size), hn::Mul(hn::Abs(normal), rounding));
-    alignas(32) double sum[4];
-    hn::Store(sums(hn::Mul(normal, normal), hn::Mul(normal, q), wrong, hn::Add(size, rounding)), d, sum);
-    if (!is_plain_square(sum[0])) return false;
-    error = distance_bound(sum[1], sum[2], std::sqrt(sum[0]), sum[3]);
-    return true;
+    hn::StoreU(sums(hn::Mul(normal, normal), hn::Mul(normal, q), wrong, hn::Add(size, rounding)), d, of);
 }
 
 #endif
@@ -50,6 +46,13 @@ HWY_AFTER_NAMESPACE();
 namespace alidade {
 
 namespace {
+
+/// How far a point is from the plane through a corner: the product of the vector there and the normal, its error, and the normal's length; no more than `far`, since the plane is not farther than the corner, also for needles
+/// whose normal is all rounding.
+ErrorBound distance_bound(double product, double wrong, double length, double far) {
+    const double bound = (std::abs(product) + wrong) / length * (1 + gamma_bound(16));
+    return {bound < far ? bound : far};
+}
 
 ErrorBound plain_error(const Ray& ray, double t, const Corners& corners) {
     const Vec3 e = corners[1] - corners[0], f = corners[2] - corners[0], q = ray.at(t) - corners[0];
@@ -65,16 +68,19 @@ ErrorBound plain_error(const Ray& ray, double t, const Corners& corners) {
     return distance_bound(dot(normal, q), wrong, size, far);
 }
 
-using VectorError = bool (*)(const Ray&, double, const Corners&, ErrorBound&);
-constexpr IsaRow<VectorError> kVectors[] = {{Isa::scalar, nullptr}, ALIDADE_AVX2_ROW(vector_error) ALIDADE_AVX512_ROW(vector_error)};
+/// Of the normal's square, its product with the vector from a corner to the point, that one's error, and how far the corner is.
+using VectorSums = void (*)(const Ray&, double, const Corners&, double (&)[4]);
+constexpr IsaRow<VectorSums> kVectors[] = {{Isa::scalar, nullptr}, ALIDADE_AVX2_ROW(vector_sums) ALIDADE_AVX512_ROW(vector_sums)};
 
 }  // namespace
 
 ErrorBound plane_error(const Ray& ray, double t, const Corners& corners, Isa isa) {
-    static const VectorError best = chosen(kVectors, Isa::best);
-    const VectorError vector = isa == Isa::best ? best : chosen(kVectors, isa);
-    ErrorBound error;
-    return vector && vector(ray, t, corners, error) ? error : plain_error(ray, t, corners);
+    static const VectorSums best = chosen(kVectors, Isa::best);
+    const VectorSums vector = isa == Isa::best ? best : chosen(kVectors, isa);
+    if (!vector) return plain_error(ray, t, corners);
+    double of[4];
+    vector(ray, t, corners, of);
+    return is_plain_square(of[0]) ? distance_bound(of[1], of[2], std::sqrt(of[0]), of[3]) : plain_error(ray, t, corners);
 }
 
 }  // namespace alidade
