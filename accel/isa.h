@@ -15,4 +15,7 @@ const char* name(Isa isa);
 /// Can this machine run them?
 bool machine_has(Isa isa);
 
+/// Do they have a product and a sum with one rounding? Boxes and edge filters use it: as they only sort out, what they let pass may differ from those without, but no hit does.
+constexpr bool fuses(Isa isa) { return isa == Isa::avx2 || isa == Isa::avx512; }
+
 }  // namespace alidade

@@ -48,20 +48,29 @@ inline constexpr double kMoved = 0x1p-54;
 /// The factor that pads far ends.
 template <class R, int kUnits = kTriangleUnits> inline constexpr R kWidened = 1 + kUnits / kTriangleUnits * kSlabPad * kUnitRoundoff<R>;
 
+/// Where the end of a slab may be computed by one fused operation, plane * inverse - origin * inverse: where that product is neither infinite nor as small as what a processor is slow with.
+template <class R> struct FusedSlab {
+    static constexpr R kPad = R(0x1p-100), kLargest = R(0x1p59), kFlatInverse = R(0x1p60);
+    static constexpr double kLeastSize = 0x1p-40;   ///< of the bounds: kPad is nothing to it
+};
+template <> struct FusedSlab<double> {
+    static constexpr double kPad = kOriginPad<double>, kLargest = 0x1p480, kFlatInverse = 0x1p240, kLeastSize = 0;
+};
+
 /// A ray made ready for tests of eight boxes: a SlabRay that starts where hits begin. None is behind it then, and the pad of far ends is a factor of the inverse
 /// (docs/numerics.md, "Eight at once").
 template <class R, int kUnits = kTriangleUnits> class WideRay {
+    using Fused = FusedSlab<R>;
+
   public:
-    explicit WideRay(const LocalRay& ray) : start_(ray.tmin) {
+    /// `fuses`: does the machine? `size`: twice the greatest extent of the bounds.
+    WideRay(const LocalRay& ray, double size, bool fuses) : start_(ray.tmin), fused_(fuses && size >= Fused::kLeastSize && may_fuse(ray)) {
         for (int a = 0; a < 3; ++a) {
-            const bool flat = std::abs(ray.dir[a]) < kSmallestSlope<R>;
-            const R o = R(ray.origin[a] + start_ * ray.dir[a]);
-            const R drift = flat ? R(4 * ((std::abs(ray.dir[a]) + 0x1p-300) * ray.reach)) : R(0);
-            const R e = kUnits * kUnitRoundoff<R> * std::abs(o) + (R(kUnits * kMoved * std::abs(ray.origin[a])) + (kOriginPad<R> + drift));
+            const bool flat = is_flat(ray, a);
+            const R o = origin(ray, a), e = pad(ray, a, fused_), outward = ray.dir[a] < 0 && !flat ? -e : e;
             negative_[a] = !flat & (ray.dir[a] < 0);
-            const R outward = negative_[a] ? -e : e;
             near_origin_[a] = o + outward, far_origin_[a] = o - outward;
-            near_inverse_[a] = flat ? std::numeric_limits<R>::infinity() : R(ray.inverse[a]);
+            near_inverse_[a] = !flat ? R(ray.inverse[a]) : fused_ ? Fused::kFlatInverse : std::numeric_limits<R>::infinity();
             far_inverse_[a] = near_inverse_[a] * kWidened<R, kUnits>;
         }
     }
@@ -73,13 +82,14 @@ template <class R, int kUnits = kTriangleUnits> class WideRay {
     R enter(const BoundsT<R>& box, R limit) const {
         R near = 0, far = limit;
         for (int a = 0; a < 3; ++a) {
-            const R enters = ((negative_[a] ? box.max[a] : box.min[a]) - near_origin_[a]) * near_inverse_[a], leaves = ((negative_[a] ? box.min[a] : box.max[a]) - far_origin_[a]) * far_inverse_[a];
-            SlabRay<R>::narrow(enters, leaves, near, far);
+            const R first = negative_[a] ? box.max[a] : box.min[a], last = negative_[a] ? box.min[a] : box.max[a];
+            SlabRay<R>::narrow(end(first, near_origin_[a], near_inverse_[a]), end(last, far_origin_[a], far_inverse_[a]), near, far);
         }
         return near <= far ? near : std::numeric_limits<R>::infinity();
     }
 
     /// What the ends of slabs are computed from.
+    bool fused() const { return fused_; }
     bool negative(int axis) const { return negative_[axis]; }
     R near_origin(int axis) const { return near_origin_[axis]; }
     R far_origin(int axis) const { return far_origin_[axis]; }
@@ -87,7 +97,24 @@ template <class R, int kUnits = kTriangleUnits> class WideRay {
     R far_inverse(int axis) const { return far_inverse_[axis]; }
 
   private:
+    static bool is_flat(const LocalRay& ray, int a) { return std::abs(ray.dir[a]) < kSmallestSlope<R>; }
+    static R origin(const LocalRay& ray, int a) { return R(ray.origin[a] + ray.tmin * ray.dir[a]); }
+    /// How far planes are moved out. That of a fused end has a unit for the rounding of its product, and, without slope, for that of kFlatInverse.
+    static R pad(const LocalRay& ray, int a, bool fused) {
+        const double slope = fused ? 1 / double(Fused::kFlatInverse) : 0;
+        const R drift = is_flat(ray, a) ? R(4 * ((std::abs(ray.dir[a]) + (slope + 0x1p-300)) * ray.reach)) : R(0);
+        const R units = fused ? kUnits + 1 : kUnits;
+        return units * kUnitRoundoff<R> * std::abs(origin(ray, a)) + (R(kUnits * kMoved * std::abs(ray.origin[a])) + ((fused ? Fused::kPad : kOriginPad<R>) + drift));
+    }
+    static bool may_fuse(const LocalRay& ray) {
+        bool may = true;
+        for (int a = 0; a < 3; ++a) may &= (is_flat(ray, a) || std::abs(ray.dir[a]) >= 1 / double(Fused::kFlatInverse)) && std::abs(origin(ray, a)) <= Fused::kLargest && pad(ray, a, true) <= Fused::kLargest;
+        return may;
+    }
+    R end(R plane, R origin, R inverse) const { return fused_ ? std::fma(plane, inverse, -(origin * inverse)) : (plane - origin) * inverse; }
+
     double start_;   ///< local t of its origin
+    bool fused_;
     R near_origin_[3], far_origin_[3], near_inverse_[3], far_inverse_[3];
     bool negative_[3];
 };
@@ -103,7 +130,7 @@ template <class Node, class Leaf> struct WideTree {
 /// A near ray need not be clipped to the bounds: the boxes of the root are.
 template <class Leaf> inline constexpr RayEntry kWideEntry{Leaf::kEntry.moves, Leaf::kEntry.far, false};
 
-/// The three questions (Accelerator's, true if there is a hit) on one kind of machine, compiled whole, from the caller's ray on. All test the same boxes, bit for bit, in the same order.
+/// The three questions (Accelerator's, true if there is a hit) on one kind of machine, compiled whole, from the caller's ray on. Those that fuse (isa.h) test the same boxes, bit for bit, in the same order, and so do the others.
 template <class Node, class Leaf> struct WideTraversals {
     bool (*closest)(const WideTree<Node, Leaf>& tree, const Ray& ray, WorkCounters& work, Hit& hit, uint32_t instance);
     bool (*any)(const WideTree<Node, Leaf>& tree, const Ray& ray, WorkCounters& work);
@@ -123,7 +150,7 @@ template <> const PackedTraversals<float, TriangleTest::fast>& wide_traversals(I
 template <> const PackedTraversals<double, TriangleTest::fast>& wide_traversals(Isa isa);
 
 /// Which of the eight boxes the ray enters, not beyond `limit`, and where: WideRay::enter for each. For tests.
-template <class Node> using WideBoxTest = uint32_t (*)(const Node& node, const LocalRay& ray, typename Node::Real limit, typename Node::Real* entries);
+template <class Node> using WideBoxTest = uint32_t (*)(const Node& node, const LocalRay& ray, double size, typename Node::Real limit, typename Node::Real* entries);
 template <class Node> WideBoxTest<Node> wide_box_test(Isa isa);
 template <> WideBoxTest<WideNode<float>> wide_box_test(Isa isa);
 template <> WideBoxTest<WideNode<double>> wide_box_test(Isa isa);

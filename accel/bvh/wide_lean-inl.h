@@ -19,7 +19,7 @@ namespace alidade::HWY_NAMESPACE {
 /// LeanBoxes, eight at once: the operations are those, in their order.
 template <class R, TriangleTest test> class LeanVectorBoxes {
   public:
-    explicit HWY_INLINE HWY_ATTR LeanVectorBoxes(const LocalRay& ray) {
+    HWY_INLINE HWY_ATTR LeanVectorBoxes(const LocalRay& ray, double) {
         const SlabRay<R> slab = slab_of<R>(ray);
         start_ = slab.start(ray.tmin);
         for (int a = 0; a < 3; ++a) {

@@ -16,7 +16,7 @@ template <class R, TriangleTest test> R lean_origin(const SlabRay<R>& slab, cons
 /// One box after the other, the oracle of the vector versions.
 template <class R, TriangleTest test> class LeanBoxes {
   public:
-    explicit LeanBoxes(const LocalRay& ray) : slab_(slab_of<R>(ray)), start_(slab_.start(ray.tmin)) {
+    LeanBoxes(const LocalRay& ray, double) : slab_(slab_of<R>(ray)), start_(slab_.start(ray.tmin)) {
         for (int a = 0; a < 3; ++a) near_origin_[a] = lean_origin<R, test>(slab_, ray, a, true), far_origin_[a] = lean_origin<R, test>(slab_, ray, a, false);
     }
 

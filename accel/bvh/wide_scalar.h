@@ -9,7 +9,7 @@ namespace alidade {
 /// One box after the other, the oracle of the vector versions.
 template <class R, int kUnits = kTriangleUnits> class ScalarBoxes {
   public:
-    explicit ScalarBoxes(const LocalRay& ray) : ray_(ray) {}
+    ScalarBoxes(const LocalRay& ray, double size) : ray_(ray, size, false) {}
 
     R limit(double t) const { return ray_.limit(t); }
 
@@ -41,8 +41,8 @@ template <class R> struct ScalarMachine : ScalarEntry {
     static uint32_t filter(const auto& leaf, const TriangleBlock<R>& block, const FilterRay<R>& ray, bool near) { return leaf.filter(block, ray, near); }
 };
 
-template <class Node, int kUnits = kTriangleUnits> uint32_t enter_boxes_scalar(const Node& node, const LocalRay& ray, typename Node::Real limit, typename Node::Real* entries) {
-    return ScalarBoxes<typename Node::Real, kUnits>(ray).enter(node, limit, entries);
+template <class Node, int kUnits = kTriangleUnits> uint32_t enter_boxes_scalar(const Node& node, const LocalRay& ray, double size, typename Node::Real limit, typename Node::Real* entries) {
+    return ScalarBoxes<typename Node::Real, kUnits>(ray, size).enter(node, limit, entries);
 }
 
 }  // namespace alidade

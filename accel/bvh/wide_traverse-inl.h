@@ -35,45 +35,65 @@ inline constexpr auto kPlaneOrders = [] {
     return orders;
 }();
 
-/// A WideRay. The operations below are those of WideRay::enter, in their order; differences and inverses have the other sign, so
-/// that planes are operands from memory.
+#if HWY_TARGET == HWY_AVX2 || HWY_TARGET == HWY_AVX3
+inline constexpr bool kFuses = true;
+#else
+inline constexpr bool kFuses = false;
+#endif
+
+/// A WideRay: the operations are those of WideRay::enter, in their order.
 template <class R, int kUnits = kTriangleUnits> class VectorBoxes {
   public:
-    explicit HWY_INLINE HWY_ATTR VectorBoxes(const LocalRay& ray) : start_(ray.tmin) {
-        if (!set_sloped(ray)) set(WideRay<R, kUnits>(ray));
+    HWY_INLINE HWY_ATTR VectorBoxes(const LocalRay& ray, double size) : start_(ray.tmin) {
+        if (!set_sloped(ray, size)) set(WideRay<R, kUnits>(ray, size, kFuses));
     }
 
     R limit(double t) const { return SlabRay<R>::limit(t - start_); }
 
     HWY_INLINE HWY_ATTR uint32_t enter(const auto& node, R limit, R* entries) const {
+        if constexpr (!kFuses) return enter_by<false>(node, limit, entries);
+        if (fused_) [[likely]] return enter_by<true>(node, limit, entries);
+        return enter_unfused(node, limit, entries);
+    }
+
+  private:
+    template <bool fused> HWY_INLINE HWY_ATTR uint32_t enter_by(const auto& node, R limit, R* entries) const {
         const D d;
         const auto lanes = uint32_t(hn::Lanes(d));
+        const auto end = [&](V planes, R origin, R inverse) HWY_ATTR {
+            if constexpr (fused) return hn::MulAdd(planes, hn::Set(d, inverse), hn::Set(d, origin));
+            else return hn::Mul(hn::Sub(planes, hn::Set(d, origin)), hn::Set(d, inverse));
+        };
         uint32_t bits = 0;
         for (uint32_t lane = 0; lane < kWide; lane += lanes) {
             V near = hn::Zero(d), far = hn::Set(d, limit);
             for (int a = 0; a < 3; ++a) {
-                near = larger(hn::Mul(hn::Sub(hn::Set(d, near_origin_[a]), load_planes(d, node, a, planes_[a] + lane)), hn::Set(d, near_inverse_[a])), near);
-                far = smaller(hn::Mul(hn::Sub(hn::Set(d, far_origin_[a]), load_planes(d, node, a, planes_[3 + a] + lane)), hn::Set(d, far_inverse_[a])), far);
+                near = larger(end(load_planes(d, node, a, planes_[a] + lane), near_origin_[a], near_inverse_[a]), near);
+                far = smaller(end(load_planes(d, node, a, planes_[3 + a] + lane), far_origin_[a], far_inverse_[a]), far);
             }
             hn::Store(near, d, entries + lane);
             bits |= mask_bits(d, hn::Le(near, far)) << lane;
         }
         return bits & node.places();
     }
+    /// Not among the nodes of most rays.
+    HWY_NOINLINE HWY_ATTR uint32_t enter_unfused(const auto& node, R limit, R* entries) const { return enter_by<false>(node, limit, entries); }
 
-  private:
     HWY_NOINLINE HWY_ATTR void set(const WideRay<R, kUnits>& ray) {
         uint32_t negative = 0;
+        fused_ = ray.fused();
         for (int a = 0; a < 3; ++a) {
-            near_origin_[a] = ray.near_origin(a), far_origin_[a] = ray.far_origin(a), near_inverse_[a] = -ray.near_inverse(a), far_inverse_[a] = -ray.far_inverse(a);
+            near_inverse_[a] = ray.near_inverse(a), far_inverse_[a] = ray.far_inverse(a);
+            near_origin_[a] = fused_ ? -(ray.near_origin(a) * near_inverse_[a]) : ray.near_origin(a), far_origin_[a] = fused_ ? -(ray.far_origin(a) * far_inverse_[a]) : ray.far_origin(a);
             negative |= uint32_t(ray.negative(a)) << a;
         }
         planes_ = kPlaneOrders[negative].data();
     }
 
-    /// As set(WideRay), the three axes at once, where the machine has vectors of four doubles. False, and nothing done, for rays that are along an axis.
-    HWY_INLINE HWY_ATTR bool set_sloped(const LocalRay& ray) {
+    /// As set(WideRay), the three axes at once, of a ray that is along no axis and whose ends are fused. False, and nothing done, for others.
+    HWY_INLINE HWY_ATTR bool set_sloped(const LocalRay& ray, double size) {
 #if HWY_TARGET == HWY_AVX2 || HWY_TARGET == HWY_AVX3
+        using Fused = FusedSlab<R>;
         const hn::FixedTag<double, 4> wide;
         const hn::FixedTag<R, 4> d;
         const auto rounded = [&](auto v) HWY_ATTR {
@@ -81,17 +101,20 @@ template <class R, int kUnits = kTriangleUnits> class VectorBoxes {
             else return v;
         };
         const auto at = hn::Load(wide, &ray.origin.x), dir = hn::Load(wide, &ray.dir.x);
-        if (mask_bits(wide, hn::Lt(hn::Abs(dir), hn::Set(wide, kSmallestSlope<R>))) & 7) return false;
         const auto o = rounded(hn::Add(at, hn::Mul(hn::Set(wide, start_), dir)));
-        const auto moved = hn::Add(rounded(hn::Mul(hn::Abs(at), hn::Set(wide, kUnits * kMoved))), hn::Set(d, kOriginPad<R>));
-        const auto e = hn::Add(hn::Mul(hn::Abs(o), hn::Set(d, kUnits * kUnitRoundoff<R>)), moved);
-        const auto inverse = rounded(hn::Load(wide, &ray.inverse.x)), outward = hn::CopySign(e, inverse), near_inverse = hn::Neg(inverse);
-        hn::Store(hn::Add(o, outward), d, near_origin_), hn::Store(hn::Sub(o, outward), d, far_origin_);
-        hn::Store(near_inverse, d, near_inverse_), hn::Store(hn::Mul(near_inverse, hn::Set(d, kWidened<R, kUnits>)), d, far_inverse_);
+        const uint32_t others = mask_bits(wide, hn::Lt(hn::Abs(dir), hn::Set(wide, 1 / double(Fused::kFlatInverse)))) | mask_bits(d, hn::Gt(hn::Abs(o), hn::Set(d, Fused::kLargest)));
+        if ((others & 7) != 0 || size < Fused::kLeastSize) return false;
+        const auto moved = hn::Add(rounded(hn::Mul(hn::Abs(at), hn::Set(wide, kUnits * kMoved))), hn::Set(d, Fused::kPad));
+        const auto e = hn::Add(hn::Mul(hn::Abs(o), hn::Set(d, (kUnits + 1) * kUnitRoundoff<R>)), moved);
+        const auto inverse = hn::IfThenElse(hn::FirstN(d, 3), rounded(hn::Load(wide, &ray.inverse.x)), hn::Set(d, 1)), outward = hn::CopySign(e, inverse);
+        const auto far_inverse = hn::Mul(inverse, hn::Set(d, kWidened<R, kUnits>));
+        hn::Store(hn::Neg(hn::Mul(hn::Add(o, outward), inverse)), d, near_origin_), hn::Store(hn::Neg(hn::Mul(hn::Sub(o, outward), far_inverse)), d, far_origin_);
+        hn::Store(inverse, d, near_inverse_), hn::Store(far_inverse, d, far_inverse_);
         planes_ = kPlaneOrders[mask_bits(d, hn::Lt(inverse, hn::Zero(d))) & 7].data();
+        fused_ = true;
         return true;
 #else
-        static_cast<void>(ray);
+        static_cast<void>(ray), static_cast<void>(size);
         return false;
 #endif
     }
@@ -100,9 +123,10 @@ template <class R, int kUnits = kTriangleUnits> class VectorBoxes {
     using D = hn::CappedTag<R, kUnits == kSetUnits ? 4 : kWide>;
     using V = hn::Vec<D>;
 
-    alignas(32) R near_origin_[4], far_origin_[4], near_inverse_[4], far_inverse_[4];   // spread over lanes where they are used: to read one of them to all lanes is no slower
+    alignas(32) R near_origin_[4], far_origin_[4], near_inverse_[4], far_inverse_[4];   // spread over lanes where they are used: to read one of them to all lanes is no slower. Fused: what is added, -(origin inverse)
     const size_t* planes_;
     double start_;
+    bool fused_;
 };
 
 /// Makes the ray ready, in vectors. False: it hits nothing.
@@ -129,8 +153,8 @@ struct VectorSetMachine : VectorEntry {
     using Boxes = VectorBoxes<double, kSetUnits>;
 };
 
-template <class Node, int kUnits = kTriangleUnits> HWY_ATTR uint32_t enter_boxes(const Node& node, const LocalRay& ray, typename Node::Real limit, typename Node::Real* entries) {
-    return VectorBoxes<typename Node::Real, kUnits>(ray).enter(node, limit, entries);
+template <class Node, int kUnits = kTriangleUnits> HWY_ATTR uint32_t enter_boxes(const Node& node, const LocalRay& ray, double size, typename Node::Real limit, typename Node::Real* entries) {
+    return VectorBoxes<typename Node::Real, kUnits>(ray, size).enter(node, limit, entries);
 }
 
 /// What waits on the stack: where its box is entered, as a float, above the child. Rounding to float is monotone: what is not beyond a limit stays so.
@@ -204,13 +228,13 @@ template <class Node, class Leaf> HWY_INLINE HWY_ATTR void fetch(const Node* nod
     __builtin_prefetch(bytes), __builtin_prefetch(bytes + 64), __builtin_prefetch(bytes + 128);
 }
 
-/// Nearer children first, where the order matters to the query. A box is skipped only if its padded entry is beyond the padded limit: at an equal t there may
+/// Nearer children first, where the order matters to the query. `size`: as of WideRay. A box is skipped only if its padded entry is beyond the padded limit: at an equal t there may
 /// be a lower id inside.
 template <class Machine, class Node, class Query>
-HWY_INLINE HWY_ATTR void wide_traverse(const Node* nodes, const LocalRay& ray, Query& query, WorkCounters& work) {
+HWY_INLINE HWY_ATTR void wide_traverse(const Node* nodes, const LocalRay& ray, double size, Query& query, WorkCounters& work) {
     using R = typename Query::Real;
     WideWaiting stack[1 + (kWide - 1) * kBvhDepth + kWide];
-    const typename Machine::Boxes boxes(ray);
+    const typename Machine::Boxes boxes(ray, size);
     R limit = boxes.limit(query.limit());
     int64_t last = last_key(float(limit));
     const auto& leaf = query.leaf();
@@ -273,7 +297,7 @@ template <class Machine, class Query, class Node, class Leaf, class... Results> 
         query.prepare();
         if (query.visit(0, tree.unbounded)) return query.finish();
     }
-    if (local.enters_box()) ++work.rays, wide_traverse<Machine>(tree.nodes, local, query, work);
+    if (local.enters_box()) ++work.rays, wide_traverse<Machine>(tree.nodes, local, tree.bounds.doubled_size, query, work);
     return query.finish();
 }
 

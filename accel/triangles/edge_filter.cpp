@@ -15,7 +15,7 @@ namespace alidade {
 
 namespace {
 
-/// One triangle, the oracle of the vector versions: the same operations give the same bits.
+/// One triangle, the oracle of the vector versions that do not fuse: the same operations give the same bits.
 template <class T> bool may_hit(const TriangleBlock<T>& block, uint32_t lane, const FilterRay<T>& ray, bool near) {
     using Error = EdgeError<T>;
     T x[3], y[3], z[3], m = 0, depth = 0;

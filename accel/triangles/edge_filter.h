@@ -84,7 +84,7 @@ template <class T> struct FilterRay {
 /// Bit i is set if triangle i of the block may be hit by the line of the ray; if `near`, not behind its origin, where is_behind() can tell.
 template <class T> using EdgeFilter = uint32_t (*)(const TriangleBlock<T>&, const FilterRay<T>&, bool near);
 
-/// The filter for these instructions; the scalar one if this machine does not have them. All give the same bits.
+/// The filter for these instructions; the scalar one if this machine does not have them. All that fuse (isa.h) give the same bits, and so do the others.
 template <class T> EdgeFilter<T> edge_filter(Isa isa);
 template <> EdgeFilter<float> edge_filter<float>(Isa isa);
 template <> EdgeFilter<double> edge_filter<double>(Isa isa);

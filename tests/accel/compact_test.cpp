@@ -140,12 +140,13 @@ TEST(Compact, BoxesAreEnteredAsOneAtATime) {
         local.origin = draws.in_box(Vec3(-2), Vec3(2)), local.dir = draws.direction();
         if (draws.below(3) == 0) local.dir[int(draws.below(3))] = 0;
         local.inverse = Vec3(1.0) / local.dir, local.reach = 4, local.tmin = draws.coin() ? 0 : draws.uniform(-2, 2);
-        const WideRay<float> ray(local);
+        const WideRay<float> fused(local, 4, true), plain(local, 4, false);
         const CompactNode node = random_node(draws);
-        const float limit = ray.limit(draws.coin() ? std::numeric_limits<double>::max() : draws.uniform(-1, 4));
+        const float limit = plain.limit(draws.coin() ? std::numeric_limits<double>::max() : draws.uniform(-1, 4));
         for (const Isa isa : available_isas()) {
             alignas(64) float entries[kWide];
-            const uint32_t bits = wide_box_test<CompactNode>(isa)(node, local, limit, entries);
+            const uint32_t bits = wide_box_test<CompactNode>(isa)(node, local, 4, limit, entries);
+            const WideRay<float>& ray = fuses(isa) ? fused : plain;
             for (uint32_t i = 0; i < kWide; ++i) {
                 const float want = ray.enter(box_of(node, i), limit);
                 const bool wanted = want <= limit && (node.places() >> i & 1);

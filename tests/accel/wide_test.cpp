@@ -57,17 +57,21 @@ template <class R> LocalRay random_ray(Draws& draws) {
 }
 
 template <class R, int kUnits> void expect_boxes_as_one_at_a_time(WideBoxTest<WideNode<R>> (*box_test)(Isa)) {
-    size_t entered = 0, nans = 0;
+    size_t entered = 0, nans = 0, fusing = 0, flat = 0;
     const size_t count = run_size(200000, 10000000);
     for (size_t n = 0; n < count; ++n) {
         Draws draws(RandomKey(31, 0, n, 0));
         const LocalRay local = random_ray<R>(draws);
-        const WideRay<R, kUnits> ray(local);
-        const WideNode<R> node = random_node<R>(ray, draws);
-        const R limit = ray.limit(draws.coin() ? std::numeric_limits<double>::max() : draws.uniform(-1, 4));
+        const double size = draws.below(4) ? 4 : 0x1p-60;
+        const WideRay<R, kUnits> fused(local, size, true), plain(local, size, false);
+        const WideNode<R> node = random_node<R>(draws.coin() ? fused : plain, draws);
+        const R limit = plain.limit(draws.coin() ? std::numeric_limits<double>::max() : draws.uniform(-1, 4));
+        ASSERT_FALSE(plain.fused());
+        fusing += fused.fused(), flat += fused.fused() && std::min({std::abs(local.dir.x), std::abs(local.dir.y), std::abs(local.dir.z)}) < kSmallestSlope<R>;
         for (const Isa isa : available_isas()) {
+            const WideRay<R, kUnits>& ray = fuses(isa) ? fused : plain;
             alignas(64) R entries[kWide];
-            const uint32_t bits = box_test(isa)(node, local, limit, entries);
+            const uint32_t bits = box_test(isa)(node, local, size, limit, entries);
             for (uint32_t i = 0; i < kWide; ++i) {
                 BoundsT<R> box;
                 for (int a = 0; a < 3; ++a) box.min[a] = node.planes[2 * a][i], box.max[a] = node.planes[2 * a + 1][i];
@@ -83,10 +87,59 @@ template <class R, int kUnits> void expect_boxes_as_one_at_a_time(WideBoxTest<Wi
     }
     EXPECT_GT(entered, count / 4) << "the test must exercise entered boxes";
     EXPECT_GT(nans, count / 1000) << "and planes on which a ray without slope runs";
+    EXPECT_GT(fusing, count / 8) << "and rays whose ends are fused";
+    EXPECT_GT(flat, count / 50) << "and such without slope";
+    if (std::is_same_v<R, float>) { EXPECT_LT(fusing, count) << "and others"; }
 }
 
 TYPED_TEST(Wide, BoxesAreEnteredAsOneAtATime) { expect_boxes_as_one_at_a_time<TypeParam, kTriangleUnits>(wide_box_test<WideNode<TypeParam>>); }
 TEST(WideSet, BoxesAreEnteredAsOneAtATime) { expect_boxes_as_one_at_a_time<double, kSetUnits>(wide_set_box_test); }
+
+/// A number of few bits, so that o + t d of three such is exact in double.
+double short_number(Draws& draws, int bits) { return std::ldexp(double(draws.below(1u << bits)) - std::ldexp(0.5, bits), 1 - bits); }
+
+template <class R> R round_down(double x) {
+    const R near = R(x);
+    return double(near) > x ? std::nextafter(near, -std::numeric_limits<R>::infinity()) : near;
+}
+
+/// A ray and a time, and the box of its exact point there, as tight as R allows, or wider on some sides.
+template <class R> struct Touched {
+    LocalRay ray;
+    double t;
+    BoundsT<R> box;
+
+    explicit Touched(Draws& draws) {
+        const double scale = draws.coin() ? 1 : std::ldexp(1.0, int(draws.below(160)) - 80);
+        for (int a = 0; a < 3; ++a) ray.origin[a] = draws.below(6) ? scale * short_number(draws, 22) : 0;
+        for (int a = 0; a < 3; ++a) ray.dir[a] = draws.below(4) ? short_number(draws, 12) : draws.coin() ? 0 : std::ldexp(1.0, -int(draws.below(20)));
+        ray.dir[int(draws.below(3))] = draws.sign();
+        ray.inverse = Vec3(1.0) / ray.dir, ray.tmin = draws.coin() ? 0 : scale / 8, t = ray.tmin + scale * (1 + short_number(draws, 8)) * (draws.coin() ? 1 : 0x1p6), ray.reach = t;
+        for (int a = 0; a < 3; ++a) {
+            const double p = ray.origin[a] + t * ray.dir[a];
+            box.min[a] = round_down<R>(p), box.max[a] = -round_down<R>(-p);
+            if (draws.coin()) box.min[a] -= R(scale), box.max[a] += R(scale);
+        }
+    }
+};
+
+/// Of exact points, which no rounding may lose (docs/numerics.md, "Eight at once").
+TYPED_TEST(Wide, BoxOfAPointOfTheRayIsEnteredBeforeIt) {
+    using R = TypeParam;
+    size_t fused = 0;
+    const size_t count = run_size(200000, 20000000);
+    for (size_t n = 0; n < count; ++n) {
+        Draws draws(RandomKey(33, 0, n, 0));
+        const Touched<R> one(draws);
+        for (const bool fuses : {true, false}) {
+            const WideRay<R> ray(one.ray, 4, fuses);
+            const R limit = ray.limit(one.t);
+            ASSERT_LE(ray.enter(one.box, limit), limit) << (fuses ? "fused" : "plain") << ", seed 33, ray " << n;
+            fused += ray.fused();
+        }
+    }
+    EXPECT_GT(fused, count / 2);
+}
 
 template <class R> LargeVector<BvhReference<R>> random_references(size_t count, uint64_t seed = 0) {
     LargeVector<BvhReference<R>> references;

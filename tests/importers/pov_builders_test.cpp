@@ -5,7 +5,9 @@
 #include "tests/povray/povray.h"
 
 #include <cmath>
+#include <fstream>
 #include <gmock/gmock.h>
+#include <sstream>
 
 namespace alidade {
 namespace {
@@ -248,7 +250,10 @@ TEST_F(PovBuilders, AWordOfAnotherBlockIsAnError) {
         EXPECT_THAT(said(text), HasSubstr(std::string("error: ") + message));
         if (!povray_is_installed()) continue;
         const std::string run = fmt::format("cd '{}' && povray +I{} -F -D +W1 +H1 > out.txt 2>&1", folder_.string(), write("misplaced.pov", text));
-        EXPECT_NE(std::system(run.c_str()), 0) << text << " is refused by POV-Ray";
+        EXPECT_NE(std::system(run.c_str()), -1);
+        std::ostringstream words;
+        words << std::ifstream(folder_ / "out.txt").rdbuf();
+        EXPECT_THAT(words.str(), HasSubstr("Parse Error")) << text << " is refused by POV-Ray";
     }
     EXPECT_THAT(said("sphere { 0, 1 interior { media { } } photons { target } }"), Not(HasSubstr("error")));
 }
