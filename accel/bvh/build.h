@@ -36,6 +36,9 @@ struct BvhLimits {
 /// better trees in the generated scenes, and asking costs nothing: bins tell the largest.
 inline constexpr double kLargeReference = 4;
 inline bool spatial_splits_promise(uint32_t count, double largest, double area) { return largest * largest * std::sqrt(double(count)) > kLargeReference * area; }
+/// What a plane may cost, of what the cheapest division of whole references does: sides without overlap are easier to divide further, which the heuristic does not foresee. In the stadium a ray meets a third
+/// fewer triangles with it than with 1, in the forest 5 % fewer; 1.4 and 2 are no better.
+inline constexpr double kPlaneFavour = 1.2;
 
 /// The nodes, the root first, children after parents, in depth-first order of pairs; none for no references. Appends the ids to `order` leaf by leaf, padded to blocks.
 ///
