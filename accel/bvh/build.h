@@ -29,6 +29,7 @@ struct BvhLimits {
     double growth = 0;       ///< by this part of their number references may become more through spatial splits; 0: no such splits
     int threads = 1;         ///< changes no result
     uint32_t sah_depth = kSahDepth;   ///< below it ranges are halved
+    double plane_favour = 1; ///< what a spatial split may cost, of what the cheapest division of whole references does
 };
 
 /// Foretells where spatial splits pay: where the largest reference has more than kLargeReference / sqrt(count) of a node's area. Of triangles side by side on a surface each has about
@@ -36,9 +37,6 @@ struct BvhLimits {
 /// better trees in the generated scenes, and asking costs nothing: bins tell the largest.
 inline constexpr double kLargeReference = 4;
 inline bool spatial_splits_promise(uint32_t count, double largest, double area) { return largest * largest * std::sqrt(double(count)) > kLargeReference * area; }
-/// What a plane may cost, of what the cheapest division of whole references does: sides without overlap are easier to divide further, which the heuristic does not foresee. In the stadium a ray meets a third
-/// fewer triangles with it than with 1, in the forest 5 % fewer; 1.4 and 2 are no better.
-inline constexpr double kPlaneFavour = 1.2;
 
 /// The nodes, the root first, children after parents, in depth-first order of pairs; none for no references. Appends the ids to `order` leaf by leaf, padded to blocks.
 ///

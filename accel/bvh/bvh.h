@@ -36,6 +36,9 @@ enum class BvhBuilder { sah, fast };
 
 /// Twice as many references are what fits in 110 bytes a triangle (tests/accel). Generated architecture takes a quarter more, the stadium a hundredth.
 inline constexpr double kSplitGrowth = 1.0;
+/// Sides without overlap are easier to divide further, which the heuristic does not foresee. In the stadium and among needles a ray meets a third fewer triangles with it than with 1, in the forest 5 % fewer, for 10 %
+/// more memory; 1.4 and 2 are no better.
+inline constexpr double kPlaneFavour = 1.2;
 /// More is built more slowly, and architecture's rays are 1.7 times as fast with this as without.
 inline constexpr double kPresplitGrowth = 0.1;
 
@@ -52,7 +55,8 @@ template <class Leaf, class Node> class WideBvh {
     WideBvh(BuildInput<typename Leaf::Source>& input, const AccelOptions& options, BuildStats& stats, BvhBuilder builder = BvhBuilder::sah) : traversals_(wide_traversals<Node, Leaf>(options.isa)) {
         if (!triangles(input) && input.ids.size() <= kSmallSet) builder = BvhBuilder::sah;
         const double growth = !triangles(input) ? 0 : builder == BvhBuilder::fast ? kPresplitGrowth : kSplitGrowth;
-        const BvhLimits limits{Leaf::kBlock, std::max(4u, Leaf::kBlock), options.isa, growth, options.threads};
+        const double favour = std::is_same_v<Node, CompactNode> ? 1 : kPlaneFavour;   // a compact tree is chosen for its memory
+        const BvhLimits limits{Leaf::kBlock, std::max(4u, Leaf::kBlock), options.isa, growth, options.threads, kSahDepth, favour};
         PhaseClock clock(stats);
         auto references = bvh_references<T>(input, options.threads, growth);
         const auto nodes = builder == BvhBuilder::fast ? build_bvh_fast(std::move(references), limits, input.order, stats, triangles(input)) : build_bvh(std::move(references), limits, input.order, stats, triangles(input));
