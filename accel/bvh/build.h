@@ -41,7 +41,7 @@ inline bool spatial_splits_promise(uint32_t count, double largest, double area) 
 /// The nodes, the root first, children after parents, in depth-first order of pairs; none for no references. Appends the ids to `order` leaf by leaf, padded to blocks.
 ///
 /// Method   Wald, "On fast construction of SAH-based bounding volume hierarchies", 2007. Leaves cost by started blocks. If the references are of `triangles`, nodes may be split in space
-///          (bvh/spatial.h) where that is cheaper: then an id may be in several leaves, never twice in one.
+///          (bvh/spatial.h) where that is cheaper, or nearly so (plane_favour): then an id may be in several leaves, never twice in one.
 template <class R>
 LargeVector<BvhNode<R>> build_bvh(LargeVector<BvhReference<R>> references, const BvhLimits& limits, std::vector<uint32_t>& order, BuildStats& stats,
                                   const TriangleSource<R>* triangles = nullptr);

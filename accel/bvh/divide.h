@@ -80,11 +80,12 @@ template <class R> class Divider {
     double blocks(uint32_t count) const { return double((count + limits_.block - 1) / limits_.block); }
     bool uses_threads(const BvhTask<R>& task) const { return threads_ != 1 && task.count >= 2 * kRange; }
 
-    /// By a plane, if there is one that costs less than plane_favour times `cost`. Else, or if all turns out to be on one side, changes nothing but the order of the references.
+    /// By a plane, if there is one that costs less than `cost`, or than plane_favour times as much and leaves one side clearly fewer. Else, or if all turns out to be on one side, changes nothing but the order of the references.
     Divided divide_space(const BvhTask<R>& task, const BoundsT<R>& box, double cost, Part<R>& left, Part<R>& right) {
         ++stats_.split_candidates;
         const SpatialSplit<R> plane = best_plane(std::span<const BvhReference<R>>(task.references()), *triangles_, box, limits_.block);
-        if (!(plane.cost < limits_.plane_favour * cost)) return {};
+        const bool divides = std::min(plane.below.count, plane.above.count) < task.count / 4 * 3;   // else it would use up the budget
+        if (!(plane.cost < (divides ? limits_.plane_favour : 1) * cost)) return {};
         const auto [lefts, rights] = divide_by_plane(task.references(), task.spare, *triangles_, plane, task.budget);
         if (rights == 0) std::copy(task.spare, task.spare + lefts, task.first);
         if (lefts == 0 || rights == 0) return {};

@@ -102,10 +102,12 @@ template <class R, int kUnits = kTriangleUnits> class WideRay {
     /// How far planes are moved out. That of a fused end has a unit for the rounding of its product, and, without slope, for that of kFlatInverse.
     static R pad(const LocalRay& ray, int a, bool fused) {
         const double slope = fused ? 1 / double(Fused::kFlatInverse) : 0;
-        const R drift = is_flat(ray, a) ? R(4 * ((std::abs(ray.dir[a]) + (slope + 0x1p-300)) * ray.reach)) : R(0);
+        const R drift = is_flat(ray, a) ? R(4 * ((std::abs(ray.dir[a]) + (slope + 0x1p-300)) * longest(ray))) : R(0);
         const R units = fused ? kUnits + 1 : kUnits;
         return units * kUnitRoundoff<R> * std::abs(origin(ray, a)) + (R(kUnits * kMoved * std::abs(ray.origin[a])) + ((fused ? Fused::kPad : kOriginPad<R>) + drift));
     }
+    /// Bounds the time from the start to anything of interest: a hit's t is within `reach`, of a set but for roundings of where its ray begins, and the start may be before.
+    static double longest(const LocalRay& ray) { return ray.reach + std::abs(ray.tmin) + (kUnits == kSetUnits ? 0x1p-48 * max_abs(ray.origin) : 0); }
     static bool may_fuse(const LocalRay& ray) {
         bool may = true;
         for (int a = 0; a < 3; ++a) may &= (is_flat(ray, a) || std::abs(ray.dir[a]) >= 1 / double(Fused::kFlatInverse)) && std::abs(origin(ray, a)) <= Fused::kLargest && pad(ray, a, true) <= Fused::kLargest;

@@ -102,10 +102,10 @@ template <class R, int kUnits = kTriangleUnits> class VectorBoxes {
         };
         const auto at = hn::Load(wide, &ray.origin.x), dir = hn::Load(wide, &ray.dir.x);
         const auto o = rounded(hn::Add(at, hn::Mul(hn::Set(wide, start_), dir)));
-        const uint32_t others = mask_bits(wide, hn::Lt(hn::Abs(dir), hn::Set(wide, 1 / double(Fused::kFlatInverse)))) | mask_bits(d, hn::Gt(hn::Abs(o), hn::Set(d, Fused::kLargest)));
-        if ((others & 7) != 0 || size < Fused::kLeastSize) return false;
         const auto moved = hn::Add(rounded(hn::Mul(hn::Abs(at), hn::Set(wide, kUnits * kMoved))), hn::Set(d, Fused::kPad));
         const auto e = hn::Add(hn::Mul(hn::Abs(o), hn::Set(d, (kUnits + 1) * kUnitRoundoff<R>)), moved);
+        const uint32_t others = mask_bits(wide, hn::Lt(hn::Abs(dir), hn::Set(wide, 1 / double(Fused::kFlatInverse)))) | mask_bits(d, hn::Gt(hn::Max(hn::Abs(o), e), hn::Set(d, Fused::kLargest)));
+        if ((others & 7) != 0 || size < Fused::kLeastSize) return false;
         const auto inverse = hn::IfThenElse(hn::FirstN(d, 3), rounded(hn::Load(wide, &ray.inverse.x)), hn::Set(d, 1)), outward = hn::CopySign(e, inverse);
         const auto far_inverse = hn::Mul(inverse, hn::Set(d, kWidened<R, kUnits>));
         hn::Store(hn::Neg(hn::Mul(hn::Add(o, outward), inverse)), d, near_origin_), hn::Store(hn::Neg(hn::Mul(hn::Sub(o, outward), far_inverse)), d, far_origin_);

@@ -18,7 +18,7 @@ namespace alidade::HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 
 /// may_hit() of edge_filter.cpp, on as many lanes as `d` has: the same operations in the same order, but for the products that are fused with a sum where the machine does so.
-/// kQuanta is not: processors take a hundred cycles for a fused sum with a denormal number, but none for a plain one.
+/// Sums with kQuanta are not, which is all that `blur` is where a ray begins at the origin: processors take a hundred cycles for a fused sum with a denormal number, but none for a plain one.
 template <class T, class D> HWY_INLINE HWY_ATTR uint32_t filter_lanes(D d, const TriangleBlock<T>& block, uint32_t lane, const FilterRay<T>& ray, bool near) {
     using V = hn::Vec<D>;
     using Error = EdgeError<T>;
@@ -32,7 +32,7 @@ template <class T, class D> HWY_INLINE HWY_ATTR uint32_t filter_lanes(D d, const
     const V y0 = sheared(oy, shear_y, at_y, 0, z0), y1 = sheared(oy, shear_y, at_y, 1, z1), y2 = sheared(oy, shear_y, at_y, 2, z2);
 
     const V m = hn::Max(largest_of(x0, x1, x2), largest_of(y0, y1, y2)), depth = largest_of(z0, z1, z2);
-    const V blur = hn::MulAdd(all(ray.depth_blur), depth, all(ray.origin_blur)), off = hn::MulAdd(all(Error::kSheared), m, blur);
+    const V blur = hn::Add(all(ray.origin_blur), hn::Mul(all(ray.depth_blur), depth)), off = hn::Add(blur, hn::Mul(all(Error::kSheared), m));
     const V squares = hn::Add(hn::Mul(all(Error::kSquare), hn::Mul(off, off)), all(Error::kQuanta));
     const V error = hn::MulAdd(hn::Mul(all(Error::kBoth), m), blur, hn::MulAdd(all(Error::kBothSheared), hn::Mul(m, m), squares));
 

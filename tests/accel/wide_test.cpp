@@ -114,7 +114,7 @@ template <class R> struct Touched {
         for (int a = 0; a < 3; ++a) ray.origin[a] = draws.below(6) ? scale * short_number(draws, 22) : 0;
         for (int a = 0; a < 3; ++a) ray.dir[a] = draws.below(4) ? short_number(draws, 12) : draws.coin() ? 0 : std::ldexp(1.0, -int(draws.below(20)));
         ray.dir[int(draws.below(3))] = draws.sign();
-        ray.inverse = Vec3(1.0) / ray.dir, ray.tmin = draws.coin() ? 0 : scale / 8, t = ray.tmin + scale * (1 + short_number(draws, 8)) * (draws.coin() ? 1 : 0x1p6), ray.reach = t;
+        ray.inverse = Vec3(1.0) / ray.dir, ray.tmin = draws.coin() ? 0 : draws.coin() ? scale / 8 : -64 * scale, t = std::max(ray.tmin, 0.0) + scale * (1 + short_number(draws, 8)) * (draws.coin() ? 1 : 0x1p6), ray.reach = t;
         for (int a = 0; a < 3; ++a) {
             const double p = ray.origin[a] + t * ray.dir[a];
             box.min[a] = round_down<R>(p), box.max[a] = -round_down<R>(-p);
