@@ -124,15 +124,14 @@ template <class R> struct Touched {
 };
 
 /// Of exact points, which no rounding may lose (docs/numerics.md, "Eight at once").
-TYPED_TEST(Wide, BoxOfAPointOfTheRayIsEnteredBeforeIt) {
-    using R = TypeParam;
+template <class R, int kUnits> void expect_boxes_of_points_are_entered() {
     size_t fused = 0;
     const size_t count = run_size(200000, 20000000);
     for (size_t n = 0; n < count; ++n) {
         Draws draws(RandomKey(33, 0, n, 0));
         const Touched<R> one(draws);
         for (const bool fuses : {true, false}) {
-            const WideRay<R> ray(one.ray, 4, fuses);
+            const WideRay<R, kUnits> ray(one.ray, 4, fuses);
             const R limit = ray.limit(one.t);
             ASSERT_LE(ray.enter(one.box, limit), limit) << (fuses ? "fused" : "plain") << ", seed 33, ray " << n;
             fused += ray.fused();
@@ -140,6 +139,9 @@ TYPED_TEST(Wide, BoxOfAPointOfTheRayIsEnteredBeforeIt) {
     }
     EXPECT_GT(fused, count / 2);
 }
+
+TYPED_TEST(Wide, BoxOfAPointOfTheRayIsEnteredBeforeIt) { expect_boxes_of_points_are_entered<TypeParam, kTriangleUnits>(); }
+TEST(WideSet, BoxOfAPointOfTheRayIsEnteredBeforeIt) { expect_boxes_of_points_are_entered<double, kSetUnits>(); }
 
 template <class R> LargeVector<BvhReference<R>> random_references(size_t count, uint64_t seed = 0) {
     LargeVector<BvhReference<R>> references;
