@@ -3,6 +3,7 @@
 #include "importers/pov/reader.h"
 
 #include "core/diagnostics.h"
+#include "tests/core/folder_test.h"
 
 #include <algorithm>
 #include <cstdlib>
@@ -111,8 +112,8 @@ INSTANTIATE_TEST_SUITE_P(Scenes, PovHostile, testing::ValuesIn(cases()), [](cons
 /// An include that includes itself, and one that leads out of the folder by a link.
 TEST(PovFiles, CyclesAndLinksOutAreErrors) {
     namespace fs = std::filesystem;
-    const fs::path folder = fs::temp_directory_path() / "alidade_pov_files";
-    fs::remove_all(folder);
+    const test::TempFolder temporary;
+    const fs::path& folder = temporary.path();
     fs::create_directories(folder / "scene");
     std::ofstream(folder / "scene" / "a.inc") << "#include \"a.inc\"\n";
     std::ofstream(folder / "secret.inc") << "#debug \"secret\"\n";
@@ -125,15 +126,13 @@ TEST(PovFiles, CyclesAndLinksOutAreErrors) {
         ASSERT_TRUE(said.has_errors()) << text;
         EXPECT_NE(said.text().find(message), std::string::npos) << said.text();
     }
-    fs::remove_all(folder);
 }
 
 /// What a scene writes, it can read again; elsewhere than in the allowed folder it writes nothing.
 TEST(PovFiles, WritingAndReadingBack) {
     namespace fs = std::filesystem;
-    const fs::path folder = fs::temp_directory_path() / "alidade_pov_written";
-    fs::remove_all(folder);
-    fs::create_directories(folder);
+    const test::TempFolder temporary;
+    const fs::path& folder = temporary.path();
     ReadOptions options;
     options.write_folder = folder.string();
     std::string printed;
@@ -153,16 +152,14 @@ TEST(PovFiles, WritingAndReadingBack) {
     Diagnostics refused;
     read_program_text("scene.pov", "#fopen F \"../o.txt\" write", options, refused);
     EXPECT_NE(refused.text().find("outside"), std::string::npos) << refused.text();
-    fs::remove_all(folder);
 }
 
 /// An include that the scene writes anew is read anew, in memory and on the disk; strings.inc needs that. POV-Ray prints the same.
 TEST(PovFiles, WhatIsWrittenIsIncludedAsItIs) {
     namespace fs = std::filesystem;
-    const fs::path folder = fs::temp_directory_path() / "alidade_pov_included";
     for (const bool on_disk : {false, true}) {
-        fs::remove_all(folder);
-        fs::create_directories(folder);
+        const test::TempFolder temporary;
+        const fs::path& folder = temporary.path();
         ReadOptions options;
         if (on_disk) options.write_folder = folder.string();
         std::string printed;
@@ -176,7 +173,6 @@ TEST(PovFiles, WhatIsWrittenIsIncludedAsItIs) {
         EXPECT_EQ(printed, "1223");
         EXPECT_EQ(fs::exists(folder / "a.inc"), on_disk);
     }
-    fs::remove_all(folder);
 }
 
 /// Without leave to write, a scene's files are in memory alone.
@@ -197,8 +193,8 @@ TEST(PovFiles, WhatMayNotBeWrittenIsKept) {
 /// Include names in another case are found with a warning, and not at all when the reader is strict.
 TEST(PovFiles, OtherCase) {
     namespace fs = std::filesystem;
-    const fs::path folder = fs::temp_directory_path() / "alidade_pov_case";
-    fs::create_directories(folder);
+    const test::TempFolder temporary;
+    const fs::path& folder = temporary.path();
     std::ofstream(folder / "lower.inc") << "#declare A = 1;\n";
     for (bool strict : {false, true}) {
         ReadOptions options;
@@ -208,5 +204,4 @@ TEST(PovFiles, OtherCase) {
         EXPECT_EQ(said.has_errors(), strict) << said.text();
         EXPECT_EQ(said.warnings(), strict ? 0u : 1u);
     }
-    fs::remove_all(folder);
 }

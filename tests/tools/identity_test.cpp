@@ -2,6 +2,7 @@
 #include "tools/identity.h"
 
 #include "core/image.h"
+#include "tests/core/folder_test.h"
 #include "tracer/compiled_scene.h"
 
 #include <filesystem>
@@ -44,7 +45,8 @@ TEST(Identity, ChangesWithEveryOptionThatDecidesPixels) {
 }
 
 TEST(Identity, ChangesWithTheSceneAndItsPictures) {
-    const std::string path = testing::TempDir() + "alidade_identity.ppm";
+    const test::TempFolder folder;
+    const std::string path = folder.path() / "identity.ppm";
     CompiledScene scene;
     const RenderOptions o;
     const auto now = [&] { return line(identity(scene, o), "scene"); };
@@ -66,7 +68,6 @@ TEST(Identity, ChangesWithTheSceneAndItsPictures) {
         EXPECT_TRUE(seen.insert(now()).second) << text;
         EXPECT_FALSE(seen.insert(now()).second);
     }
-    std::filesystem::remove(path);
 }
 
 }  // namespace
