@@ -19,6 +19,7 @@ struct ImportOptions {
     bool strict = false;                             ///< warnings about what is not understood become errors
     std::optional<std::string> write_folder;         ///< --allow-write: where a scene's program may write
     pov::FrameSettings frame;                        ///< what a scene's program may ask of the picture and the clock
+    int quality = pov::kFullQuality;                 ///< of POV scenes: below, what takes time is left out, as POV-Ray's +Q says
     LightUnitsOption light_units = LightUnitsOption::automatic;
     uint64_t max_file_bytes = uint64_t(1) << 34;
     std::string format;                              ///< the name of the importer for files of which neither content nor ending tells; if empty, they are errors

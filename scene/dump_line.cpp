@@ -95,6 +95,7 @@ void put(std::string& out, Interpolation interpolation) {
     out += kNames[size_t(interpolation)];
 }
 
+void put(std::string& out, SeeThrough what) { out += what == SeeThrough::all ? "all" : what == SeeThrough::black ? "black" : "opaque"; }
 void put(std::string& out, LightUnits units) { out += units == LightUnits::radiometric ? "radiometric" : "photometric"; }
 
 }  // namespace alidade

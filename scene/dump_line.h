@@ -36,6 +36,7 @@ void put(std::string& out, AreaLight::Form form);
 void put(std::string& out, ChannelPath path);
 void put(std::string& out, Interpolation interpolation);
 void put(std::string& out, LightUnits units);
+void put(std::string& out, SeeThrough what);
 
 template <glm::length_t L, class T> void put(std::string& out, const glm::vec<L, T>& v) {
     for (glm::length_t i = 0; i < L; ++i) out += i ? ' ' : '<', put(out, v[i]);

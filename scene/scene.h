@@ -95,6 +95,13 @@ struct Atmosphere {
 
 enum class LightUnits { radiometric, photometric };   ///< photometric: candela and lux, 683 lm/W
 
+/// What is seen through the surfaces of a POV scene. Shadows are coloured whatever is seen.
+enum class SeeThrough {
+    all,
+    black,    ///< nothing: a surface shows its own share alone
+    opaque    ///< and that share is all
+};
+
 /// How well the mean of a pixel's samples through a lens must be known (POV-Ray's words).
 struct LensNoise {
     double variance = 1e-4;                   ///< of the mean, in squares of the colours that are calculated with
@@ -111,6 +118,7 @@ struct RenderSettings {
     double assumed_gamma = 1;                 ///< colours are powers: linear = colour ^ assumed_gamma
     bool srgb_coded = false;                  ///< instead, colours are sRGB-coded: they are calculated with as they are, and decoded at the end
     bool filter_dims_by_colour = false;       ///< POV before 3.7: a filter f of a colour c takes f max(c) of the opacity, not f
+    SeeThrough see_through = SeeThrough::all;
     bool default_light = true;                ///< a scene without light gets a sky and a sun
     LightUnits light_units = LightUnits::radiometric;
     std::string why_light_units;

@@ -40,6 +40,7 @@ Request request_of(const PovrayRequest& r, int frame) {
     request.import.include_paths = r.library_paths;
     request.import.include_paths.insert(request.import.include_paths.begin(), ".");   // POV-Ray's first place; the scene's folder, which is none of POV-Ray's, comes before it here
     request.import.declarations = r.declarations;
+    request.import.quality = r.quality;
     request.compile.threads = r.threads;
     pov::FrameSettings& f = request.import.frame;
     f.image_width = r.width, f.image_height = r.height;

@@ -84,7 +84,6 @@ template <const char* const& Sentence> bool told(PovrayRequest& r, const PovrayW
     return true;
 }
 constexpr const char* kNoAlpha = "+UA (Output_Alpha): pictures have no alpha channel yet";
-constexpr const char* kNoQuality = "+Q (Quality): pictures are always made in full quality";
 constexpr const char* kNoField = "+UF (Field_Render): all rows are rendered";
 constexpr const char* kNoGray = "+FNg (Grayscale_Output): pictures are written in colour";
 constexpr const char* kNoFileGamma = "File_Gamma: pictures are encoded as sRGB";
@@ -109,12 +108,6 @@ template <MessageStream Stream> bool message_file(PovrayRequest& r, const Povray
 
 bool file_gamma(PovrayRequest& r, const PovrayWord& w) { return lower(w.value) == "srgb" || told<kNoFileGamma>(r, w); }
 
-/// Below 9 POV-Ray leaves things out.
-bool quality(PovrayRequest& r, const PovrayWord& w) {
-    const auto n = whole_number(r, w, 0, 11);
-    return n && (*n >= 9 || told<kNoQuality>(r, w));
-}
-
 /// The manual's order: every row is a word of POV-Ray.
 constexpr PovrayRow kTable[] = {
     {"Width", "W", integer<&PovrayRequest::width, 1, 65536>},
@@ -133,7 +126,7 @@ constexpr PovrayRow kTable[] = {
     {"Sampling_Method", "AM", integer<&PovrayRequest::sampling_method, 1, 2>},
     {"Jitter", "J", flag_with_number<&PovrayRequest::jitter, &PovrayRequest::jitter_amount>},
     {"Jitter_Amount", "", number<&PovrayRequest::jitter_amount>},
-    {"Quality", "Q", quality},
+    {"Quality", "Q", integer<&PovrayRequest::quality, 0, 11>},
     {"Verbose", "V", flag<&PovrayRequest::verbose>},
     {"Display", "D", nothing},
     {"Video_Mode", "", nothing},

@@ -24,7 +24,7 @@ struct PovrayRequest {
     bool to_file = true, antialias = false, verbose = false;
     bool continued = false;               ///< +C: what an earlier process has left is taken
     double antialias_threshold = 0.3, antialias_gamma = 2.5, jitter_amount = 1;
-    int antialias_depth = 3, sampling_method = 1;
+    int antialias_depth = 3, sampling_method = 1, quality = 9;
     bool jitter = true;
     int threads = 0;
     std::vector<std::string> library_paths, declarations;

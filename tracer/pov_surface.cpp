@@ -120,7 +120,8 @@ void PovSurface::add_layers(const CompiledScene& scene, const ShadePoint& point,
     for (size_t i = material.layers.size(); i-- > 0;) {
         PovLayer layer;
         layer.finish = &std::get<PovFinish>(material.layers[i]);
-        const PigmentColor pigment = scene.textures->pigment(layer.finish->pigment, point, frame.at);
+        PigmentColor pigment = scene.textures->pigment(layer.finish->pigment, point, frame.at);
+        if (settings.see_through == SeeThrough::opaque) pigment.filter = pigment.transmit = 0;
         layer.color = pigment.color;
         layer.opacity = opacity(settings, *layer.finish, pigment);
         layer.above = texture.through;
@@ -134,6 +135,7 @@ void PovSurface::add_layers(const CompiledScene& scene, const ShadePoint& point,
         sends_on_ = sends_on_ || is_mirror(*layer.finish);
         if (!passes(texture.through, settings)) break;
     }
+    if (settings.see_through != SeeThrough::all) texture.through = Color(0);
     sends_on_ = sends_on_ || passes(texture.through, settings);
     texture.end = layers_.size();
     textures_.push_back(texture);

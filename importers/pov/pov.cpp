@@ -3,6 +3,7 @@
 
 #include "importers/pov/builders/scenes.h"
 #include "importers/pov/parser.h"
+#include "importers/pov/quality.h"
 
 namespace alidade {
 
@@ -14,6 +15,7 @@ ImportResult import_pov(const std::string& path, const ImportOptions& options) {
     read.declarations = options.declarations;
     read.strict = options.strict;
     read.frame = options.frame;
+    read.quality = options.quality;
     read.write_folder = options.write_folder;
     read.limits.file_bytes = std::min(read.limits.file_bytes, options.max_file_bytes);
     Imported out;
@@ -22,6 +24,7 @@ ImportResult import_pov(const std::string& path, const ImportOptions& options) {
         pov::Parser parser(read, out.diagnostics);
         const pov::Program program = pov::read_program(parser, path, std::move(*text));
         if (!out.diagnostics.has_errors()) out.scene = pov::build_scene(parser, program);
+        pov::reduce(out.scene, read.quality);
         parser.say_tallies();
     }
     if (out.diagnostics.has_errors()) return tl::unexpected(std::move(out.diagnostics));

@@ -22,11 +22,15 @@ struct FrameSettings {
     int image_width = 160, image_height = 120;
 };
 
+/// POV-Ray's `+Q`: from 9 on nothing is left out.
+inline constexpr int kFullQuality = 9;
+
 struct ReadOptions {
     std::vector<std::string> include_paths;
     std::vector<std::string> declarations;               ///< NAME=VALUE, a float each (POV-Ray's Declare=)
     std::optional<std::string> write_folder;             ///< #fopen ... write works below it, and nowhere else
     FrameSettings frame;
+    int quality = kFullQuality;                          ///< 0 to 11: less than full, and the scene is read without what takes time (quality.h)
     bool strict = false;                                 ///< names of files are not found in another case
     Limits limits;
     std::function<void(TextStream, const std::string&)> print;   ///< absent: #warning becomes a warning, the rest notes

@@ -14,6 +14,7 @@ struct PovPicture {
     std::string scene;
     const char* words = "-A";                          ///< POV-Ray's antialiasing
     std::optional<Supersampling> supersampling = {};   ///< and ours
+    int quality = 9;                                   ///< of both
 };
 
 std::vector<PovPicture> patterned_pictures();
@@ -25,6 +26,8 @@ std::vector<PovPicture> old_cameras();
 std::vector<PovPicture> image_pictures();
 std::vector<PovPicture> effect_pictures();
 std::vector<PovPicture> cutaway_pictures();
+/// One scene in all qualities below the best.
+std::vector<PovPicture> quality_pictures();
 std::vector<PovPicture> other_pictures();
 /// All of them.
 std::vector<PovPicture> pov_pictures();

@@ -32,8 +32,9 @@ class Folder {
     std::filesystem::path path_;
 };
 
-std::optional<Picture> ours(const std::string& path, const std::string& out, const std::optional<Supersampling>& supersampling, std::string& why) {
+std::optional<Picture> ours(const std::string& path, const std::string& out, const std::optional<Supersampling>& supersampling, std::string& why, int quality = 9) {
     ImportOptions options;
+    options.quality = quality;
     options.frame.image_width = kWidth, options.frame.image_height = kHeight;
     auto imported = import_scene(path, options);
     if (!imported) return why = imported.error().text(), std::nullopt;
@@ -60,11 +61,11 @@ TEST_P(PovPictures, AreThoseOfPovRay) {
     const Folder folder;
     write_sample_pictures(folder / "");
     std::ofstream(folder / "scene.pov") << GetParam().scene << "\n";
-    ASSERT_EQ(std::system(fmt::format("cd '{}' && povray +Iscene.pov +Oref.png +W{} +H{} {} -D +WT1 > said.txt 2>&1", folder / "", kWidth, kHeight, GetParam().words).c_str()), 0);
+    ASSERT_EQ(std::system(fmt::format("cd '{}' && povray +Iscene.pov +Oref.png +W{} +H{} {} +Q{} -D +WT1 > said.txt 2>&1", folder / "", kWidth, kHeight, GetParam().words, GetParam().quality).c_str()), 0);
     const auto theirs = read_picture(folder / "ref.png", Encoding::linear);
     ASSERT_TRUE(theirs);
     std::string said;
-    const auto own = ours(folder / "scene.pov", folder / "own.png", GetParam().supersampling, said);
+    const auto own = ours(folder / "scene.pov", folder / "own.png", GetParam().supersampling, said, GetParam().quality);
     ASSERT_TRUE(own) << said;
     EXPECT_EQ(said, "") << "nothing in the scene is left out";
     int differ = 0, seen = 0;
@@ -123,6 +124,7 @@ INSTANTIATE_TEST_SUITE_P(Images, PovPictures, testing::ValuesIn(image_pictures()
 INSTANTIATE_TEST_SUITE_P(Fogs, PovPictures, testing::ValuesIn(fog_pictures()), [](const auto& info) { return std::string(info.param.name); });
 INSTANTIATE_TEST_SUITE_P(Effects, PovPictures, testing::ValuesIn(effect_pictures()), [](const auto& info) { return std::string(info.param.name); });
 INSTANTIATE_TEST_SUITE_P(Cutaways, PovPictures, testing::ValuesIn(cutaway_pictures()), [](const auto& info) { return std::string(info.param.name); });
+INSTANTIATE_TEST_SUITE_P(Qualities, PovPictures, testing::ValuesIn(quality_pictures()), [](const auto& info) { return std::string(info.param.name); });
 INSTANTIATE_TEST_SUITE_P(OldCameras, PovPictures, testing::ValuesIn(old_cameras()), [](const auto& info) { return std::string(info.param.name); });
 INSTANTIATE_TEST_SUITE_P(Lights, PovPictures, testing::ValuesIn(light_pictures()), [](const auto& info) { return std::string(info.param.name); });
 INSTANTIATE_TEST_SUITE_P(Antialiasing, PovPictures, testing::ValuesIn(sampled_pictures()), [](const auto& info) { return std::string(info.param.name); });

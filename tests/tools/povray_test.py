@@ -151,10 +151,19 @@ class Povray(InFolder):
         self.assertEqual((said.returncode, self.picture("s.ppm")[:2]), (0, (5, 4)), said)
 
     def test_words_without_effect_are_told_once(self):
-        said = self.render("+Is.pov", "+W8", "+H8", "+UA", "+UA", "+Q5", "+Q9")
+        said = self.render("+Is.pov", "+W8", "+H8", "+UA", "+UA", "+UF")
         self.assertEqual(said.count("Output_Alpha"), 1)
-        self.assertEqual(said.count("Quality"), 1)
-        self.assertNotIn("Quality", self.render("+Is.pov", "+W8", "+H8", "+Q11"))
+        self.assertEqual(said.count("Field_Render"), 1)
+
+    def test_quality_leaves_out_what_takes_time(self):
+        """Below 4 shadows: one picture is another, all others stay. tests/scenes/pov_quality_pictures.cpp compares each quality with POV-Ray."""
+        (self.folder / "s.pov").write_text("camera { location <0, 2, -6> look_at 0 } light_source { <3, 9, -3>, 1 } plane { y, -1 pigment { rgb 1 } } sphere { 0, 1 pigment { rgb 1 } }\n")
+        seen = {}
+        for word in ("+Q3", "+Q4", "Quality=9", "+Q11"):
+            self.assertNotIn("Quality", self.render("+Is.pov", "+W32", "+H24", "+FP", word))
+            seen[word] = (self.folder / "s.ppm").read_bytes()
+        self.assertEqual(len(set(seen.values())), 2)
+        self.assertNotEqual(seen["+Q3"], seen["+Q4"])
 
 
 if __name__ == "__main__":

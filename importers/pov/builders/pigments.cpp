@@ -4,6 +4,7 @@
 #include "importers/pov/builders/default_maps.h"
 #include "importers/pov/builders/patterns.h"
 #include "importers/pov/builders/textures.h"
+#include "importers/pov/quality.h"
 #include "scene/graph.h"
 
 #include <fmt/format.h>
@@ -73,6 +74,7 @@ PatternSignal loose_of(const Build& build, SignalId plain) {
 bool is_quick_color(Cursor& at) { return at.accept("quick_color"_w) || at.accept("quick_colour"_w); }
 
 void read_pigment(Build& build, Cursor& at, Signal& pigment, PatternSignal& loose) {
+    std::optional<ConstantSignal> quick;
     while (!at.done()) {
         if (const Block* base = at.block_at("pigment"_w)) {
             at.next();
@@ -82,7 +84,9 @@ void read_pigment(Build& build, Cursor& at, Signal& pigment, PatternSignal& loos
             const std::array<double, 5> c = at.colour("a pigment");
             pigment.what = ConstantSignal{Vec4(c[0], c[1], c[2], 1), c[3], c[4]};
         } else if (is_quick_color(at)) {
-            if (at.at_numeric()) at.next();
+            if (!at.at_numeric()) continue;
+            const std::array<double, 5> c = at.colour("quick_color");
+            quick = ConstantSignal{Vec4(c[0], c[1], c[2], 1), c[3], c[4]};
         } else if (!take_patterned(build, at, pigment, loose)) {
             at.refuse_misplaced();
             tally_pattern(build, at.peek(), "pigment");
@@ -90,6 +94,7 @@ void read_pigment(Build& build, Cursor& at, Signal& pigment, PatternSignal& loos
             return;
         }
     }
+    if (quick && build.p.options.quality < kWholePigments) pigment.what = *quick;
 }
 
 }  // namespace

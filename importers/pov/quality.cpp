@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "importers/pov/quality.h"
+
+#include "importers/pov/settings.h"
+
+#include <algorithm>
+
+namespace alidade::pov {
+
+namespace {
+
+template <class F> void for_each_finish(Scene& scene, const F& change) {
+    for (Material& material : scene.materials)
+        for (auto& layer : material.layers)
+            if (auto* finish = std::get_if<PovFinish>(&layer)) change(*finish);
+}
+
+void remove_haze(Scene& scene) {
+    scene.atmosphere.fogs.clear(), scene.atmosphere.rainbows.clear(), scene.atmosphere.media.clear();
+    for (Interior& interior : scene.interiors) interior.media.clear();
+}
+
+void make_dull(PovFinish& finish) { finish.normal.reset(), finish.reflection_min = finish.reflection_max = Color(0); }
+
+/// What glows with the colour of its pigment, and nothing else.
+PovFinish flat(const PovFinish& finish) {
+    PovFinish colour;
+    colour.pigment = finish.pigment;
+    colour.ambient = Color(1), colour.diffuse = 0;
+    return colour;
+}
+
+void show_lowest_layers(Scene& scene) {
+    for (Material& material : scene.materials) material.layers.resize(std::min<size_t>(1, material.layers.size()));
+    for_each_finish(scene, [](PovFinish& finish) { finish = flat(finish); });
+    scene.settings.ambient_light = Color(1);
+}
+
+}  // namespace
+
+void reduce(Scene& scene, int quality) {
+    if (quality < kFullQuality) remove_haze(scene);
+    if (quality < 8) for_each_finish(scene, make_dull);
+    if (quality < kWholePigments) scene.settings.see_through = SeeThrough::black;
+    if (quality < 5)
+        for (Light& light : scene.lights) light.shadow_grid.reset();
+    if (quality < 4)
+        for (Node& node : scene.nodes) node.flags.shadow = false;
+    if (quality < 2) show_lowest_layers(scene), scene.settings.see_through = SeeThrough::opaque;
+}
+
+}  // namespace alidade::pov

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: Apache-2.0
+/// What `+Q` leaves out.
+#include "tests/scenes/pov_pictures.h"
+
+namespace alidade::test {
+
+namespace {
+
+/// All that some quality leaves out: fog, a rainbow, mirrors, bumps, glass, quick colours, an area light, shadows, layers, finishes that glow.
+constexpr const char* kScene = R"(#version 3.7;
+global_settings { assumed_gamma 1 ambient_light rgb 0.8 }
+camera { location <0, 2, -8> look_at <0, 0.8, 0> angle 50 }
+background { rgb <0.2, 0.3, 0.5> }
+fog { distance 60 rgb <0.7, 0.6, 0.5> }
+rainbow { direction <0.2, -0.1, 1> angle 12 width 8 distance 30 color_map { [0 rgbt <1, 0, 0, 0.5>] [1 rgbt <0, 0, 1, 0.5>] } }
+light_source { <-6, 9, -7> rgb 0.9 area_light x*5, y*5, 3, 3 }
+light_source { <7, 5, -4> rgb <0.3, 0.3, 0.4> spotlight point_at 0 radius 20 falloff 30 }
+plane { y, 0 pigment { checker rgb <0.8, 0.7, 0.6> rgb <0.3, 0.4, 0.3> } finish { ambient 0.2 reflection 0.3 } }
+sphere { <-2, 1, 0>, 1 pigment { rgb <0.8, 0.3, 0.2> } normal { bumps 0.8 scale 0.3 } finish { phong 0.7 ambient 0.1 } }
+sphere { <0, 1, -1>, 0.9 pigment { rgbf <0.6, 0.9, 0.7, 0.6> } finish { specular 0.5 emission 0.05 } interior { ior 1.3 } }
+sphere { <2, 1, 0>, 1 texture { pigment { rgb <0.1, 0.2, 0.9> } } texture { pigment { gradient y color_map { [0.5 rgbt 1] [0.5 rgbt <1, 0.8, 0.2, 0.3>] } scale 0.4 } } }
+box { <-0.6, 2.2, 1>, <0.6, 3.2, 2> pigment { wood color_map { [0 rgb <0.6, 0.4, 0.2>] [1 rgb <0.3, 0.2, 0.1>] } scale 0.2 quick_color rgb <0.2, 0.8, 0.3> } }
+)";
+
+}  // namespace
+
+std::vector<PovPicture> quality_pictures() {
+    static constexpr const char* kNames[] = {"Q0", "Q1", "Q2", "Q3", "Q4", "Q5", "Q6", "Q7", "Q8"};
+    std::vector<PovPicture> pictures;
+    for (int quality = 0; quality < int(std::size(kNames)); ++quality) pictures.push_back({kNames[quality], kScene, "-A", {}, quality});
+    return pictures;
+}
+
+}  // namespace alidade::test
