@@ -24,6 +24,10 @@ class LazyTriangles final : public Accelerator {
         const Accelerator* structure = needed_by(ray);
         return structure && structure->intersect(ray, hit, work, instance);
     }
+    void intersect_many(std::span<const Ray> rays, std::span<Hit> hits, WorkCounters& work, uint32_t instance) const override {
+        if (const Accelerator* structure = known()) structure->intersect_many(rays, hits, work, instance);
+        else Accelerator::intersect_many(rays, hits, work, instance);
+    }
     bool occluded(const Ray& ray, WorkCounters& work) const override {
         const Accelerator* structure = needed_by(ray);
         return structure && structure->occluded(ray, work);

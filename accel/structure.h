@@ -4,6 +4,7 @@
 
 #include "accel/accelerator.h"
 #include "accel/custom_leaf.h"
+#include "accel/groups.h"
 #include "accel/query.h"
 #include "accel/shaft.h"
 #include "accel/sort_out.h"
@@ -46,6 +47,15 @@ template <template <class> class Structure, class Leaf> class StructureAccelerat
     bool intersect(const Ray& ray, Hit& hit, WorkCounters& work, uint32_t instance) const override {
         if constexpr (kWalksItself) return structure_->traversals().closest(tree(), ray, work, hit, instance);
         else return ask<ClosestQuery<Leaf>>(ray, work, hit, instance);
+    }
+
+    void intersect_many(std::span<const Ray> rays, std::span<Hit> hits, WorkCounters& work, uint32_t instance) const override {
+        if constexpr (requires(const Structure<Leaf>& s) { s.group(); }) {
+            if (const auto group = structure_->group())
+                return in_groups(rays, hits, [&](std::span<const Ray> some, std::span<Hit> found) { return group(tree(), some, found, work, instance); },
+                                 [&](const Ray& ray, Hit& hit) { intersect(ray, hit, work, instance); });
+        }
+        Accelerator::intersect_many(rays, hits, work, instance);
     }
 
     bool occluded(const Ray& ray, WorkCounters& work) const override {

@@ -17,7 +17,7 @@ namespace {
 struct Options : Words {
     size_t rays = 256;
     Precision precision = Precision::float_;
-    bool alone = false;
+    bool alone = false, together = false;
 };
 
 /// seconds[peer][round]
@@ -56,6 +56,16 @@ struct Means {
     }
 };
 
+/// Those of the pixels of an image, by squares of 4 x 4.
+std::vector<StressRay> by_squares(const std::vector<StressRay>& rays, size_t side) {
+    std::vector<StressRay> ordered;
+    for (size_t y = 0; y < side; y += 4)
+        for (size_t x = 0; x < side; x += 4)
+            for (size_t i = 0; i < 16; ++i)
+                if (x + i % 4 < side && y + i / 4 < side) ordered.push_back(rays[(y + i / 4) * side + x + i % 4]);
+    return ordered;
+}
+
 class Run {
   public:
     Run(const Options& options, std::vector<std::unique_ptr<StressPeer>> peers, size_t reference)
@@ -68,7 +78,7 @@ class Run {
         row("build", "Mtri/s", 0, millions, interleaved(std::span<const std::unique_ptr<StressPeer>>(peers_), std::max(1, options_.rounds / 2), [&](StressPeer& peer, size_t) { peer.build(scene); }), [&](const StressPeer& peer, size_t) {
             return fmt::format("{:.1f} bytes a triangle", double(peer.structure().bytes) / double(scene.triangles()));
         });
-        const std::vector<RaySet> sets = stress_rays(scene, camera_rays(scene, options_.rays), 1);
+        const std::vector<RaySet> sets = stress_rays(scene, options_.together ? by_squares(camera_rays(scene, options_.rays), options_.rays) : camera_rays(scene, options_.rays), 1);
         for (const RaySet& set : sets) {
             if (set.name == "shadow") any("shadow", 3, set.rays);
             else if (set.name != "random") closest(set.name.c_str(), set.name == "primary" ? 1 : 2, set.rays);
@@ -140,7 +150,12 @@ void run(const Options& options) {
     std::vector<std::unique_ptr<StressPeer>> peers;
     AccelOptions own;
     own.precision = options.precision;
-    for (const AcceleratorEntry* entry : options.entries()) peers.push_back(make_own_peer(*entry, own));
+    for (const AcceleratorEntry* entry : options.entries()) {
+        peers.push_back(make_own_peer(*entry, own));
+        if (!options.together) continue;
+        peers.push_back(make_own_peer(*entry, own, true));
+        peers.back()->name += " together";
+    }
     const size_t ours = peers.size();
     if (!options.alone)
         for (auto& peer : make_embree_peers()) peers.push_back(std::move(peer));
@@ -162,6 +177,7 @@ int main(int argc, char** argv) {
     app.add_option("--rays", options.rays, "N x N camera rays")->check(CLI::Range(1, 1 << 14))->capture_default_str();
     app.add_flag("--double", is_double);
     app.add_flag("--alone", options.alone, "without Embree");
+    app.add_flag("--together", options.together, "ours also by Accelerator::intersect_many; pixels come in squares of 4 x 4");
     return bench::parsed(app, argc, argv, [&] {
         if (is_double) options.precision = Precision::double_;
         bench::run(options);

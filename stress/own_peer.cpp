@@ -5,13 +5,14 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 
 namespace alidade {
 namespace {
 
 class OwnPeer : public StressPeer {
   public:
-    OwnPeer(const AcceleratorEntry& entry, const AccelOptions& options) : entry_(entry), options_(options) {
+    OwnPeer(const AcceleratorEntry& entry, const AccelOptions& options, bool together) : entry_(entry), options_(options), together_(together) {
         threads = options.threads, name = entry.name, precision = options.precision == Precision::float_ ? "float" : "double";
         if (options.intersect != Intersect::exact) {
             name += fmt::format(":{}", alidade::name(options.intersect)), accountable = false;
@@ -38,6 +39,7 @@ class OwnPeer : public StressPeer {
         asked_ = nullptr, work_ = {};
     }
     void closest(std::span<const StressRay> rays, std::span<StressHit> hits) override {
+        if (together_) return closest_together(rays, hits);
         for (size_t i = 0; i < rays.size(); ++i) {
             Hit hit;
             asked_->intersect(rays[i].ray(), hit, work_);
@@ -63,6 +65,17 @@ class OwnPeer : public StressPeer {
     std::optional<WorkCounters> work() const override { return work_; }
 
   private:
+    void closest_together(std::span<const StressRay> rays, std::span<StressHit> hits) {
+        constexpr size_t kMany = 1024;
+        std::array<Ray, kMany> some;
+        std::array<Hit, kMany> found;
+        for (size_t i = 0; i < rays.size(); i += kMany) {
+            const size_t count = std::min(kMany, rays.size() - i);
+            for (size_t k = 0; k < count; ++k) some[k] = rays[i + k].ray();
+            asked_->intersect_many(std::span(some).first(count), std::span(found).first(count), work_);
+            for (size_t k = 0; k < count; ++k) hits[i + k] = {found[k].t, found[k].instance, found[k].primitive, found[k].u, found[k].v};
+        }
+    }
     static BuildPhase& phase_of(const char* name, std::vector<BuildPhase>& phases) {
         const auto found = std::find_if(phases.begin(), phases.end(), [&](const BuildPhase& phase) { return std::string_view(phase.name) == name; });
         return found != phases.end() ? *found : phases.emplace_back(BuildPhase{name, 0});
@@ -70,6 +83,7 @@ class OwnPeer : public StressPeer {
 
     const AcceleratorEntry& entry_;
     AccelOptions options_;
+    bool together_;
     std::vector<std::unique_ptr<Accelerator>> meshes_;
     std::shared_ptr<StressInstances> set_;
     std::unique_ptr<Accelerator> top_;
@@ -80,6 +94,6 @@ class OwnPeer : public StressPeer {
 
 }  // namespace
 
-std::unique_ptr<StressPeer> make_own_peer(const AcceleratorEntry& entry, const AccelOptions& options) { return std::make_unique<OwnPeer>(entry, options); }
+std::unique_ptr<StressPeer> make_own_peer(const AcceleratorEntry& entry, const AccelOptions& options, bool together) { return std::make_unique<OwnPeer>(entry, options, together); }
 
 }  // namespace alidade

@@ -51,8 +51,8 @@ class StressPeer {
     bool accountable = true;   ///< its wrong answers are disagreements; else they are only counted
 };
 
-/// An accelerator of our registry, or of anybody's, which is not exact then: t depends on the box in which a ray is met. `entry` must live as long.
-std::unique_ptr<StressPeer> make_own_peer(const AcceleratorEntry& entry, const AccelOptions& options);
+/// An accelerator of our registry, or of anybody's, which is not exact then: t depends on the box in which a ray is met. `entry` must live as long. `together`: closest hits are asked by intersect_many.
+std::unique_ptr<StressPeer> make_own_peer(const AcceleratorEntry& entry, const AccelOptions& options, bool together = false);
 /// Embree 3 with default and with robust settings, from the library that the system has; empty where there is none, or this was built without its headers.
 std::vector<std::unique_ptr<StressPeer>> make_embree_peers();
 

@@ -10,6 +10,7 @@
 #include "accel/bvh/refit.h"
 #include "accel/bvh/watertight_boxes.h"
 #include "accel/bvh/wide.h"
+#include "accel/bvh/wide_group.h"
 #include "accel/bvh/wide_nodes.h"
 #include "accel/query.h"
 #include "accel/shaft.h"
@@ -52,7 +53,7 @@ template <class Leaf, class Node> class WideBvh {
   public:
     static constexpr bool kWidensBoxes = true;   ///< for TriangleTest::watertight
 
-    WideBvh(BuildInput<typename Leaf::Source>& input, const AccelOptions& options, BuildStats& stats, BvhBuilder builder = BvhBuilder::sah) : traversals_(wide_traversals<Node, Leaf>(options.isa)) {
+    WideBvh(BuildInput<typename Leaf::Source>& input, const AccelOptions& options, BuildStats& stats, BvhBuilder builder = BvhBuilder::sah) : traversals_(wide_traversals<Node, Leaf>(options.isa)), group_(GroupOf<Node, Leaf>::traversal(options.isa)) {
         if (!triangles(input) && input.ids.size() <= kSmallSet) builder = BvhBuilder::sah;
         const double growth = !triangles(input) ? 0 : builder == BvhBuilder::fast ? kPresplitGrowth : kSplitGrowth;
         const double favour = std::is_same_v<Node, CompactNode> ? 1 : kPlaneFavour;   // a compact tree is chosen for its memory
@@ -70,10 +71,12 @@ template <class Leaf, class Node> class WideBvh {
     }
 
     /// Of nodes that were saved. `watertight`: their boxes are those of make_watertight(), which other tests may have as well.
-    WideBvh(LargeArray<Node> nodes, bool watertight, const AccelOptions& options) : nodes_(std::move(nodes)), watertight_(watertight), traversals_(wide_traversals<Node, Leaf>(options.isa)) {}
+    WideBvh(LargeArray<Node> nodes, bool watertight, const AccelOptions& options) : nodes_(std::move(nodes)), watertight_(watertight), traversals_(wide_traversals<Node, Leaf>(options.isa)), group_(GroupOf<Node, Leaf>::traversal(options.isa)) {}
 
     WideTree<Node, Leaf> tree(const Leaf& leaf, const RayBounds& bounds, uint32_t unbounded) const { return {nodes_.data(), leaf, bounds, unbounded}; }
     const WideTraversals<Node, Leaf>& traversals() const { return traversals_; }
+    /// Of rays together, or null.
+    GroupTraversal<Node, Leaf> group() const { return group_; }
     size_t bytes() const { return nodes_.bytes(); }
 
   protected:
@@ -88,6 +91,7 @@ template <class Leaf, class Node> class WideBvh {
     }
 
     const WideTraversals<Node, Leaf>& traversals_;
+    GroupTraversal<Node, Leaf> group_;
 };
 
 template <class Leaf> class Bvh;

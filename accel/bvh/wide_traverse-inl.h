@@ -41,6 +41,8 @@ inline constexpr bool kFuses = true;
 inline constexpr bool kFuses = false;
 #endif
 
+template <class R> class GroupBoxes;
+
 /// A WideRay: the operations are those of WideRay::enter, in their order.
 template <class R, int kUnits = kTriangleUnits> class VectorBoxes {
   public:
@@ -57,6 +59,8 @@ template <class R, int kUnits = kTriangleUnits> class VectorBoxes {
     }
 
   private:
+    friend class GroupBoxes<R>;
+
     template <bool fused> HWY_INLINE HWY_ATTR uint32_t enter_by(const auto& node, R limit, R* entries) const {
         const D d;
         const auto lanes = uint32_t(hn::Lanes(d));

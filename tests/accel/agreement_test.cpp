@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// What accelerators promise besides the answers of brute force (numerics T15): closed intervals, prior hits, batches, meshes without doubles.
+/// What accelerators promise besides the answers of brute force (numerics T15): closed intervals, prior hits, meshes without doubles.
 #include "numerics/triangles/compare.h"
 #include "numerics/triangles/rays.h"
 
@@ -92,19 +92,6 @@ TEST(DoublePrecision, ReadsFloatPositionsWhereThereAreNoOthers) {
             const Ray ray = ray_classes().front().make(mesh, RandomKey(kSeed, 3, i, 0));
             ASSERT_EQ(difference(answers(*without, ray), answers(*with, ray)), "") << entry.name << ", " << describe(ray);
         }
-    }
-}
-
-TEST(Batch, GivesTheHitsOfSingleRays) {
-    const Mesh mesh = torus(16, 10).read_at(Precision::float_);
-    std::vector<Ray> rays;
-    for (size_t i = 0; i < 1000; ++i) rays.push_back(ray_classes()[i % ray_classes().size()].make(mesh, RandomKey(kSeed, 4, i, 0)));
-    for (const AcceleratorEntry& entry : accelerators()) {
-        const auto accelerator = build(entry, mesh, {});
-        std::vector<Hit> hits(rays.size(), Hit{-1, 0, 0, 0, 0, 0, {}});
-        WorkCounters work;
-        accelerator->intersect(rays, hits, work);
-        for (size_t i = 0; i < rays.size(); ++i) EXPECT_EQ(difference(hits[i], first_hit(*accelerator, rays[i])), "") << entry.name << " ray " << i;
     }
 }
 
