@@ -25,8 +25,9 @@ class LazyTriangles final : public Accelerator {
         return structure && structure->intersect(ray, hit, work, instance);
     }
     void intersect_many(std::span<const Ray> rays, std::span<Hit> hits, WorkCounters& work, uint32_t instance) const override {
-        if (const Accelerator* structure = known()) structure->intersect_many(rays, hits, work, instance);
-        else Accelerator::intersect_many(rays, hits, work, instance);
+        size_t asked = 0;   // until one needs it, and it is built
+        for (; asked < rays.size() && !known(); ++asked) hits[asked] = Hit(), intersect(rays[asked], hits[asked], work, instance);
+        if (asked < rays.size()) known()->intersect_many(rays.subspan(asked), hits.subspan(asked), work, instance);
     }
     bool occluded(const Ray& ray, WorkCounters& work) const override {
         const Accelerator* structure = needed_by(ray);

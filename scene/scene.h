@@ -99,7 +99,7 @@ enum class LightUnits { radiometric, photometric };   ///< photometric: candela 
 enum class SeeThrough {
     all,
     black,    ///< nothing: a surface shows its own share alone
-    opaque    ///< and that share is all
+    opaque    ///< and of the last layer that is reached, that colour alone, as if it let nothing pass
 };
 
 /// How well the mean of a pixel's samples through a lens must be known (POV-Ray's words).
@@ -119,6 +119,7 @@ struct RenderSettings {
     bool srgb_coded = false;                  ///< instead, colours are sRGB-coded: they are calculated with as they are, and decoded at the end
     bool filter_dims_by_colour = false;       ///< POV before 3.7: a filter f of a colour c takes f max(c) of the opacity, not f
     SeeThrough see_through = SeeThrough::all;
+    bool follows_mirrors = true;              ///< of POV scenes: what mirrors show is seen. What they take of the light behind them is lost in any case
     bool default_light = true;                ///< a scene without light gets a sky and a sun
     LightUnits light_units = LightUnits::radiometric;
     std::string why_light_units;

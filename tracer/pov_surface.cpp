@@ -120,8 +120,7 @@ void PovSurface::add_layers(const CompiledScene& scene, const ShadePoint& point,
     for (size_t i = material.layers.size(); i-- > 0;) {
         PovLayer layer;
         layer.finish = &std::get<PovFinish>(material.layers[i]);
-        PigmentColor pigment = scene.textures->pigment(layer.finish->pigment, point, frame.at);
-        if (settings.see_through == SeeThrough::opaque) pigment.filter = pigment.transmit = 0;
+        const PigmentColor pigment = scene.textures->pigment(layer.finish->pigment, point, frame.at);
         layer.color = pigment.color;
         layer.opacity = opacity(settings, *layer.finish, pigment);
         layer.above = texture.through;
@@ -132,8 +131,12 @@ void PovSurface::add_layers(const CompiledScene& scene, const ShadePoint& point,
             texture.through *= glm::min(left, Color(1));
         }
         layers_.push_back(layer);
-        sends_on_ = sends_on_ || is_mirror(*layer.finish);
+        sends_on_ = sends_on_ || (settings.follows_mirrors && is_mirror(*layer.finish));
         if (!passes(texture.through, settings)) break;
+    }
+    if (settings.see_through == SeeThrough::opaque) {
+        for (size_t i = texture.begin; i < layers_.size(); ++i) layers_[i].opacity = 0;
+        layers_[layers_.size() - 1].opacity = 1, layers_[layers_.size() - 1].above = Color(1);
     }
     if (settings.see_through != SeeThrough::all) texture.through = Color(0);
     sends_on_ = sends_on_ || passes(texture.through, settings);
@@ -265,6 +268,7 @@ void PovSurface::add_reflection(const CompiledScene& scene, const PovTexture& te
 
 /// `totally`: the normal by which light is mirrored already, whatever the layers say; null: none.
 void PovSurface::add_reflections(const CompiledScene& scene, const PovTexture& texture, const RayState& state, double relative_ior, const Vec3* totally, const Vec3& facing, Secondaries& out) const {
+    if (!scene.scene.settings.follows_mirrors) return;
     for (size_t i = texture.begin; i < texture.end; ++i) {
         const Vec3& normal = layers_[i].normal;
         const auto begin = layers_.begin() + std::ptrdiff_t(texture.begin), here = layers_.begin() + std::ptrdiff_t(i);

@@ -17,7 +17,7 @@ namespace alidade::HWY_NAMESPACE {
 
 #if HWY_TARGET == HWY_AVX2 || HWY_TARGET == HWY_AVX3   // where ends are fused
 
-/// Of several rays' ends of slabs on an axis, each a line over the planes' places (plane * inverse + origin), what none is beyond: of the near ends the lesser of two lines, of the far ends the greater. They meet at `pivot`, where the
+/// Of several rays' ends of slabs on an axis (docs/numerics.md, "Rays together"), each a line over the planes' places (plane * inverse + origin), what none is beyond: of the near ends the lesser of two lines, of the far ends the greater. They meet at `pivot`, where the
 /// outermost ray is, and have the least and the greatest slope.
 template <class R> struct EndBounds {
     R least_slope, greatest_slope, least_added, greatest_added;
@@ -119,7 +119,7 @@ template <class Machine, class Node, class Leaf> class Group {
   public:
     Group(const WideTree<Node, Leaf>& tree, std::span<const Ray> rays, std::span<Hit> hits, WorkCounters& work) : tree_(tree), rays_(rays), hits_(hits), work_(work) {}
 
-    /// As GroupTraversal.
+    /// As GroupTraversal; rays that are too few to pay do as well by themselves.
     HWY_ATTR bool trace(uint32_t instance) {
         for (uint32_t k = 0; k < rays_.size(); ++k) begin(k, instance);
         const bool enough = uint32_t(std::popcount(entering_)) >= kLeastGroup, together = enough && make_boxes() && traverse();
@@ -150,7 +150,7 @@ template <class Machine, class Node, class Leaf> class Group {
         const Boxes* boxes[kGroup];
         for (uint32_t k = 0; k < kGroup; ++k) {
             const bool enters = entering_ >> k & 1;
-            boxes[k] = enters || k == first ? ::new (&boxes_[k].made) Boxes(locals_[k], tree_.bounds.doubled_size) : nullptr;
+            boxes[k] = enters ? ::new (&boxes_[k].made) Boxes(locals_[k], tree_.bounds.doubled_size) : nullptr;
             limits_[k] = enters ? boxes_[k].made.limit(queries_[k]->limit()) : R(-1);   // the others enter nothing
         }
         for (const Boxes*& b : boxes) b = b ? b : &boxes_[first].made;
@@ -169,7 +169,7 @@ template <class Machine, class Node, class Leaf> class Group {
             push_children(current, limit, top);
             ++nodes;
             bool descends = false;
-            while (!descends && !parted && top != stack) {
+            while (!descends && top != stack) {
                 const WideWaiting next = *--top;
                 if (next.key > last_key(float(limit))) continue;
                 const Node& parent = tree_.nodes[next.child() / kWide];
@@ -182,9 +182,9 @@ template <class Machine, class Node, class Leaf> class Group {
                 const uint32_t entering = group_.rays_entering(parent, place, limits_, starts);
                 ++leaves, alone += uint32_t(std::popcount(entering));
                 if (entering && visit(child, entering, starts)) limit = *std::max_element(limits_, limits_ + kGroup);
-                parted = double(nodes + leaves) > kPatience + kWorth * double(alone);
             }
-            if (!descends) break;
+            parted = double(nodes + leaves) > kPatience + kWorth * double(alone);
+            if (!descends || parted) break;
         }
         work_.boxes += nodes * kWide + leaves * kGroup;
         return !parted;
@@ -201,9 +201,9 @@ template <class Machine, class Node, class Leaf> class Group {
         sort_top(first, uint32_t(top - first));
     }
 
-    /// True if a ray found something.
+    /// True if a ray may have found something.
     HWY_INLINE HWY_ATTR bool visit(uint32_t child, uint32_t entering, const R* starts) {
-        bool found = false;
+        bool decided = false;
         const uint32_t number = WideLeaf::block(child), lanes = (2u << (WideLeaf::count(child) - 1)) - 1;
         work_.filtered += uint64_t(WideLeaf::count(child)) * uint64_t(std::popcount(entering));
         for (; entering; entering &= entering - 1) {
@@ -214,9 +214,9 @@ template <class Machine, class Node, class Leaf> class Group {
             const uint32_t bits = Machine::filter(tree_.leaf, block, query.probe().filter(), starts[k] == 0) & lanes;
             if (!bits) continue;
             query.decide(block, number, bits);
-            shorten(k), found = true;
+            shorten(k), decided = true;
         }
-        return found;
+        return decided;
     }
 
     void shorten(uint32_t k) { limits_[k] = boxes_[k].made.limit(queries_[k]->limit()); }

@@ -7,10 +7,10 @@
 
 namespace alidade {
 
-/// Makes hits[i] the first hit of rays[i], at most kGroup, bit for bit as each by itself; both are as long. False if they went different ways, and would rather be asked one by one.
+/// Makes hits[i], which are new, the first hit of rays[i], at most kGroup, bit for bit as each by itself; both are as long. False if they went different ways, and would rather be asked one by one.
 template <class Node, class Leaf> using GroupTraversal = bool (*)(const WideTree<Node, Leaf>& tree, std::span<const Ray> rays, std::span<Hit> hits, WorkCounters& work, uint32_t instance);
 
-/// The traversal for these instructions; null where rays go one by one: without fused products (isa.h), in compact trees and those of sets (what they would gain there is lost again: bench/results/accel_peers.md), and with other tests than exact ones.
+/// The traversal for these instructions; null where rays go one by one: without fused products (isa.h), in compact trees, with other tests than exact ones, and in those of sets, where nothing was gained (bench/results/accel_peers.md).
 template <class Node, class Leaf> struct GroupOf {
     static GroupTraversal<Node, Leaf> traversal(Isa) { return nullptr; }
 };

@@ -3,8 +3,6 @@
 
 #include "importers/pov/settings.h"
 
-#include <algorithm>
-
 namespace alidade::pov {
 
 namespace {
@@ -20,33 +18,37 @@ void remove_haze(Scene& scene) {
     for (Interior& interior : scene.interiors) interior.media.clear();
 }
 
-void make_dull(PovFinish& finish) { finish.normal.reset(), finish.reflection_min = finish.reflection_max = Color(0); }
+void remove_shadows(Scene& scene) {
+    for (Node& node : scene.nodes) node.flags.shadow = false;
+    for (Light& light : scene.lights) light.projected_through.reset();
+}
 
 /// What glows with the colour of its pigment, and nothing else.
 PovFinish flat(const PovFinish& finish) {
     PovFinish colour;
-    colour.pigment = finish.pigment;
+    colour.pigment = finish.pigment, colour.uncolored = finish.uncolored;
     colour.ambient = Color(1), colour.diffuse = 0;
     return colour;
 }
 
-void show_lowest_layers(Scene& scene) {
-    for (Material& material : scene.materials) material.layers.resize(std::min<size_t>(1, material.layers.size()));
+void show_colours(Scene& scene) {
     for_each_finish(scene, [](PovFinish& finish) { finish = flat(finish); });
-    scene.settings.ambient_light = Color(1);
+    scene.settings.ambient_light = Color(1), scene.settings.see_through = SeeThrough::opaque;
 }
 
 }  // namespace
 
 void reduce(Scene& scene, int quality) {
     if (quality < kFullQuality) remove_haze(scene);
-    if (quality < 8) for_each_finish(scene, make_dull);
+    if (quality < 8) {
+        for_each_finish(scene, [](PovFinish& finish) { finish.normal.reset(); });
+        scene.settings.follows_mirrors = false;
+    }
     if (quality < kWholePigments) scene.settings.see_through = SeeThrough::black;
     if (quality < 5)
         for (Light& light : scene.lights) light.shadow_grid.reset();
-    if (quality < 4)
-        for (Node& node : scene.nodes) node.flags.shadow = false;
-    if (quality < 2) show_lowest_layers(scene), scene.settings.see_through = SeeThrough::opaque;
+    if (quality < 4) remove_shadows(scene);
+    if (quality < 2) show_colours(scene);
 }
 
 }  // namespace alidade::pov

@@ -50,6 +50,7 @@ struct Build {
     std::map<std::pair<const Block*, SignalId>, SignalId> pigments;                                 ///< what a block made of a pigment
     std::map<std::pair<const Block*, std::optional<SignalId>>, SignalId> normals;    ///< of a normal
     std::map<SignalId, PatternSignal> loose_modifiers;   ///< of plain colours: transformations, turbulence ..., which act on a pattern that a later block puts in their place
+    std::map<SignalId, ConstantSignal> quick_colors;     ///< of pigments that have one
     std::map<const Block*, MaterialId> parts;           ///< textures of maps
     NoiseGenerator noise = NoiseGenerator::range_corrected;   ///< of patterns that give none
     int number_of_waves = 10;                           ///< of waves and ripples

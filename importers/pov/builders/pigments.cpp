@@ -4,7 +4,6 @@
 #include "importers/pov/builders/default_maps.h"
 #include "importers/pov/builders/patterns.h"
 #include "importers/pov/builders/textures.h"
-#include "importers/pov/quality.h"
 #include "scene/graph.h"
 
 #include <fmt/format.h>
@@ -71,15 +70,19 @@ PatternSignal loose_of(const Build& build, SignalId plain) {
     return known == build.loose_modifiers.end() ? PatternSignal() : known->second;
 }
 
+std::optional<ConstantSignal> quick_color_of(const Build& build, SignalId pigment) {
+    const auto known = build.quick_colors.find(pigment);
+    return known == build.quick_colors.end() ? std::nullopt : std::optional(known->second);
+}
+
 bool is_quick_color(Cursor& at) { return at.accept("quick_color"_w) || at.accept("quick_colour"_w); }
 
-void read_pigment(Build& build, Cursor& at, Signal& pigment, PatternSignal& loose) {
-    std::optional<ConstantSignal> quick;
+void read_pigment(Build& build, Cursor& at, Signal& pigment, PatternSignal& loose, std::optional<ConstantSignal>& quick) {
     while (!at.done()) {
         if (const Block* base = at.block_at("pigment"_w)) {
             at.next();
             const SignalId id = build_pigment(build, *base, usual_pigment(build, *base));
-            pigment = Signal(build.scene.signals[id.index]), loose = loose_of(build, id);
+            pigment = Signal(build.scene.signals[id.index]), loose = loose_of(build, id), quick = quick_color_of(build, id);
         } else if (at.at_numeric()) {
             const std::array<double, 5> c = at.colour("a pigment");
             pigment.what = ConstantSignal{Vec4(c[0], c[1], c[2], 1), c[3], c[4]};
@@ -94,7 +97,6 @@ void read_pigment(Build& build, Cursor& at, Signal& pigment, PatternSignal& loos
             return;
         }
     }
-    if (quick && build.p.options.quality < kWholePigments) pigment.what = *quick;
 }
 
 }  // namespace
@@ -123,13 +125,15 @@ SignalId build_pigment(Build& build, const Block& block, SignalId start, size_t 
     Signal pigment = build.scene.signals[start.index];
     Cursor at(build, block, skipped);
     PatternSignal loose = loose_of(build, start);
-    read_pigment(build, at, pigment, loose);
+    std::optional<ConstantSignal> quick = quick_color_of(build, start);
+    read_pigment(build, at, pigment, loose, quick);
     auto* pattern = std::get_if<PatternSignal>(&pigment.what);
     if (pattern && pattern->pattern != kImageMap && (pattern->pattern != "average" || pattern->map.empty())) add_default_map(build, *pattern);
     pigment.from = build.position(block.place);
     const bool plain = !pattern;
     const SignalId id = build.add_signal(std::move(pigment));
     if (plain) build.loose_modifiers.emplace(id, std::move(loose));
+    if (quick) build.quick_colors.emplace(id, *quick);
     build.pigments.emplace(key, id);
     return id;
 }
@@ -145,14 +149,32 @@ SignalId moved_plain(Build& build, SignalId id, const Transform& transform) {
     return there;
 }
 
-}  // namespace
-
-SignalId moved(Build& build, SignalId id, const Transform& transform) {
+SignalId moved_signal(Build& build, SignalId id, const Transform& transform) {
     Signal signal = build.scene.signals[id.index];
     if (auto* pattern = std::get_if<PatternSignal>(&signal.what)) move(*pattern, transform);
     else if (auto* relief = std::get_if<ReliefSignal>(&signal.what)) move(relief->pattern, transform);
     else return moved_plain(build, id, transform);
     return build.add_signal(std::move(signal));
+}
+
+}  // namespace
+
+SignalId moved(Build& build, SignalId id, const Transform& transform) {
+    const SignalId there = moved_signal(build, id, transform);
+    if (const auto quick = quick_color_of(build, id)) build.quick_colors.emplace(there, *quick);
+    return there;
+}
+
+void show_quick_colors(Build& build) {
+    for (Material& material : build.scene.materials)
+        for (auto& layer : material.layers) {
+            auto* finish = std::get_if<PovFinish>(&layer);
+            const auto quick = finish ? quick_color_of(build, finish->pigment) : std::nullopt;
+            if (!quick) continue;
+            Signal shown = build.scene.signals[finish->pigment.index];
+            shown.what = *quick;
+            finish->pigment = build.add_signal(std::move(shown));
+        }
 }
 
 SignalId moved_in_space(Build& build, SignalId id, const Transform& transform) {

@@ -28,6 +28,9 @@ SignalId moved(Build& build, SignalId signal, const Transform& transform);
 /// The same, but for what is looked up at (u, v, 0).
 SignalId moved_in_space(Build& build, SignalId signal, const Transform& transform);
 
+/// Puts a pigment's quick_color in its place, wherever it is the pigment of a texture.
+void show_quick_colors(Build& build);
+
 /// The pattern that comes next is none that is modelled: says so.
 void tally_pattern(Build& build, const Item& item, const char* what);
 

@@ -5,7 +5,9 @@
 #include "importers/pov/builders/atmosphere.h"
 #include "importers/pov/builders/globals.h"
 #include "importers/pov/builders/objects.h"
+#include "importers/pov/builders/pigments.h"
 #include "importers/pov/builders/textures.h"
+#include "importers/pov/quality.h"
 
 #include <fmt/format.h>
 
@@ -83,6 +85,7 @@ Scene build_scene(Parser& parser, const Program& program) {
         }
     }
     add_camera(build, camera);
+    if (parser.options.quality < kWholePigments) show_quick_colors(build);
     build.scene.files = program.files;
     return std::move(build.scene);
 }
