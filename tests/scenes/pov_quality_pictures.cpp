@@ -23,11 +23,20 @@ sphere { <2, 1, 0>, 1 texture { pigment { rgb <0.1, 0.2, 0.9> } } texture { pigm
 box { <-0.6, 2.2, 1>, <0.6, 3.2, 2> pigment { wood color_map { [0 rgb <0.6, 0.4, 0.2>] [1 rgb <0.3, 0.2, 0.1>] } scale 0.2 quick_color rgb <0.2, 0.8, 0.3> } }
 #declare Quick = pigment { rgb <0.9, 0.1, 0.1> quick_color rgb <0.1, 0.3, 0.9> };
 sphere { <-2.6, 2.8, 1>, 0.6 pigment { Quick gradient y color_map { [0 rgb 0.2] [1 rgb 0.9] } translate y/3 } }
+sphere { 0, 0.4 texture { pigment { gradient x quick_color rgb <0.1, 0.9, 0.9> } scale 0.3 } translate <-1.2, 2.6, 0> }
 sphere { <-3.6, 1.2, 1>, 0.6 texture { pigment { Quick } } texture { pigment { rgb <0.6, 0.6, 0.1> } } }
 #default { pigment { rgb 0.3 quick_color rgb <0.7, 0.7, 0.9> } }
 sphere { <3.4, 2.8, 1>, 0.5 pigment { rgb <1, 0.6, 0.8> } }
 sphere { <1.9, 2.9, 1>, 0.5 texture { pigment { rgb <0.2, 0.9, 0.4> } } texture { pigment { checker rgb <1, 0.3, 0.2> rgbt <0, 0, 0, 1> scale 0.3 } } }
 sphere { <3.6, 1.4, -0.5>, 0.5 texture { pigment { rgbf <0.9, 0.4, 0.4, 0.9> } } texture { pigment { rgbt <0.1, 0.1, 0.3, 0.7> } finish { reflection 0.5 conserve_energy } } }
+)";
+
+/// Layers whose filters are numbers, but for the lowest: the last one is reached through each of them.
+constexpr const char* kOldScene = R"(#version 3.1;
+global_settings { assumed_gamma 1 }
+camera { location <0, 0, -6> look_at 0 }
+light_source { <-6, 9, -7> rgb 1 }
+sphere { 0, 1.5 texture { pigment { rgbf <1, 0.2, 0, 1> } } texture { pigment { rgbf <0, 0, 1, 1> } } texture { pigment { gradient y color_map { [0.5 rgbf <0, 1, 0, 0.6>] [0.5 rgb <1, 1, 0>] } } } }
 )";
 
 }  // namespace
@@ -36,6 +45,7 @@ std::vector<PovPicture> quality_pictures() {
     static constexpr const char* kNames[] = {"Q0", "Q1", "Q2", "Q3", "Q4", "Q5", "Q6", "Q7", "Q8"};
     std::vector<PovPicture> pictures;
     for (int quality = 0; quality < int(std::size(kNames)); ++quality) pictures.push_back({kNames[quality], kScene, "-A", {}, quality});
+    pictures.push_back({"OldFiltersQ1", kOldScene, "-A", {}, 1});
     return pictures;
 }
 
