@@ -18,7 +18,8 @@ class Shaft {
         // Far more than what rounding moves a hit or the side of a box by, next to the sizes that the rays are calculated with.
         const double pad = 1e-9 * std::max(std::max(max_abs(from.min), max_abs(from.max)), std::max(max_abs(to.min), max_abs(to.max)));
         from_ = {from.min - Vec3(pad), from.max + Vec3(pad)};
-        hull_ = {glm::min(from_.min, to.min - Vec3(pad)), glm::max(from_.max, to.max + Vec3(pad))};
+        to_ = {to.min - Vec3(pad), to.max + Vec3(pad)};
+        hull_ = {glm::min(from_.min, to_.min), glm::max(from_.max, to_.max)};
         const Vec3 least = to.min - from.max - Vec3(pad), most = to.max - from.min + Vec3(pad);
         for (int a = 0; a < 3; ++a) {
             rising_[a] = most[a] >= 0, falling_[a] = least[a] <= 0;
@@ -26,6 +27,9 @@ class Shaft {
         }
     }
 
+    /// The boxes, padded: what is convex and holds both holds all of it.
+    const Bounds& from() const { return from_; }
+    const Bounds& to() const { return to_; }
     /// The box that holds all of it.
     const Bounds& hull() const { return hull_; }
 
@@ -47,7 +51,7 @@ class Shaft {
   private:
     static constexpr double kSlack = 1e-12;
 
-    Bounds from_, hull_;
+    Bounds from_, to_, hull_;
     Vec3 over_least_, over_most_;
     bool rising_[3], falling_[3];
 };

@@ -43,7 +43,7 @@ bool meets(const CsgNode& node) { return node.op == CsgOp::intersection || node.
 
 class Walk {
   public:
-    Walk(std::span<const CsgNode> nodes, const Ray& ray, const CsgLeaves& leaves) : nodes_(nodes), ray_(ray), leaves_(leaves), s_(scratch()), reach_(max_abs(ray.origin) / max_abs(ray.dir)), over_dir_(1.0 / ray.dir) {
+    Walk(std::span<const CsgNode> nodes, std::span<const CsgSide> known, const Ray& ray, const CsgLeaves& leaves) : nodes_(nodes), known_(known), ray_(ray), leaves_(leaves), s_(scratch()), reach_(max_abs(ray.origin) / max_abs(ray.dir)), over_dir_(1.0 / ray.dir) {
         s_.crossings.clear(), s_.at_points.clear();
         if (s_.states.size() < nodes.size()) s_.states.resize(nodes.size());
     }
@@ -97,6 +97,7 @@ class Walk {
         const CsgNode& node = nodes_[n];
         State& state = s_.states[n] = {};
         if (!(node.mask & ray_.mask)) return state.inside = n != 0 && meets(nodes_[node.parent]), false;
+        if (!known_.empty() && known_[n] != CsgSide::varies) return state.inside = known_[n] == CsgSide::inside, false;
         const LineInterval boxes = within(node.box, ranges.boxes);
         if (boxes.empty()) return state.inside = node.far, false;
         return node.op == CsgOp::leaf ? gather_leaf(n, ranges.crossings) : gather_parts(n, {ranges.crossings, boxes});
@@ -252,6 +253,7 @@ class Walk {
     }
 
     std::span<const CsgNode> nodes_;
+    std::span<const CsgSide> known_;   // nothing: no side is known
     const Ray& ray_;
     const CsgLeaves& leaves_;
     Scratch& s_;
@@ -275,9 +277,9 @@ bool node_inside(std::span<const CsgNode> nodes, uint32_t n, const Vec3& point, 
 
 bool CsgTree::inside(const Vec3& point, const CsgLeaves& leaves) const { return node_inside(nodes_, 0, point, leaves); }
 
-bool CsgTree::first(const Ray& ray, const CsgLeaves& leaves, Hit& hit) const {
+bool CsgTree::first(const Ray& ray, const CsgLeaves& leaves, Hit& hit, std::span<const CsgSide> known) const {
     Hit best;
-    Walk(nodes_, ray, leaves).run(true, [&](const Hit& h) {
+    Walk(nodes_, known, ray, leaves).run(true, [&](const Hit& h) {
         if (comes_before(h.t, h.instance, h.primitive, best)) best = h;
     });
     if (best.valid()) hit = best;
@@ -285,7 +287,7 @@ bool CsgTree::first(const Ray& ray, const CsgLeaves& leaves, Hit& hit) const {
 }
 
 void CsgTree::all(const Ray& ray, const CsgLeaves& leaves, std::vector<Hit>& hits) const {
-    Walk(nodes_, ray, leaves).run(false, [&](const Hit& h) { hits.push_back(h); });
+    Walk(nodes_, {}, ray, leaves).run(false, [&](const Hit& h) { hits.push_back(h); });
 }
 
 uint8_t csg_cost(const ShapeOps& ops) { return ops.costly ? 2 : ops.kind == kind_of<Plane>() ? 0 : 1; }

@@ -50,6 +50,19 @@ struct CsgCrossing {
     uint32_t node = 0;              ///< filled in by the tree
 };
 
+/// Where all rays that are going to be asked are, if that is on one side of a surface.
+enum class CsgSide : uint8_t { varies, inside, outside };
+
+/// A part of space that rays stay in.
+class CsgRegion {
+  public:
+    virtual ~CsgRegion() = default;
+    /// False only if nothing of it is in the box.
+    virtual bool meets(const Bounds& box) const = 0;
+    /// On which side of the leaf, as it is without inversion, it is surely.
+    virtual CsgSide side(uint32_t leaf) const = 0;
+};
+
 /// What a tree asks of its leaves; all in the space of the ray.
 class CsgLeaves {
   public:
@@ -97,8 +110,10 @@ class CsgTree {
     std::span<const CsgNode> nodes() const { return nodes_; }
     /// Of the surfaces. Infinite where they are.
     const Bounds& bounds() const { return nodes_[0].box; }
-    /// The first surface with tmin <= t <= tmax that the ray's mask sees; of several at one t the one that comes before.
-    bool first(const Ray& ray, const CsgLeaves& leaves, Hit& hit) const;
+    /// Appends the sides of the nodes in a region, one for each of nodes(), to be given to first(). The side of the root: if it does not vary, rays in the region meet no surface.
+    CsgSide sides(const CsgRegion& region, std::vector<CsgSide>& out) const;
+    /// The first surface with tmin <= t <= tmax that the ray's mask sees; of several at one t the one that comes before. `known`: the sides that the nodes have where the ray goes, or nothing.
+    bool first(const Ray& ray, const CsgLeaves& leaves, Hit& hit, std::span<const CsgSide> known = {}) const;
     /// All of them, appended in order of t.
     void all(const Ray& ray, const CsgLeaves& leaves, std::vector<Hit>& hits) const;
     /// Is the point inside of the whole? A surface without inside holds none.

@@ -43,13 +43,13 @@ bool looked_for(const Instance& instance, const Ray& ray) {
 }  // namespace
 
 /// Out of line: scenes without solids pay for a comparison alone.
-[[gnu::noinline]] bool InstanceSet::intersect_solid(uint32_t id, const Ray& ray, Hit& hit, WorkCounters& work) const {
+[[gnu::noinline]] bool InstanceSet::intersect_solid(uint32_t id, const Ray& ray, Hit& hit, WorkCounters& work, std::span<const CsgSide> known) const {
     const Solid& s = solid(id);
     if (!(s.mask & ray.mask)) return false;
     Ray shortened = ray;
     if (hit.t < ray.tmax) shortened.tmax = std::min(ray.tmax, hit.t + instance_slack(ray, hit.t));
     Hit candidate;
-    if (!s.tree.first(shortened, InstanceLeaves(scene_, work), candidate)) return false;
+    if (!s.tree.first(shortened, InstanceLeaves(scene_, work), candidate, known)) return false;
     candidate.t = clamp_to_bounds(candidate.t, ray, s.tree.bounds());
     if (!comes_before(candidate.t, candidate.instance, candidate.primitive, hit)) return false;
     hit = candidate;

@@ -21,13 +21,14 @@ class InstanceSet final : public PrimitiveSet {
     bool occluded(std::span<const uint32_t> ids, const Ray& ray, WorkCounters& work) const override;
     void all_hits(std::span<const uint32_t> ids, const Ray& ray, std::vector<Hit>& hits, WorkCounters& work) const override;
 
+    /// The first surface of a solid before `hit`. `known`: the sides of its nodes where the ray goes, or nothing.
+    bool intersect_solid(uint32_t id, const Ray& ray, Hit& hit, WorkCounters& work, std::span<const CsgSide> known = {}) const;
+
     bool is_solid(uint32_t id) const { return id >= scene_.instances.size(); }
     const Solid& solid(uint32_t id) const { return scene_.solids[id - scene_.instances.size()]; }
     Mask mask(uint32_t id) const { return is_solid(id) ? solid(id).mask : scene_.instances[id].mask; }
 
   private:
-    bool intersect_solid(uint32_t id, const Ray& ray, Hit& hit, WorkCounters& work) const;
-
     const CompiledScene& scene_;
     Mask seen_by_;
 };

@@ -3,8 +3,8 @@
 
 #include "accel/local_ray.h"
 #include "accel/query.h"
-#include "accel/shaft.h"
 #include "tracer/instance_set.h"
+#include "tracer/shaft_sides.h"
 
 #include <algorithm>
 
@@ -14,23 +14,6 @@ namespace {
 /// More than these are asked faster through the structure.
 constexpr size_t kMostOccluders = 16;
 
-/// Rays to the box leave the plane that they start on, and cannot come back (spawn_ray).
-bool leaves_plane(const CompiledScene& scene, uint32_t id, const ShadePoint& point, const Bounds& to) {
-    if (id != point.instance || !std::holds_alternative<Plane>(*scene.geometries[scene.instances[id].geometry].source)) return false;
-    const Vec3 &n = point.geometric_normal, half = to.extent() * 0.5, way = to.center() - point.position;
-    const double height = std::abs(dot(n, way)), reach = dot(glm::abs(n), half);
-    return height > reach + 1e-9 * (reach + max_abs(to.center()) + max_abs(point.position));
-}
-
-/// Is the box on one side of a surface that goes on for ever?
-bool on_one_side(const CompiledScene& scene, uint32_t id, const Bounds& box) {
-    const Instance& instance = scene.instances[id];
-    const Geometry& geometry = scene.geometries[instance.geometry];
-    if (geometry.mesh || geometry.bounds.finite() || !geometry.ops->narrow || geometry.ops->costly) return false;   // a costly search, once a point, gains nothing
-    const Bounds local = instance.to_local.bounds(box);
-    return geometry.ops->narrow(*geometry.source, false, local).empty() || geometry.ops->narrow(*geometry.source, true, local).empty();
-}
-
 }  // namespace
 
 bool Occluders::find(const CompiledScene& scene, const ShadePoint& point, const Bounds& to) {
@@ -38,19 +21,28 @@ bool Occluders::find(const CompiledScene& scene, const ShadePoint& point, const 
     if (!is_finite(point.position) || !is_finite(moved) || !to.finite()) return false;
     const Shaft shaft({point.position - moved, point.position + moved}, {to.min - moved, to.max + moved});
     if (!scene.top->candidates(shaft, kMostOccluders, ids_)) return false;
-    std::erase_if(ids_, [&](uint32_t id) {
-        if (!(scene.set->mask(id) & kMaskShadow)) return true;
-        return !scene.set->is_solid(id) && (leaves_plane(scene, id, point, to) || on_one_side(scene, id, shaft.hull()));
-    });
+    const ShaftSides sides(scene, point, shaft);
+    all_.clear(), sides_.clear();
+    for (const uint32_t id : ids_) {
+        if (!(scene.set->mask(id) & kMaskShadow)) continue;
+        const One one{id, uint32_t(sides_.size())};
+        if ((scene.set->is_solid(id) ? scene.set->solid(id).tree.sides(sides, sides_) : sides.side(id)) == CsgSide::varies) all_.push_back(one);
+    }
     return true;
+}
+
+bool Occluders::hides(const CompiledScene& scene, const One& one, const Ray& ray, WorkCounters& work) const {
+    if (!scene.set->is_solid(one.id)) return scene.set->occluded(std::span(&one.id, 1), ray, work);
+    Hit unused;
+    return scene.set->intersect_solid(one.id, ray, unused, work, std::span(sides_).subspan(one.sides, scene.set->solid(one.id).tree.nodes().size()));
 }
 
 bool Occluders::occluded(const CompiledScene& scene, const Ray& ray, WorkCounters& work) {
     if (!can_hit(ray, kLargestCoordinate<double>)) return false;
-    for (size_t i = 0; i < ids_.size(); ++i) {
+    for (One& one : all_) {
         ++work.filtered;
-        if (!scene.set->occluded(std::span(&ids_[i], 1), ray, work)) continue;
-        std::swap(ids_[0], ids_[i]);
+        if (!hides(scene, one, ray, work)) continue;
+        std::swap(all_[0], one);
         return true;
     }
     return false;
@@ -59,8 +51,8 @@ bool Occluders::occluded(const CompiledScene& scene, const Ray& ray, WorkCounter
 void Occluders::all_hits(const CompiledScene& scene, const Ray& ray, std::vector<Hit>& hits, WorkCounters& work) const {
     if (!can_hit(ray, kLargestCoordinate<double>)) return;
     const size_t first = hits.size();
-    work.filtered += ids_.size();
-    scene.set->all_hits(ids_, ray, hits, work);
+    work.filtered += all_.size();
+    for (const One& one : all_) scene.set->all_hits(std::span(&one.id, 1), ray, hits, work);
     put_in_order(hits, first);
 }
 

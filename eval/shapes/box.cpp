@@ -79,6 +79,6 @@ bool box_inside(const ShapeGeometry& geometry, const Vec3& point) { return box_b
 
 }  // namespace
 
-const ShapeOps kBoxOps = {"box", "the solid between two opposite corners", kind_of<Box>(), box_bounds, box_crossings, box_error, box_surface, box_inside, always_solid};
+const ShapeOps kBoxOps = {"box", "the solid between two opposite corners", kind_of<Box>(), box_bounds, box_crossings, box_error, box_surface, box_inside, always_solid, nullptr, false, nullptr, nullptr, true};
 
 }  // namespace alidade

@@ -21,6 +21,6 @@ bool cylinder_solid(const ShapeGeometry& geometry) { return !std::get<Cylinder>(
 
 }  // namespace
 
-const ShapeOps kCylinderOps = {"cylinder", "all points near an axis, with or without caps", kind_of<Cylinder>(), cylinder_bounds, cylinder_crossings, cylinder_error, cylinder_surface, cylinder_inside, cylinder_solid, nullptr, false, cylinder_normal, cylinder_wanted};
+const ShapeOps kCylinderOps = {"cylinder", "all points near an axis, with or without caps", kind_of<Cylinder>(), cylinder_bounds, cylinder_crossings, cylinder_error, cylinder_surface, cylinder_inside, cylinder_solid, nullptr, false, cylinder_normal, cylinder_wanted, true};
 
 }  // namespace alidade

@@ -60,6 +60,7 @@ struct ShapeOps {
     Vec3 (*normal)(const ShapeGeometry&, const Vec3& point, uint32_t part) = nullptr;
     /// Those of crossings() that are wanted, bit for bit; the box is that of bounds(). Null: they take as long as all.
     Crossings (*wanted)(const ShapeGeometry&, const Bounds& own, const Ray&, Wanted) = nullptr;
+    bool convex = false;                                                 ///< what is between points that are inside is inside, too
 
     /// As `wanted`, for directions of any length: the forms multiply them with themselves, which must neither overflow nor be lost.
     Crossings crossings_wanted(const ShapeGeometry& shape, const Bounds& own, const Ray& ray, Wanted what) const {

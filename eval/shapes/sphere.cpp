@@ -2,6 +2,7 @@
 #include "eval/shapes/approach.h"
 #include "eval/shapes/rows.h"
 #include "eval/shapes/twice.h"
+#include "eval/shapes/wanted.h"
 
 namespace alidade {
 
@@ -56,19 +57,34 @@ constexpr double kSilhouette = 1.0 / 64;
     return out;
 }
 
+/// Does the ray begin and end so far inside that nothing is crossed between? So do most rays in a sphere that is a scene's sky.
+bool stays_inside(const Sphere& s, const Ray& ray) {
+    constexpr double kFar = 1e-6;   // in parts of the squared sizes: far more than rounding
+    const auto deep = [&](double t) {
+        const Vec3 from = ray.origin - s.center, p = from + t * ray.dir;
+        return dot(p, p) + kFar * (dot(from, from) + dot(p, p)) < (1 - kFar) * s.radius * s.radius;
+    };
+    return ray.tmax < kInf && deep(ray.tmax) && deep(ray.tmin);
+}
+
 #ifdef __x86_64__
 [[gnu::target("fma"), gnu::flatten]] Crossings crossings_with_fma(const Sphere& s, const Bounds& own, const Ray& ray) { return crossings_inline(s, own, ray); }
 #endif
 
 Crossings sphere_wanted(const ShapeGeometry& geometry, const Bounds& own, const Ray& ray, Wanted) {
     const Sphere& s = std::get<Sphere>(geometry);
+    if (stays_inside(s, ray)) {
+        Crossings none;
+        none.begins_inside = true;
+        return none;
+    }
 #ifdef __x86_64__
     if (kHasFma) return crossings_with_fma(s, own, ray);
 #endif
     return crossings_inline(s, own, ray);
 }
 
-Crossings sphere_crossings(const ShapeGeometry& geometry, const Ray& ray) { return sphere_wanted(geometry, sphere_bounds(geometry), ray, Wanted::all); }
+Crossings sphere_crossings(const ShapeGeometry& geometry, const Ray& ray) { return sphere_wanted(geometry, sphere_bounds(geometry), whole_line(ray), Wanted::all); }
 
 Vec3 sphere_normal(const ShapeGeometry& geometry, const Vec3& point, uint32_t) { return normalized(point - std::get<Sphere>(geometry).center); }
 
@@ -95,6 +111,6 @@ bool sphere_inside(const ShapeGeometry& geometry, const Vec3& point) {
 
 }  // namespace
 
-const ShapeOps kSphereOps = {"sphere", "all points at one distance from a centre", kind_of<Sphere>(), sphere_bounds, sphere_crossings, sphere_error, sphere_surface, sphere_inside, always_solid, nullptr, false, sphere_normal, sphere_wanted};
+const ShapeOps kSphereOps = {"sphere", "all points at one distance from a centre", kind_of<Sphere>(), sphere_bounds, sphere_crossings, sphere_error, sphere_surface, sphere_inside, always_solid, nullptr, false, sphere_normal, sphere_wanted, true};
 
 }  // namespace alidade

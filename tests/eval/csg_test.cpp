@@ -199,6 +199,62 @@ TEST(Csg, BoundsHoldAllSurfaces) {
     EXPECT_GT(hits, 1000);
 }
 
+/// A box that rays stay in, and what its corners and the boxes of shapes tell of it.
+class BoxRegion final : public CsgRegion {
+  public:
+    BoxRegion(const ShapeLeaves& leaves, const Bounds& box) : leaves_(leaves), box_(box) {}
+    bool meets(const Bounds& box) const override { return box_.overlaps(box); }
+    CsgSide side(uint32_t id) const override {
+        const ShapeGeometry& shape = leaves_.shapes[id];
+        const ShapeOps& ops = *find_shape(shape);
+        if (!box_.overlaps(ops.bounds(shape)) || (ops.narrow && ops.narrow(shape, false, box_).empty())) return CsgSide::outside;
+        if (ops.narrow && ops.narrow(shape, true, box_).empty()) return CsgSide::inside;
+        bool all = ops.convex;
+        for (int c = 0; c < 8; ++c) all = all && ops.inside(shape, {c & 1 ? box_.min.x : box_.max.x, c & 2 ? box_.min.y : box_.max.y, c & 4 ? box_.min.z : box_.max.z});
+        return all ? CsgSide::inside : CsgSide::varies;
+    }
+    Vec3 point(test::Draw& draw) const { return {draw(box_.min.x, box_.max.x), draw(box_.min.y, box_.max.y), draw(box_.min.z, box_.max.z)}; }
+
+  private:
+    const ShapeLeaves& leaves_;
+    const Bounds& box_;
+};
+
+/// To rays in a part of space, what is known of the nodes there changes nothing, and where the side of the whole is known they meet nothing.
+TEST(Csg, KnownSidesChangeNothing) {
+    test::Draw draw(9);
+    int found = 0, known = 0, inner = 0, whole = 0;
+    for (int round = 0; round < 8000; ++round) {
+        ShapeLeaves leaves;
+        const CsgExpression e = random_expression(leaves, draw, 1 + round % 4, false, round % 3 == 0);
+        const CsgTree tree(e, leaves.narrow());
+        const Vec3 middle(draw(-2, 2), draw(-2, 2), draw(-2, 2)), half(draw(0.01, 0.6));
+        const Bounds box{middle - half, middle + half};
+        const BoxRegion region(leaves, box);
+        std::vector<CsgSide> sides(7);   // which stay
+        const CsgSide side = tree.sides(region, sides);
+        ASSERT_EQ(sides.size(), 7 + tree.nodes().size());
+        const std::span<const CsgSide> those = std::span(sides).subspan(7);
+        known += std::count_if(those.begin(), those.end(), [](CsgSide s) { return s != CsgSide::varies; }) > 0;
+        for (size_t n = 1; n < those.size(); ++n) inner += tree.nodes()[n].op != CsgOp::leaf && those[n] == CsgSide::inside;
+        whole += side == CsgSide::inside;
+        for (int i = 0; i < 4; ++i) {
+            Ray ray;
+            ray.origin = region.point(draw), ray.dir = region.point(draw) - ray.origin, ray.tmax = 1;
+            Hit want, got;
+            const bool hit = tree.first(ray, leaves, want);
+            ASSERT_EQ(tree.first(ray, leaves, got, those), hit) << "round " << round;
+            ASSERT_TRUE(!hit || (got.t == want.t && got.instance == want.instance));
+            ASSERT_TRUE(side == CsgSide::varies || (!hit && tree.inside(ray.origin, leaves) == (side == CsgSide::inside))) << "round " << round;
+            found += hit;
+        }
+    }
+    EXPECT_GT(found, 1000);
+    EXPECT_GT(known, 1000);
+    EXPECT_GT(inner, 100);
+    EXPECT_GT(whole, 100);
+}
+
 std::vector<double> distances(const std::vector<Hit>& hits) {
     std::vector<double> out;
     for (const Hit& hit : hits) out.push_back(hit.t);

@@ -137,6 +137,25 @@ void add_cut_box(SceneBuilder& b, MaterialId material) {
     b.node(whole);
 }
 
+/// What holds the whole scene: a ball, much stretched, a box and a drum; and a wall with a clip around it, whose planes and hole few of the rays come near to.
+void surround(SceneBuilder& b, MaterialId material) {
+    b.object(Sphere{Vec3(0), 1}, material, Transform::rotate({0, 0, 1}, 0.7) * Transform::scale({1e4, 2e4, 3e4}));
+    b.object(Box{{-40, -1, -40}, {40, 30, 40}}, material, Transform::rotate({0, 1, 0}, 0.2));
+    b.object(Cylinder{{0, -2, 0}, {0, 20, 0}, 30}, material);
+    Node whole;
+    whole.csg = CsgKind::difference;
+    for (const ShapeGeometry& part : {ShapeGeometry(Plane{{0, 0, 1}, -1.2}), ShapeGeometry(Box{{-0.5, 0.5, -9}, {0.5, 1.5, 9}})}) {
+        Node n;
+        n.what = b.shape(part);
+        n.materials = {material};
+        whole.children.push_back(b.node(n, false));
+    }
+    Node clip;
+    clip.what = b.shape(Box{{-10, -1, -10}, {10, 10, 10}});
+    whole.clips.push_back(b.node(clip, false));
+    b.node(whole);
+}
+
 /// A room with a grid of light among things of all kinds: opaque and clear, bounded and endless (one plane cuts the light), whole and cut, seen by shadow rays or not.
 Scene room(ShadowGrid grid) {
     SceneBuilder b;
@@ -154,6 +173,7 @@ Scene room(ShadowGrid grid) {
     }
     b.object(Quadric{Vec3(1, 1, -1), Vec3(0), Vec3(0), -0.05}, plain, Transform::translate({1.2, 0.5, 1}));   // an endless hyperboloid
     add_cut_box(b, plain);
+    surround(b, plain);
     b.light(PointLight(), Color(40), Transform::translate({0.5, 3.5, -0.5}) * Transform::rotate({1, 0, 0}, 0.4));
     b.scene.lights[0].shadow_grid = grid;
     b.scene.lights[0].shadow_grid->axis1 = {1.5, 0, 0}, b.scene.lights[0].shadow_grid->axis2 = {0, 0, 1};
@@ -176,6 +196,31 @@ TEST(Occluders, AreThoseThatEachRayFinds) {
         EXPECT_EQ(want.stats.shadow_rays, got.stats.shadow_rays);
         EXPECT_LT(double(got.stats.work.filtered), 0.25 * double(want.stats.work.filtered));
     }
+}
+
+/// A floor, alone and clipped, under a light, in a ball: no shadow ray can meet anything, so nothing is asked.
+TEST(Occluders, AreNotWhatSurroundsAndWhatIsStoodOn) {
+    const auto scene = [](bool shadows) {
+        SceneBuilder b;
+        const MaterialId plain = b.material(b.lambert(Color(1)));
+        b.object(Plane{{0, 1, 0}, -3}, plain);
+        b.object(Sphere{Vec3(0), 1}, plain, Transform::scale(Vec3(1e5)));
+        Node floor, clip;
+        floor.what = b.shape(Plane{{0, 1, 0}, 0}), floor.materials = {plain};
+        clip.what = b.shape(Box{{-40, -2, -40}, {40, 50, 40}});
+        floor.clips = {b.node(clip, false)};
+        b.node(floor, true);
+        b.light(PointLight(), Color(40), Transform::translate({0, 3, 0}));
+        b.scene.lights[0].shadowless = !shadows;
+        b.scene.lights[0].shadow_grid = grid_of(4, 4);
+        b.scene.lights[0].shadow_grid->axis1 = {1, 0, 0}, b.scene.lights[0].shadow_grid->axis2 = {0, 0, 1};
+        b.camera({0, 2, 2}, {0, 0, 0}, 60);   // which sees the floor alone
+        return b.scene;
+    };
+    const Film lit = rendered(scene(false), centre_rays(32)), asked = rendered(scene(true), centre_rays(32));
+    EXPECT_EQ(lit.picture.values, asked.picture.values);
+    EXPECT_GT(asked.stats.shadow_rays, 5000u);
+    EXPECT_EQ(lit.stats.work.primitives, asked.stats.work.primitives);
 }
 
 /// Where a point is known far less well than the shaft is wide, rays begin and end beside it: what is just behind the light is in their way.

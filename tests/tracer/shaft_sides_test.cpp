@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: Apache-2.0
+/// Where a side is known, rays in the shaft meet nothing, and are on that side.
+#include "tests/core/draw.h"
+#include "tests/tracer/scene_builder.h"
+#include "tracer/instance_set.h"
+#include "tracer/shaft_sides.h"
+
+namespace alidade::test {
+namespace {
+
+/// One of each kind, in turn; small ones and such as hold nearly everything.
+ShapeGeometry shape(int kind, Draw& draw) {
+    const double size = draw.below(2) ? draw(3, 9) : draw(0.2, 1);
+    switch (kind % 6) {
+        case 0: return Sphere{draw.vector(1), size};
+        case 1: return Plane{draw.vector(1), draw(-2, 2)};
+        case 2: return Box{draw.vector(1) - Vec3(size), draw.vector(1) + Vec3(size)};
+        case 3: return Cylinder{{0, -size, 0}, {draw(-1, 1), size, 0}, size, draw.below(3) == 0};
+        case 4: return Quadric{Vec3(1, 1, draw.below(2) ? -1 : 0), Vec3(0), Vec3(0), -size};
+        default: return Cone{{0, -size, 0}, {0, size, 0}, size, 0.5 * size};   // of which nothing is known
+    }
+}
+
+Bounds box_at(const Vec3& middle, double size, Draw& draw) {
+    const Vec3 half = glm::abs(draw.vector(size));
+    return {middle - half, middle + half};
+}
+Vec3 in(const Bounds& box, Draw& draw) { return box.min + (box.max - box.min) * Vec3(draw(0, 1), draw(0, 1), draw(0, 1)); }
+
+TEST(ShaftSides, HoldForAllRays) {
+    Draw draw(17);
+    SceneBuilder b;
+    const MaterialId plain = b.material(b.lambert(Color(1)));
+    constexpr uint32_t kObjects = 240;
+    for (uint32_t i = 0; i < kObjects; ++i) {
+        const Transform placed = i % 3 ? Transform::translate(draw.vector(1)) * Transform::rotate(normalized(draw.vector(1)), draw(0, 6)) * Transform::scale({draw(0.5, 2), draw(0.5, 2), draw(0.5, 2)}) : Transform();
+        b.object(shape(int(i), draw), plain, placed);
+    }
+    const auto scene = compiled(b.scene);
+    int inside[6] = {}, outside[6] = {};
+    WorkCounters work;
+    for (uint32_t round = 0; round < 40 * kObjects; ++round) {
+        const uint32_t id = round % kObjects;
+        const Bounds from = box_at(draw.vector(2), 0.01, draw), to = box_at(draw.vector(3), 0.5, draw);
+        ShadePoint point;
+        point.instance = kNoId;
+        const Shaft shaft(from, to);
+        const CsgSide side = ShaftSides(*scene, point, shaft).side(id);
+        if (side == CsgSide::varies) continue;
+        ++(side == CsgSide::inside ? inside : outside)[id % 6];
+        const Instance& instance = scene->instances[id];
+        for (int i = 0; i < 20; ++i) {
+            Ray ray;
+            ray.origin = in(from, draw), ray.dir = in(to, draw) - ray.origin, ray.tmin = 0, ray.tmax = 1;
+            ASSERT_FALSE(scene->set->occluded(std::span(&id, 1), ray, work)) << id;
+            const Geometry& geometry = scene->geometries[instance.geometry];
+            if (geometry.ops->solid(*geometry.source)) ASSERT_EQ(geometry.ops->inside(*geometry.source, instance.local(ray.origin)), side == CsgSide::inside) << id;
+        }
+    }
+    for (const int kind : {0, 1, 2, 3, 4}) EXPECT_GT(inside[kind], 20) << kind;
+    for (const int kind : {1, 4}) EXPECT_GT(outside[kind], 20) << kind;
+    EXPECT_EQ(inside[5] + outside[5], 0);
+}
+
+/// Rays that start on a plane are on the side of their goal.
+TEST(ShaftSides, OfAPlaneThatIsStoodOn) {
+    SceneBuilder b;
+    const MaterialId plain = b.material(b.lambert(Color(1)));
+    b.object(Plane{{0, 1, 0}, 0}, plain);
+    b.object(Plane{{0, 1, 0}, 1e-12}, plain);
+    const auto scene = compiled(b.scene);
+    ShadePoint point;
+    point.instance = 0;
+    const auto sides = [&](double height, uint32_t id) {
+        const Shaft shaft({Vec3(-1e-15), Vec3(1e-15)}, {{-1, height - 1, -1}, {1, height + 1, 1}});
+        return ShaftSides(*scene, point, shaft).side(id);
+    };
+    EXPECT_EQ(sides(3, 0), CsgSide::outside);
+    EXPECT_EQ(sides(-3, 0), CsgSide::inside);
+    EXPECT_EQ(sides(0.5, 0), CsgSide::varies);
+    EXPECT_EQ(sides(3, 1), CsgSide::varies);
+}
+
+}  // namespace
+}  // namespace alidade::test

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "tracer/shaft_sides.h"
+
+namespace alidade {
+namespace {
+
+/// Far more than what rounding moves a surface by, next to the sizes that it is placed with.
+constexpr double kPad = 1e-9;
+
+Bounds padded(const Bounds& box, double size) {
+    const Vec3 pad(kPad * std::max(size, std::max(max_abs(box.min), max_abs(box.max))));
+    return {box.min - pad, box.max + pad};
+}
+
+CsgSide side_of_plane(const Plane& plane, const Bounds& box) {
+    const Vec3 middle = box.center(), half = box.extent() * 0.5;
+    const double size = length(plane.normal), offset = plane.distance * size;
+    const double height = dot(plane.normal, middle) - offset, reach = dot(glm::abs(plane.normal), half) + kPad * (dot(glm::abs(plane.normal), glm::abs(middle)) + std::abs(offset));
+    return height > reach ? CsgSide::outside : height < -reach ? CsgSide::inside : CsgSide::varies;
+}
+
+bool holds(const Geometry& geometry, const Bounds& box) {
+    if (!geometry.bounds.contains(box.min) || !geometry.bounds.contains(box.max)) return false;
+    for (int corner = 0; corner < 8; ++corner) {
+        const Vec3 at(corner & 1 ? box.max.x : box.min.x, corner & 2 ? box.max.y : box.min.y, corner & 4 ? box.max.z : box.min.z);
+        if (!geometry.ops->inside(*geometry.source, at)) return false;
+    }
+    return true;
+}
+
+}  // namespace
+
+/// Of the plane on which they start, rays are on the side that they go to, and cannot come back (spawn_ray).
+CsgSide ShaftSides::of_plane(uint32_t id, const Plane& plane, const Bounds& from, const Bounds& to) const {
+    const CsgSide goal = side_of_plane(plane, to);
+    return id == point_.instance || side_of_plane(plane, from) == goal ? goal : CsgSide::varies;
+}
+
+CsgSide ShaftSides::side(uint32_t id) const {
+    const Instance& instance = scene_.instances[id];
+    const Geometry& geometry = scene_.geometries[instance.geometry];
+    if (geometry.mesh || geometry.ops->costly) return CsgSide::varies;   // a costly search, once a point, gains nothing
+    const bool finite = geometry.bounds.finite();
+    const double size = finite ? std::max(max_abs(geometry.bounds.min), max_abs(geometry.bounds.max)) : 0;
+    const auto local = [&](const Bounds& box) { return padded(instance.in_place ? box : instance.to_local.bounds(box), size); };
+    if (const Plane* plane = std::get_if<Plane>(geometry.source)) return of_plane(id, *plane, local(shaft_.from()), local(shaft_.to()));
+    if (finite) return geometry.ops->convex && holds(geometry, local(shaft_.to())) && holds(geometry, local(shaft_.from())) ? CsgSide::inside : CsgSide::varies;
+    if (!geometry.ops->narrow) return CsgSide::varies;
+    const Bounds hull = local(shaft_.hull());
+    if (geometry.ops->narrow(*geometry.source, false, hull).empty()) return CsgSide::outside;
+    return geometry.ops->narrow(*geometry.source, true, hull).empty() ? CsgSide::inside : CsgSide::varies;
+}
+
+}  // namespace alidade
