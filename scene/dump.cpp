@@ -50,7 +50,7 @@ void dump_animation(std::string& out, size_t i, const Animation& animation) {
 
 void dump_atmosphere(std::string& out, const Atmosphere& a) {
     const Fog usual;
-    Line(out, "atmosphere").field("background", a.background).field("environment", a.environment).field("environment_image", a.environment_image)
+    Line(out, "atmosphere").field("background", a.background).field("background_mirrored", a.background_mirrored).field("background_over", a.background_over).field("background_shows", a.background_shows, 1.0).field("environment", a.environment).field("environment_image", a.environment_image)
         .field("environment_strength", a.environment_strength, Atmosphere().environment_strength);
     for (const Fog& f : a.fogs)
         Line(out, "  fog").field("ground", f.ground).field("distance", f.distance).field("offset", f.offset).field("altitude", f.altitude)

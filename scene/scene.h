@@ -81,6 +81,9 @@ struct SkySphere {
 /// What surrounds everything.
 struct Atmosphere {
     Color background{0};
+    Color background_mirrored{0};             ///< instead, where pictures have alpha: in mirrors,
+    Color background_over{0};                 ///< by itself, over what shows through it,
+    double background_shows = 1;              ///< and how much of that does
     std::optional<Color> environment;         ///< a constant sky: it lights, and is seen
     std::optional<ImageId> environment_image;   ///< equirectangular
     double environment_strength = 1;

@@ -45,7 +45,7 @@ std::string text(const std::optional<LensNoise>& value) { return value ? fmt::fo
 
 Identity identity(const CompiledScene& scene, const RenderOptions& options) {
     // All members by name: who adds one has to say here whether it decides pixels.
-    const auto& [width, height, region, camera, integrator, spp, supersampling, adaptive, lens_noise, sampler, light_samples, aperture, focus, seed, frame, max_depth, exposure, aovs, tile, threads, time] = options;
+    const auto& [width, height, region, camera, integrator, spp, supersampling, adaptive, lens_noise, sampler, light_samples, aperture, focus, seed, frame, max_depth, exposure, alpha, aovs, tile, threads, time] = options;
     static_cast<void>(threads);
     const Region part = region.value_or(Region{0, 0, width, height});
     return {{"program", program_identity()},
@@ -53,7 +53,7 @@ Identity identity(const CompiledScene& scene, const RenderOptions& options) {
             {"part", fmt::format("{},{},{},{}", part.x0, part.y0, part.x1, part.y1)},
             {"antialiasing", fmt::format("{} spp={} adaptive={} lens={} sampler={} tile={}", text(supersampling), spp, adaptive, text(lens_noise), sampler, tile)},
             {"camera", fmt::format("'{}' aperture={} focus={} exposure={}", camera, text(aperture), text(focus), exposure)},
-            {"integrator", fmt::format("{} light_samples={} max_depth={} seed={} frame={} time={} aovs={}", integrator, light_samples, max_depth, seed, frame, time, fmt::join(aovs, ","))},
+            {"integrator", fmt::format("{} light_samples={} max_depth={} seed={} frame={} time={} alpha={} aovs={}", integrator, light_samples, max_depth, seed, frame, time, int(alpha), fmt::join(aovs, ","))},
             {"scene", fingerprint_of(scene.scene)}};
 }
 

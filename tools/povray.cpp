@@ -20,8 +20,6 @@ namespace alidade {
 
 namespace {
 
-constexpr int kColorChannels = 3;   // of a film without layers
-
 /// A scene's name may come without its ending, and from the library's folders.
 std::string scene_path(const PovrayRequest& r) {
     namespace fs = std::filesystem;
@@ -58,12 +56,16 @@ int first_pixel(double start, int size) { return start <= 0 ? 0 : start <= 1 ? i
 int end_pixel(double end, int size) { return end <= 0 ? size : end <= 1 ? int(std::ceil(end * size)) : int(end); }
 
 /// What `scene` asks for, more than one sample with a lens, takes the place of antialiasing.
+/// PNG, TGA and BMP files. EXR's alpha is associated; others have none.
+bool has_straight_alpha(const PovrayRequest& r) { return std::string_view("NTB").find(r.file_type) != std::string_view::npos; }
+
 RenderOptions render_options(const PovrayRequest& r, int frame, const RenderSettings& scene) {
     RenderOptions options;
     options.width = r.width, options.height = r.height;
     options.threads = r.threads;
     options.frame = frame;
     options.seed = r.seed;
+    if (r.alpha) options.alpha = has_straight_alpha(r) ? Alpha::straight : Alpha::associated;
     options.spp = scene.default_spp;
     options.lens_noise = scene.lens_noise;
     if (r.antialias && options.spp == 1) options.supersampling = Supersampling{r.sampling_method, r.antialias_threshold, r.antialias_gamma, r.jitter ? r.jitter_amount : 0, r.antialias_depth};
@@ -130,7 +132,7 @@ int render_without_file(const PovrayRequest& r, const CompiledScene& scene, cons
 int render_to_file(const PovrayRequest& r, const CompiledScene& scene, const RenderOptions& options, Monitor monitor, const std::string& output) {
     const auto grid = tile_grid(options);
     if (!grid) return fail(grid.error());
-    const auto state = RenderState::open(state_name(output), *grid, kColorChannels, identity(scene, options), r.continued, warn);
+    const auto state = RenderState::open(state_name(output), *grid, r.alpha ? 4 : 3, identity(scene, options), r.continued, warn);
     if (state) {
         monitor.recall = [&](size_t tile, Picture& picture) { return state->recall(tile, picture); };
         monitor.keep = [&](size_t tile, const Picture& picture) { state->keep(tile, picture); };
@@ -169,7 +171,7 @@ int render_frames(const PovrayRequest& r) {
 }
 
 std::string help(const Verb& verb) {
-    return fmt::format("alidade {}\n\n{}\n\nThe words are POV-Ray's: +Iscene.pov +Oout.png +W320 +H240 +A<threshold> -A +AM<method> +R<depth> -J +L<folder> +FN +WT<threads> +C +K<clock> +KFI1 +KFF10 +SF +EF +SC +EC +SR +ER,\n"
+    return fmt::format("alidade {}\n\n{}\n\nThe words are POV-Ray's: +Iscene.pov +Oout.png +W320 +H240 +A<threshold> -A +AM<method> +R<depth> -J +L<folder> +FN +UA +Q<quality> +WT<threads> +C +K<clock> +KFI1 +KFF10 +SF +EF +SC +EC +SR +ER,\n"
                        "Key=Value, Declare=NAME=VALUE, scene.ini[section]. docs/pov-support.md lists what they do. --seed=N is ours alone: other random numbers.\n\nExit codes: {}.\n",
                        verb.usage, verb.doc, verb.exits);
 }
@@ -185,6 +187,8 @@ int run_povray(const Verb& verb, const Words& words) {
     if (!request) return fail(request.error());
     for (const std::string& note : request->notes) fmt::print(stderr, "alidade: warning: {}\n", note);
     if (request->to_file && request->bits != 8 && request->bits != 16) fmt::print(stderr, "alidade: warning: {} bits a colour are asked for: PNG files have 8 or 16\n", request->bits);
+    if (request->alpha && request->to_file && !has_straight_alpha(*request) && request->file_type != 'E')
+        fmt::print(stderr, "alidade: warning: +UA (Output_Alpha): files of this type (+F{}) have no alpha, what is missing is black\n", request->file_type);
     exit_on_signal();
     if (request->animated() && request->to_stdout()) return fail("+O- takes one picture: frames need files");
     for (const std::string& file : request->message_files)

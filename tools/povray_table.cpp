@@ -83,7 +83,6 @@ template <const char* const& Sentence> bool told(PovrayRequest& r, const PovrayW
     if (w.on) tell(r, Sentence);
     return true;
 }
-constexpr const char* kNoAlpha = "+UA (Output_Alpha): pictures have no alpha channel yet";
 constexpr const char* kNoField = "+UF (Field_Render): all rows are rendered";
 constexpr const char* kNoGray = "+FNg (Grayscale_Output): pictures are written in colour";
 constexpr const char* kNoFileGamma = "File_Gamma: pictures are encoded as sRGB";
@@ -154,7 +153,7 @@ constexpr PovrayRow kTable[] = {
     {"End_Column", "EC", number<&PovrayRequest::end_column>},
     {"Start_Row", "SR", number<&PovrayRequest::start_row>},
     {"End_Row", "ER", number<&PovrayRequest::end_row>},
-    {"Output_Alpha", "UA", told<kNoAlpha>},
+    {"Output_Alpha", "UA", flag<&PovrayRequest::alpha>},
     {"Work_Threads", "WT", integer<&PovrayRequest::threads, 0, 4096>},
     {"Render_Block_Size", "BS", nothing},
     {"Render_Block_Step", "", nothing},

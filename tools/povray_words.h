@@ -21,7 +21,7 @@ struct PovrayRequest {
     char file_type = 'N';
     int bits = 8;
     int width = 160, height = 120;
-    bool to_file = true, antialias = false, verbose = false;
+    bool to_file = true, antialias = false, verbose = false, alpha = false;
     bool continued = false;               ///< +C: what an earlier process has left is taken
     double antialias_threshold = 0.3, antialias_gamma = 2.5, jitter_amount = 1;
     int antialias_depth = 3, sampling_method = 1, quality = 9;

@@ -55,7 +55,7 @@ std::span<const AovEntry> aovs() { return kTable; }
 void PixelSamples::add(const Color& r, const FirstHit& first, uint32_t material_of_first) {
     radiance += r;
     ++samples;
-    sum.coverage += first.coverage;
+    sum.coverage += first.coverage, sum.shows += first.shows;
     if (!first.hit) return;
     if (!hits++) sum.depth = 0, instance = first.instance, material = material_of_first;
     sum.depth += first.depth;
@@ -68,7 +68,7 @@ void PixelSamples::add(const PixelSamples& more) {
     radiance += more.radiance;
     samples += more.samples;
     work += more.work;
-    sum.coverage += more.sum.coverage;
+    sum.coverage += more.sum.coverage, sum.shows += more.sum.shows;
     if (!more.hits) return;
     if (!hits) sum.depth = 0, instance = more.instance, material = more.material;
     hits += more.hits;
@@ -78,8 +78,9 @@ void PixelSamples::add(const PixelSamples& more) {
     sum.uv += more.sum.uv;
 }
 
-tl::expected<Layers, std::string> Layers::parse(const std::vector<std::string>& names) {
+tl::expected<Layers, std::string> Layers::parse(const std::vector<std::string>& names, bool with_alpha) {
     Layers out;
+    out.alpha_ = with_alpha;
     for (const std::string& name : names) {
         const auto row = std::find_if(std::begin(kTable), std::end(kTable), [&](const AovEntry& e) { return name == e.name; });
         if (row == std::end(kTable)) {
@@ -95,6 +96,7 @@ tl::expected<Layers, std::string> Layers::parse(const std::vector<std::string>& 
 
 std::vector<std::string> Layers::channels() const {
     std::vector<std::string> out{"R", "G", "B"};
+    if (alpha_) out.push_back("A");
     for (const size_t row : rows_) out.insert(out.end(), kTable[row].channels.begin(), kTable[row].channels.end());
     return out;
 }
@@ -102,6 +104,7 @@ std::vector<std::string> Layers::channels() const {
 void Layers::write(const PixelSamples& pixel, double exposure_scale, float* out) const {
     write_mean(pixel.radiance * exposure_scale, pixel.samples, out);
     out += 3;
+    if (alpha_) *out++ = float(std::clamp(1 - mean(pixel.sum.shows, pixel.samples), 0.0, 1.0));
     for (const size_t row : rows_) {
         kWriters[row](pixel, out);
         out += kTable[row].channels.size();

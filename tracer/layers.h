@@ -24,14 +24,15 @@ struct PixelSamples {
 class Layers {
   public:
     /// An unknown name is a sentence that lists the known ones.
-    static tl::expected<Layers, std::string> parse(const std::vector<std::string>& names);
+    static tl::expected<Layers, std::string> parse(const std::vector<std::string>& names, bool with_alpha = false);
     bool any() const { return !rows_.empty(); }
-    std::vector<std::string> channels() const;   ///< R, G, B, then the layers'
+    std::vector<std::string> channels() const;   ///< R, G, B, with alpha A, then the layers'
     /// Writes the pixel's values, in the order of channels().
     void write(const PixelSamples& pixel, double exposure_scale, float* out) const;
 
   private:
     std::vector<size_t> rows_;   // of the table
+    bool alpha_ = false;
 };
 
 }  // namespace alidade

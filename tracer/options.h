@@ -36,15 +36,22 @@ struct Region {
 /// Source   POV-Ray 3.7 reference, 3.2.5.4 "Anti-Aliasing Options"; weights and order verified by probing.
 struct Supersampling {
     int method = 1;                        ///< 1: a grid in pixels that differ from the one to the left or above; 2: pixels whose corners differ are divided
-    double threshold = 0.3;                ///< of the sum of differences of red, green and blue, coded by `gamma`
+    double threshold = 0.3;                ///< of the sum of differences of red, green and blue, coded by `gamma`, and alpha
     double gamma = 2.5;
     double jitter = 0;                     ///< rays are moved at random by so much of the distance between them
     int depth = 3;                         ///< method 1: the grid has so many rows; method 2: a pixel is divided so often, less 1
 };
 
+/// Has the picture a channel "A"? What shows through of POV-Ray's background (skies that light have none) is missing there, and in the colour, which is multiplied by it.
+enum class Alpha : uint8_t {
+    none,
+    associated,   ///< for files whose colour is so, too
+    straight,     ///< for files whose colour is not: what is brighter than its alpha raises it, and a scene's coding is undone of the colour without alpha. As POV-Ray's are
+};
+
 struct RenderOptions {
     int width = 640, height = 480;
-    std::optional<Region> region;          ///< the rest stays black and uncovered; the picture keeps its size
+    std::optional<Region> region;          ///< the rest stays black, opaque and uncovered; the picture keeps its size
     std::string camera;                    ///< a name, or a number from 0; empty: the scene's first, else one that frames everything
     std::string integrator = "whitted";
     int spp = 0;                           ///< samples a pixel; 1: the pixel's centre; 0: as the scene says
@@ -59,6 +66,7 @@ struct RenderOptions {
     int frame = 0;
     int max_depth = -1;                    ///< recursion limit; -1: as the scene says, else 8
     double exposure = 0;                   ///< EV: colours are multiplied by 2^exposure
+    Alpha alpha = Alpha::none;
     std::vector<std::string> aovs;         ///< names of the table in tracer/film.h
     int tile = 16;
     int threads = 0;

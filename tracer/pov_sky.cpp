@@ -10,19 +10,20 @@ namespace {
 /// How far a ray that hits nothing goes, for a fog.
 constexpr double kFarAway = 2e10;
 
-/// As of version 3.7: each pigment is a filter for what is behind it.
-Color filtered_sky(const CompiledScene& scene, const SkySphere& sky, const Vec3& at) {
+/// As of version 3.7: each pigment is a filter for what is behind it, `background`, of which `shows` is left.
+Color filtered_sky(const CompiledScene& scene, const SkySphere& sky, const Vec3& at, const Color& background, double& shows) {
     Color sum(0), through(1);
     for (size_t i = sky.pigments.size(); i-- > 0;) {
         const PigmentColor c = scene.textures->pigment(sky.pigments[i], at);
         sum += c.color * through * sky.emission * (1 - c.filter - c.transmit);
-        through *= c.color * c.filter + Color(c.transmit);
+        const Color passed = c.color * c.filter + Color(c.transmit);
+        through *= passed, shows *= pov_grey(passed);
     }
-    return sum + scene.scene.atmosphere.background * through;
+    return sum + background * through;
 }
 
 /// Before: the colours behind are dimmed by numbers, and only the background is filtered.
-Color mixed_sky(const CompiledScene& scene, const SkySphere& sky, const Vec3& at) {
+Color mixed_sky(const CompiledScene& scene, const SkySphere& sky, const Vec3& at, const Color& background) {
     Color sum(0), color(1);
     double left = 1, filter = 1, transmit = 1;
     for (size_t i = sky.pigments.size(); i-- > 0;) {
@@ -31,7 +32,7 @@ Color mixed_sky(const CompiledScene& scene, const SkySphere& sky, const Vec3& at
         left *= c.filter + c.transmit;
         color *= c.color, filter *= c.filter, transmit *= c.transmit;
     }
-    return sum + scene.scene.atmosphere.background * (color * filter + Color(transmit));
+    return sum + background * (color * filter + Color(transmit));
 }
 
 /// The mean density of a ground fog along a line whose ends lie `start` and `end` altitudes above its offset: 1 below it, 1 / (1 + h^2) above.
@@ -61,7 +62,19 @@ double optical_distance(const Fog& fog, const Vec3& origin, const Vec3& directio
 Color pov_sky(const CompiledScene& scene, const Vec3& direction) {
     const SkySphere& sky = *scene.scene.atmosphere.sky;
     const Vec3 at = scene.sky_from_world.vector(direction);
-    return scene.scene.settings.filter_dims_by_colour ? mixed_sky(scene, sky, at) : filtered_sky(scene, sky, at);
+    const Color& background = scene.scene.atmosphere.background;
+    double unused = 1;
+    return scene.scene.settings.filter_dims_by_colour ? mixed_sky(scene, sky, at, background) : filtered_sky(scene, sky, at, background, unused);
+}
+
+SkyOver pov_sky_over(const CompiledScene& scene, const Vec3& direction, bool mirrored) {
+    const Atmosphere& air = scene.scene.atmosphere;
+    SkyOver out{mirrored ? air.background_mirrored : air.background_over, air.background_shows};
+    if (!air.sky || air.sky->pigments.empty()) return out;
+    const Vec3 at = scene.sky_from_world.vector(direction);
+    if (scene.scene.settings.filter_dims_by_colour) out = mirrored ? SkyOver{mixed_sky(scene, *air.sky, at, out.color), 0} : SkyOver();   // before 3.7, a sky is all missing
+    else out.color = filtered_sky(scene, *air.sky, at, out.color, out.shows);
+    return out;
 }
 
 namespace {
@@ -88,15 +101,15 @@ std::optional<Haze> rainbow(const CompiledScene& scene, const Rainbow& bow, cons
     if (share <= 0) return std::nullopt;
     const PigmentColor c = scene.textures->pigment(*bow.colors, Vec3(at, 0, 0));
     const double passes = bow.distance != 0 ? std::exp(-distance / bow.distance) : 0, left = std::max(passes, 1 - share * (1 - c.transmit)), filter = c.filter * (1 - left);
-    return Haze{c.color * (1 - left), (Color(1 - filter) + c.color * filter) * left};
+    return Haze{c.color * (1 - left), (Color(1 - filter) + c.color * filter) * left, left * c.transmit};
 }
 
 Haze rainbows(const CompiledScene& scene, const Vec3& direction, double distance) {
-    Haze sum{Color(0), Color(0)};
+    Haze sum{Color(0), Color(0), 1};
     int seen = 0;
     for (const Rainbow& bow : scene.scene.atmosphere.rainbows)
-        if (const auto one = rainbow(scene, bow, direction, distance)) sum.added += one->added, sum.kept += one->kept, ++seen;
-    return seen ? Haze{sum.added / double(seen), sum.kept / double(seen)} : Haze();
+        if (const auto one = rainbow(scene, bow, direction, distance)) sum.added += one->added, sum.kept += one->kept, sum.shows *= one->shows, ++seen;
+    return seen ? Haze{sum.added / double(seen), sum.kept / double(seen), sum.shows} : Haze();
 }
 
 }  // namespace
@@ -110,10 +123,11 @@ Haze haze(const CompiledScene& scene, const Vec3& origin, const Vec3& direction,
         if (!(fog.distance != 0)) continue;
         const double left = std::max(std::exp(-optical_distance(fog, origin, direction, distance) / fog.distance), fog.transmit);
         out.added += fog.color * (1 - left);
-        out.kept *= (Color(1 - fog.filter) + fog.color * fog.filter) * left;
+        const Color passed = (Color(1 - fog.filter) + fog.color * fog.filter) * left;
+        out.kept *= passed, out.shows *= pov_grey(passed);
     }
     const Haze bows = rainbows(scene, direction, distance);
-    return {out.added + out.kept * bows.added, out.kept * bows.kept};
+    return {out.added + out.kept * bows.added, out.kept * bows.kept, out.shows * bows.shows};
 }
 
 }  // namespace alidade

@@ -10,9 +10,17 @@ namespace alidade {
 /// Source   POV-Ray 3.7 reference, 3.4.5.5 "Sky Sphere"; by experiment: scenes before version 3.7 mix several pigments in another way.
 Color pov_sky(const CompiledScene& scene, const Vec3& direction);
 
+/// The same where pictures have alpha: the colour over what is behind the scene, and how much of that shows through; `mirrored`: where nothing may, in a mirror, which shows all of the background's colour.
+struct SkyOver {
+    Color color{0};
+    double shows = 1;
+};
+SkyOver pov_sky_over(const CompiledScene& scene, const Vec3& direction, bool mirrored);
+
 /// What is seen through rainbows and fogs: `added` + `kept` times what lies behind it.
 struct Haze {
     Color added{0}, kept{1};
+    double shows = 1;   ///< factor of RayState::shows
 };
 
 /// All rainbows, behind all fogs, along a ray of the unit direction `direction` over `distance`, which may be infinite.

@@ -263,7 +263,7 @@ void PovSurface::add_reflection(const CompiledScene& scene, const PovTexture& te
         importance = std::max(importance, own);
     }
     if (is_black(weight)) return;
-    out.push_back({out_dir, weight * texture.share, RayKind::reflection, state.inside, importance, false, 1 / layers_[first].finish->reflection_exponent});
+    out.push_back({out_dir, weight * texture.share, RayKind::reflection, state.inside, importance, false, 1, 1 / layers_[first].finish->reflection_exponent});
 }
 
 /// `totally`: the normal by which light is mirrored already, whatever the layers say; null: none.
@@ -285,13 +285,14 @@ void PovSurface::add_texture(const CompiledScene& scene, const PovTexture& textu
         const double c = -dot(dir_, normal), t = 1 + p.ratio * p.ratio * (c * c - 1);
         const Color weight = p.faded * through * (texture.share * p.refraction);
         const double importance = std::max({std::abs(through.x), std::abs(through.y), std::abs(through.z)});
+        const double shows = std::min(1.0, std::abs(pov_grey(through))) * pov_grey(p.faded) * texture.share * p.refraction;
         if (std::abs(p.ratio - 1) < kEpsilon) {
-            out.push_back({dir_, weight, RayKind::refraction, p.beyond, importance, true});
+            out.push_back({dir_, weight, RayKind::refraction, p.beyond, importance, true, shows});
         } else if (t < 0) {
             total = true;
             out.push_back({mirrored(normal, facing), p.faded * texture.share, RayKind::reflection, state.inside, importance, false});
         } else {
-            out.push_back({normalized(dir_ * p.ratio + normal * (p.ratio * c - std::sqrt(t))), weight, RayKind::refraction, p.beyond, importance, false});
+            out.push_back({normalized(dir_ * p.ratio + normal * (p.ratio * c - std::sqrt(t))), weight, RayKind::refraction, p.beyond, importance, false, shows});
         }
     }
     add_reflections(scene, texture, state, 1 / p.ratio, total ? &normal : nullptr, facing, out);

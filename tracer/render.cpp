@@ -81,7 +81,9 @@ Color take_ray(const Job& job, Tracing& tracing, const SampleKey& key, double x,
     ray.time = state.time;
     ++tracing.stats.camera_rays;
     FirstHit first;
-    const Color radiance = ray.tmax < ray.tmin ? Color(0) : job.radiance(tracing, ray, state, first);   // beyond the edge of a round picture there is nothing
+    const bool beyond = ray.tmax < ray.tmin;   // the edge of a round picture, where there is nothing
+    if (beyond) first.shows = 1;
+    const Color radiance = beyond ? Color(0) : job.radiance(tracing, ray, state, first);
     pixel.add(radiance, first, first.hit ? job.scene.slots[first.slot].material : kNoId);
     return radiance;
 }
@@ -97,14 +99,15 @@ uint64_t tests_done(const WorkCounters& work) { return work.boxes + work.filtere
 /// All samples of a pixel: as many as asked for, or fewer where its own tell that it is known well enough. Nothing if the render was stopped.
 std::optional<PixelSamples> sample_pixel(const Job& job, Tracing& tracing, int x, int y) {
     PixelSamples pixel;
-    NoiseEstimate noise;
+    NoiseEstimate noise, noise_of_alpha;
     const uint64_t before = tests_done(tracing.stats.work);
     for (int s = 0; s < job.spp; ++s) {
         if (job.stopped()) return std::nullopt;
+        const double shown = pixel.sum.shows;
         const Color radiance = take_sample(job, tracing, x, y, s, pixel);
         if (!job.sample_stop.asks()) continue;
-        noise.add(radiance);
-        if (pixel.samples < job.spp && job.sample_stop.enough(noise, pixel.samples)) {
+        noise.add(radiance), noise_of_alpha.add(Color(pixel.sum.shows - shown));
+        if (pixel.samples < job.spp && job.sample_stop.enough(noise, pixel.samples) && job.sample_stop.enough(noise_of_alpha, pixel.samples)) {
             ++tracing.stats.pixels_ended_early;
             break;
         }
@@ -127,9 +130,22 @@ Color linear(const Color& radiance, const RenderSettings& settings) {
     return out;
 }
 
+/// Linear, as a film has it; `shows`: what shows through, with Alpha::straight perhaps less when this is done.
+Color in_film(const Color& radiance, Alpha alpha, const RenderSettings& settings, double& shows) {
+    if (alpha != Alpha::straight) return linear(radiance, settings);
+    const double covered = std::clamp(std::max(1 - shows, pov_grey(radiance)), 0.0, 1.0);
+    shows = 1 - covered;
+    return covered > 0 ? linear(radiance / covered, settings) * covered : linear(radiance, settings);
+}
+
 void write_pixel(const Job& job, PixelSamples pixel, int x, int y, Picture& picture) {
     const RenderSettings& settings = job.scene.scene.settings;
-    if (is_coded(settings)) pixel.radiance = linear(pixel.radiance / double(pixel.samples), settings) * double(pixel.samples);
+    if (is_coded(settings) || job.options.alpha == Alpha::straight) {
+        const double count = pixel.samples;
+        double shows = pixel.sum.shows / count;
+        pixel.radiance = in_film(pixel.radiance / count, job.options.alpha, settings, shows) * count;
+        pixel.sum.shows = shows * count;
+    }
     job.layers.write(pixel, std::exp2(job.options.exposure), picture.at(x, y));
 }
 
@@ -161,7 +177,7 @@ bool render_block(const Job& job, Tracing& tracing, const Region& square, const 
 /// the pixel under way, and those after it, are left as they are.
 bool render_tile(const Job& job, size_t i, Picture& picture, RenderStats& stats) {
     const DefaultFloatMode mode;
-    Tracing tracing{job.scene, job.max_depth, job.options.light_samples, job.scene.scene.settings.adc_bailout, job.layers.any(), stats};
+    Tracing tracing{job.scene, job.max_depth, job.options.light_samples, job.scene.scene.settings.adc_bailout, job.options.alpha != Alpha::none, job.layers.any(), stats};
     const Region tile = job.grid.tile(i);
     if (job.options.supersampling) return render_block(job, tracing, job.grid.square(i), tile, picture);
     for (int y = tile.y0; y < tile.y1; ++y)
@@ -219,7 +235,7 @@ tl::expected<Film, std::string> render(const CompiledScene& scene, const RenderO
     if (!camera) return tl::unexpected(camera.error());
     const auto kernel = choose_kernel(scene, options.integrator);
     if (!kernel) return tl::unexpected(kernel.error());
-    auto layers = Layers::parse(options.aovs);
+    auto layers = Layers::parse(options.aovs, options.alpha != Alpha::none);
     if (!layers) return tl::unexpected(layers.error());
     const SamplerEntry* sampler = find_sampler(options.sampler);
     if (!sampler) return tl::unexpected(fmt::format("there is no sampler '{}': info --features lists them", options.sampler));
@@ -230,6 +246,8 @@ tl::expected<Film, std::string> render(const CompiledScene& scene, const RenderO
     const Job job{scene, options, CameraRays(with_lens(**camera, options), options.width, options.height), *kernel, *layers, *grid, sampler->pair, spp, depth, SampleStop(options, spp), monitor.stop, (**camera).normal};
     Film film;
     film.picture = Picture(options.width, options.height, layers->channels());
+    if (options.alpha != Alpha::none)   // what is not rendered is black, not missing
+        for (size_t i = 3; i < film.picture.values.size(); i += size_t(film.picture.channels)) film.picture.values[i] = 1;
     const auto start = std::chrono::steady_clock::now();
     const std::clock_t cpu_start = std::clock();
     film.complete = run(job, monitor, film);

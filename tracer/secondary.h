@@ -15,6 +15,7 @@ struct Secondary {
     InteriorStack inside;   ///< of the new ray
     double importance = -1; ///< the new ray's, as a factor of the old one's; below 0: the new ray's weight is its importance
     bool straight = false;  ///< it goes on as it came, and is no deeper
+    double shows = 1;       ///< factor of RayState::shows
     double exponent = 1;    ///< to which its radiance is raised before it is weighted
 };
 

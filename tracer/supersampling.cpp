@@ -6,16 +6,16 @@
 namespace alidade {
 namespace {
 
-/// Colours as they are compared.
+/// Colours as they are compared, and what shows through them.
 class Difference {
   public:
     Difference(const Supersampling& how, const BlockRays& rays) : how_(how), rays_(rays) {}
-    Color coded(const Color& radiance) const {
-        const Color c = glm::max(rays_.comparable(radiance), Color(0));
+    Vec4 coded(const PixelSamples& pixel) const {
+        const Color c = glm::max(rays_.comparable(pixel.radiance / double(pixel.samples)), Color(0));
         const double power = 1 / how_.gamma;
-        return {std::pow(c.x, power), std::pow(c.y, power), std::pow(c.z, power)};
+        return {std::pow(c.x, power), std::pow(c.y, power), std::pow(c.z, power), pixel.sum.shows / double(pixel.samples)};
     }
-    bool between(const Color& a, const Color& b) const { return std::abs(a.x - b.x) + std::abs(a.y - b.y) + std::abs(a.z - b.z) >= how_.threshold; }
+    bool between(const Vec4& a, const Vec4& b) const { return std::abs(a.x - b.x) + std::abs(a.y - b.y) + std::abs(a.z - b.z) + std::abs(a.w - b.w) >= how_.threshold; }
 
   private:
     const Supersampling& how_;
@@ -52,7 +52,7 @@ class GridBlock {
 
     struct Pixel {
         PixelSamples samples;
-        Color coded{0};
+        Vec4 coded{0};
         bool refined = false;
     };
 
@@ -63,11 +63,11 @@ class GridBlock {
     void begin(int x, int y) {
         Pixel& pixel = at(x, y);
         pixel.samples = rays_.take({x, y, Vec2(0.5), 0, 0, count()});
-        pixel.coded = difference_.coded(pixel.samples.radiance);
+        pixel.coded = difference_.coded(pixel.samples);
     }
     /// A pixel as its first ray saw it, with neighbours that may have been refined already.
     void compare(int x, int y) {
-        const Color own = at(x, y).coded;
+        const Vec4 own = at(x, y).coded;
         for (const auto& [beside_x, beside_y] : {std::pair(x - 1, y), std::pair(x, y - 1)}) {
             if (!difference_.between(own, at(beside_x, beside_y).coded)) continue;
             refine(beside_x, beside_y);
@@ -83,7 +83,7 @@ class GridBlock {
                 const uint32_t index = uint32_t(row * how_.depth + column + 1);
                 pixel.samples.add(rays_.take({x, y, Vec2(column + 0.5, row + 0.5) / double(how_.depth), how_.jitter / how_.depth, index, count()}));
             }
-        pixel.coded = difference_.coded(pixel.samples.radiance / double(pixel.samples.samples));
+        pixel.coded = difference_.coded(pixel.samples);
     }
 
     const Supersampling& how_;
@@ -113,14 +113,14 @@ class CornerBlock {
   private:
     struct Corner {
         PixelSamples samples;
-        Color coded{0};
+        Vec4 coded{0};
     };
 
     Corner taken(int x, int y, int column, int row) const {
         const auto row_size = uint32_t(parts_ + 1);
         const Vec2 at = Vec2(column, row) / double(parts_);
         Corner corner{rays_.take({x, y, at, how_.jitter / (2 * parts_ + 1), uint32_t(row) * row_size + uint32_t(column), parts_ == 1 ? 1 : row_size * row_size}), {}};
-        corner.coded = difference_.coded(corner.samples.radiance);
+        corner.coded = difference_.coded(corner.samples);
         return corner;
     }
     /// A point of the lattice of `parts_` by `parts_` squares in the pixel (x, y). Pixels share their corners.
@@ -136,14 +136,15 @@ class CornerBlock {
     PixelSamples pixel(int x, int y) {
         inner_.clear();
         used_.clear();
-        const Color mean = square(x, y, 0, 0, parts_);
+        const Vec4 mean = square(x, y, 0, 0, parts_);
         PixelSamples out;
         for (const auto& [row, column] : used_) out.add(corner(x, y, column, row).samples);
-        out.radiance = mean * double(out.samples);   // corners count as the squares do that they belong to
+        out.radiance = Color(mean) * double(out.samples), out.sum.shows = mean.w * double(out.samples);   // corners count as the squares do that they belong to
         return out;
     }
 
-    Color square(int x, int y, int column, int row, int size) {
+    /// The mean of the colour, and of what shows through it.
+    Vec4 square(int x, int y, int column, int row, int size) {
         const std::pair<int, int> places[] = {{row, column}, {row, column + size}, {row + size, column}, {row + size, column + size}};
         const Corner* corners[4];
         for (int i = 0; i < 4; ++i) corners[i] = &corner(x, y, places[i].second, places[i].first);
@@ -151,8 +152,8 @@ class CornerBlock {
             const int half = size / 2;
             return (square(x, y, column, row, half) + square(x, y, column + half, row, half) + square(x, y, column, row + half, half) + square(x, y, column + half, row + half, half)) * 0.25;
         }
-        Color sum(0);
-        for (int i = 0; i < 4; ++i) sum += corners[i]->samples.radiance;
+        Vec4 sum(0);
+        for (int i = 0; i < 4; ++i) sum += Vec4(corners[i]->samples.radiance, corners[i]->samples.sum.shows);
         used_.insert(used_.end(), std::begin(places), std::end(places));
         return sum * 0.25;
     }

@@ -195,7 +195,8 @@ void Surface::add_transmission(const CompiledScene& scene, const RayState& state
     out.push_back({mirrored(normal), Color(reflectance * share), RayKind::reflection, state.inside});
     if (!refract(-wo_, normal, eta, through)) return;
     if (dot(through, facing) >= 0 && !refract(-wo_, facing, eta, through)) return;
-    out.push_back({through, transmission_ * ((1 - reflectance) * share), RayKind::refraction, beyond});
+    const Color passed = transmission_ * ((1 - reflectance) * share);
+    out.push_back({through, passed, RayKind::refraction, beyond, -1, false, pov_grey(passed)});
 }
 
 Color transmitted(const CompiledScene& scene, const ShadePoint& point, const Vec3& dir) {

@@ -15,6 +15,7 @@ struct PovPicture {
     const char* words = "-A";                          ///< POV-Ray's antialiasing
     std::optional<Supersampling> supersampling = {};   ///< and ours
     int quality = 9;                                   ///< of both
+    bool alpha = false;                                ///< pictures have it
 };
 
 std::vector<PovPicture> patterned_pictures();
@@ -28,6 +29,8 @@ std::vector<PovPicture> effect_pictures();
 std::vector<PovPicture> cutaway_pictures();
 /// One scene in all qualities below the best.
 std::vector<PovPicture> quality_pictures();
+/// With alpha.
+std::vector<PovPicture> alpha_pictures();
 std::vector<PovPicture> other_pictures();
 /// All of them.
 std::vector<PovPicture> pov_pictures();

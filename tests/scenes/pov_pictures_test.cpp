@@ -32,9 +32,9 @@ class Folder {
     std::filesystem::path path_;
 };
 
-std::optional<Picture> ours(const std::string& path, const std::string& out, const std::optional<Supersampling>& supersampling, std::string& why, int quality = 9) {
+std::optional<Picture> ours(const std::string& path, const std::string& out, const PovPicture& asked, std::string& why) {
     ImportOptions options;
-    options.quality = quality;
+    options.quality = asked.quality;
     options.frame.image_width = kWidth, options.frame.image_height = kHeight;
     auto imported = import_scene(path, options);
     if (!imported) return why = imported.error().text(), std::nullopt;
@@ -45,7 +45,7 @@ std::optional<Picture> ours(const std::string& path, const std::string& out, con
     if (!compiled) return std::nullopt;
     RenderOptions render_options;
     render_options.width = kWidth, render_options.height = kHeight, render_options.threads = 1;
-    render_options.supersampling = supersampling;
+    render_options.supersampling = asked.supersampling, render_options.alpha = asked.alpha ? Alpha::straight : Alpha::none;
     auto film = render(*compiled, render_options);
     if (!film || !write_picture(out, film->picture)) return std::nullopt;
     auto read = read_picture(out, Encoding::linear);
@@ -61,18 +61,19 @@ TEST_P(PovPictures, AreThoseOfPovRay) {
     const Folder folder;
     write_sample_pictures(folder / "");
     std::ofstream(folder / "scene.pov") << GetParam().scene << "\n";
-    ASSERT_EQ(std::system(fmt::format("cd '{}' && povray +Iscene.pov +Oref.png +W{} +H{} {} +Q{} -D +WT1 > said.txt 2>&1", folder / "", kWidth, kHeight, GetParam().words, GetParam().quality).c_str()), 0);
+    ASSERT_EQ(std::system(fmt::format("cd '{}' && povray +Iscene.pov +Oref.png +W{} +H{} {} +Q{} {} -D +WT1 > said.txt 2>&1", folder / "", kWidth, kHeight, GetParam().words, GetParam().quality, GetParam().alpha ? "+UA" : "-UA").c_str()), 0);
     const auto theirs = read_picture(folder / "ref.png", Encoding::linear);
     ASSERT_TRUE(theirs);
     std::string said;
-    const auto own = ours(folder / "scene.pov", folder / "own.png", GetParam().supersampling, said, GetParam().quality);
+    const auto own = ours(folder / "scene.pov", folder / "own.png", GetParam(), said);
     ASSERT_TRUE(own) << said;
+    ASSERT_EQ(own->channels, theirs->channels);
     EXPECT_EQ(said, "") << "nothing in the scene is left out";
     int differ = 0, seen = 0;
     for (int y = 0; y < kHeight; ++y)
         for (int x = 0; x < kWidth; ++x) {
             int most = 0;
-            for (int c = 0; c < 3; ++c) most = std::max(most, std::abs(code(*own, x, y, c) - code(*theirs, x, y, c)));
+            for (int c = 0; c < own->channels; ++c) most = std::max(most, std::abs(code(*own, x, y, c) - code(*theirs, x, y, c)));
             differ += most > 1;
             seen += code(*theirs, x, y, 0) != code(*theirs, 0, 0, 0);
         }
@@ -101,7 +102,7 @@ TEST(PovLenses, AreAsWideAsPovRays) {
         ASSERT_EQ(std::system(fmt::format("cd '{}' && povray +Iscene.pov +Oref.png +W{} +H{} -A -D +WT1 > said.txt 2>&1", folder / "", kWidth, kHeight).c_str()), 0);
         const auto theirs = read_picture(folder / "ref.png", Encoding::automatic);
         std::string said;
-        const auto own = ours(folder / "scene.pov", folder / "own.png", {}, said);
+        const auto own = ours(folder / "scene.pov", folder / "own.png", PovPicture{"lens", {}}, said);
         ASSERT_TRUE(theirs && own) << said;
         const auto own_linear = read_picture(folder / "own.png", Encoding::automatic);
         ASSERT_TRUE(own_linear);
@@ -125,6 +126,7 @@ INSTANTIATE_TEST_SUITE_P(Fogs, PovPictures, testing::ValuesIn(fog_pictures()), [
 INSTANTIATE_TEST_SUITE_P(Effects, PovPictures, testing::ValuesIn(effect_pictures()), [](const auto& info) { return std::string(info.param.name); });
 INSTANTIATE_TEST_SUITE_P(Cutaways, PovPictures, testing::ValuesIn(cutaway_pictures()), [](const auto& info) { return std::string(info.param.name); });
 INSTANTIATE_TEST_SUITE_P(Qualities, PovPictures, testing::ValuesIn(quality_pictures()), [](const auto& info) { return std::string(info.param.name); });
+INSTANTIATE_TEST_SUITE_P(Alpha, PovPictures, testing::ValuesIn(alpha_pictures()), [](const auto& info) { return std::string(info.param.name); });
 INSTANTIATE_TEST_SUITE_P(OldCameras, PovPictures, testing::ValuesIn(old_cameras()), [](const auto& info) { return std::string(info.param.name); });
 INSTANTIATE_TEST_SUITE_P(Lights, PovPictures, testing::ValuesIn(light_pictures()), [](const auto& info) { return std::string(info.param.name); });
 INSTANTIATE_TEST_SUITE_P(Antialiasing, PovPictures, testing::ValuesIn(sampled_pictures()), [](const auto& info) { return std::string(info.param.name); });

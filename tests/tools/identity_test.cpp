@@ -30,7 +30,7 @@ TEST(Identity, ChangesWithEveryOptionThatDecidesPixels) {
         [](RenderOptions& o) { o.supersampling = Supersampling{.gamma = 2}; }, [](RenderOptions& o) { o.supersampling = Supersampling{.jitter = 1}; }, [](RenderOptions& o) { o.supersampling = Supersampling{.depth = 2}; },
         [](RenderOptions& o) { o.sampler = "random"; }, [](RenderOptions& o) { o.light_samples = 2; }, [](RenderOptions& o) { o.aperture = 0; }, [](RenderOptions& o) { o.focus = 1; },
         [](RenderOptions& o) { o.seed = 1; }, [](RenderOptions& o) { o.frame = 1; }, [](RenderOptions& o) { o.max_depth = 2; }, [](RenderOptions& o) { o.exposure = 1; },
-        [](RenderOptions& o) { o.aovs = {"depth"}; }, [](RenderOptions& o) { o.tile = 8; }, [](RenderOptions& o) { o.time = 1; }};
+        [](RenderOptions& o) { o.aovs = {"depth"}; }, [](RenderOptions& o) { o.alpha = Alpha::associated; }, [](RenderOptions& o) { o.alpha = Alpha::straight; }, [](RenderOptions& o) { o.tile = 8; }, [](RenderOptions& o) { o.time = 1; }};
     std::vector<Identity> seen{identity(scene, usual)};
     for (const auto& change : changes) {
         RenderOptions o = usual;

@@ -151,9 +151,17 @@ class Povray(InFolder):
         self.assertEqual((said.returncode, self.picture("s.ppm")[:2]), (0, (5, 4)), said)
 
     def test_words_without_effect_are_told_once(self):
-        said = self.render("+Is.pov", "+W8", "+H8", "+UA", "+UA", "+UF")
-        self.assertEqual(said.count("Output_Alpha"), 1)
+        said = self.render("+Is.pov", "+W8", "+H8", "+UF", "+UF", "+FNg")
         self.assertEqual(said.count("Field_Render"), 1)
+        self.assertEqual(said.count("Grayscale_Output"), 1)
+
+    def test_pictures_have_alpha_where_it_is_asked_for(self):
+        """By the colour type of the PNG file: 2 is RGB, 6 RGBA. Files that have none: it is told. tests/scenes/pov_alpha_pictures.cpp compares pictures with POV-Ray."""
+        for words, kind in (([], 2), (["+UA"], 6), (["+UA", "-UA"], 2), (["Output_Alpha=on"], 6)):
+            self.assertNotIn("alpha", self.render("+Is.pov", "+Oa.png", "+W8", "+H8", *words))
+            self.assertEqual((self.folder / "a.png").read_bytes()[25], kind, words)
+        for file_type in "JP":
+            self.assertIn("have no alpha", self.render("+Is.pov", "+W8", "+H8", "+UA", "+F" + file_type))
 
     def test_quality_leaves_out_what_takes_time(self):
         """Below 4 shadows: one picture is another, all others stay. tests/scenes/pov_quality_pictures.cpp compares each quality with POV-Ray."""

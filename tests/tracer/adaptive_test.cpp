@@ -133,6 +133,39 @@ TEST(Adaptive, ReachesTheSameErrorWithFarFewerSamples) {
     EXPECT_LT(spent, 0.6 * needed);
 }
 
+/// Black before black: where pictures have alpha, its edge is not known before that is.
+TEST(Adaptive, LooksAtAlpha) {
+    SceneBuilder b;
+    b.object(square(), b.material(b.lambert(Color(0))), Transform::rotate({0, 0, 1}, 0.3));
+    b.light(PointLight{}, Color(1));   // else a sky lights, which is opaque
+    b.camera(Vec3(0, 0, 6), Vec3(0));
+    RenderOptions o = options(256, 0.01);
+    const Film plain = rendered(b.scene, o);
+    EXPECT_EQ(plain.stats.camera_rays, 24u * 24 * kLeastSamples);
+    o.alpha = Alpha::straight;
+    const Film film = rendered(b.scene, o);
+    EXPECT_GT(film.stats.camera_rays, plain.stats.camera_rays * 2);
+    EXPECT_EQ(film.picture.at(0, 0)[3], 0);
+    EXPECT_EQ(film.picture.at(12, 12)[3], 1);
+    double covered = 0;
+    for (int y = 0; y < 24; ++y)
+        for (int x = 0; x < 24; ++x) covered += double(film.picture.at(x, y)[3]);
+    const double half_window = 6 * std::tan(20 * kPi / 180);
+    EXPECT_NEAR(covered / (24 * 24), 1 / (half_window * half_window), 0.002);
+}
+
+/// Beside the part that is rendered a picture is opaque, as in POV-Ray.
+TEST(Alpha, OfWhatIsNotRendered) {
+    SceneBuilder b;
+    b.light(PointLight{}, Color(1));
+    b.camera(Vec3(0, 0, 6), Vec3(0));
+    RenderOptions o = options(1, 0);
+    o.alpha = Alpha::associated, o.region = Region{0, 0, 10, 24};
+    const Film film = rendered(b.scene, o);
+    EXPECT_EQ(film.picture.at(9, 0)[3], 0);
+    EXPECT_EQ(film.picture.at(10, 0)[3], 1);
+}
+
 TEST(Adaptive, ALimitThatIsNoNumberIsRefused) {
     const auto scene = compiled(confetti());
     for (const double bad : {-1.0, std::nan("")}) EXPECT_FALSE(render(*scene, options(4, bad)));

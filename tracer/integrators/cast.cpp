@@ -23,8 +23,8 @@ template <unsigned F> struct Cast {
             next = spawn_ray(point, ray.dir);
             next.mask = ray.mask;
         }
-        first.coverage = 1 - through;
-        return sum + scene.sky->radiance(ray.dir) * through;
+        first.coverage = 1 - through, state.shows = through;
+        return sum + sky_seen(tracing, ray.dir, state, first) * through;
     }
 };
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tracer/integrators/direct_light.h"
+#include "tracer/pov_sky.h"
 #include "tracer/segment.h"
 
 namespace alidade {
@@ -32,6 +33,13 @@ Color filtered_light(Tracing& tracing, Ray ray, const InteriorStack& start, Occl
         else if (inside.leave(carrier) && tracing.scene.interiors[interior].fade_power > 0) through *= pov_fade(tracing.scene.interiors[interior], hit.t - before);
     }
     return std::isfinite(ray.tmax) ? through * transmittance(tracing.scene, inside, ray.tmax - t) : through;
+}
+
+Color sky_seen(const Tracing& tracing, const Vec3& direction, const RayState& state, FirstHit& first) {
+    if (!tracing.alpha || tracing.scene.sky->lights()) return tracing.scene.sky->radiance(direction);
+    const SkyOver sky = pov_sky_over(tracing.scene, direction, state.mirrored);
+    if (!state.mirrored) first.shows += state.shows * sky.shows;
+    return sky.color;
 }
 
 void describe(const ShadePoint& point, const Surface& surface, double depth, FirstHit& first) {

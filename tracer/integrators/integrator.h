@@ -19,6 +19,7 @@ struct FirstHit {
     Vec2 uv{0};
     uint32_t instance = kNoId;
     uint32_t slot = 0;        ///< into CompiledScene::slots
+    double shows = 0;         ///< how much of what is behind the scene is seen, where pictures have alpha
     double coverage = 0;      ///< 1 less what passes through alpha to the background
 };
 
@@ -52,6 +53,7 @@ struct Tracing {
     int max_depth;
     int light_samples;        ///< shadow rays a surface point sends to each light with an extent, and to the sky
     double bailout;           ///< rays whose weight is below it in all channels are not followed (POV-Ray's adc_bailout)
+    bool alpha;               ///< pictures have alpha
     bool describes;           ///< is there a layer beside colour, which asks what camera rays meet?
     RenderStats& stats;
     std::vector<Hit> passed{};   ///< scratch of shadow rays
@@ -60,6 +62,9 @@ struct Tracing {
     Occluders occluders{};       ///< and of those
     std::vector<PendingRay> pending{};   ///< scratch of an integrator: empty between camera rays
 };
+
+/// What a ray brings that hits nothing, unweighted; where pictures have alpha, `first` gets what shows through.
+Color sky_seen(const Tracing& tracing, const Vec3& direction, const RayState& state, FirstHit& first);
 
 /// Radiance along a camera ray; also fills in `first`, if layers ask for that. The same for the same ray and key. `state` goes with the ray, and is not put back.
 using Radiance = Color (*)(Tracing& tracing, const Ray& ray, RayState& state, FirstHit& first);

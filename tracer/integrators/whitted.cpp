@@ -23,7 +23,7 @@ Mask mask_of(RayKind kind) {
 [[gnu::noinline]] void pass_haze(Tracing& tracing, const Ray& ray, double distance, RayState& state, Color& sum) {
     const Haze on_the_way = haze(tracing.scene, ray.origin, normalized(ray.dir), distance);
     sum += state.weight * on_the_way.added;
-    state.weight *= on_the_way.kept;
+    state.weight *= on_the_way.kept, state.shows *= on_the_way.shows;
 }
 
 /// Rays that are still to be followed wait in a list, not on the call stack: no depth limit that a scene asks for can overflow it. Each knows the part
@@ -74,7 +74,7 @@ template <unsigned F> struct Whitted {
             const bool found = tracing.scene.top->intersect(ray, hit, tracing.stats.work);
             if (tracing.scene.scene.atmosphere.is_hazy() && fog_reaches(tracing.scene, state.inside)) pass_haze(tracing, ray, found ? hit.t * length(ray.dir) : kInf, state, sum);
             if (!found) {
-                sum += state.weight * tracing.scene.sky->radiance(normalized(ray.dir));
+                sum += state.weight * sky_seen(tracing, normalized(ray.dir), state, first);
                 return;
             }
             const ShadePoint point = shade_point(tracing.scene, ray, hit);
@@ -88,7 +88,7 @@ template <unsigned F> struct Whitted {
                 if (surface.mirrors_or_refracts()) follow(point, surface, state);
             }
             if ((F & kAlpha) == 0 || surface.coverage() >= 1) return;
-            state.weight *= 1 - surface.coverage();
+            state.weight *= 1 - surface.coverage(), state.shows *= 1 - surface.coverage();
             if (max_component(state.weight) < tracing.bailout || is_black(state.weight)) return;
             ray = spawn_ray(point, start.dir);
             ray.mask = start.mask;
@@ -113,6 +113,7 @@ template <unsigned F> struct Whitted {
             next.weight = state.weight * s.weight;
             next.importance = s.importance < 0 ? max_component(next.weight) : state.importance * s.importance;
             if (next.importance < tracing.bailout || is_black(next.weight) || state.depth >= tracing.max_depth) continue;
+            next.shows = state.shows * s.shows, next.mirrored = state.mirrored || s.kind == RayKind::reflection;
             next.inside = s.inside;
             next.kind = s.kind;
             next.depth = state.depth + (s.straight ? 0 : 1);

@@ -67,12 +67,17 @@ void take_rainbow(Build& build, const Block& block, Rainbow& bow, std::optional<
 
 }  // namespace
 
-/// From version 3.7 on, what a background transmits is missing in it.
+/// From version 3.7 on, what a background transmits is missing in it, and where pictures have alpha, what it filters, too. Before, it is all missing in these.
 void read_background(Build& build, const Block& block) {
     for (Cursor at(build, block); !at.done();) {
         if (at.at_numeric()) {
             const std::array<double, 5> c = at.colour("the background");
-            build.scene.atmosphere.background = Color(c[0], c[1], c[2]) * (build.scene.settings.filter_dims_by_colour ? 1 : 1 - c[4]);
+            const Color color(c[0], c[1], c[2]);
+            Atmosphere& air = build.scene.atmosphere;
+            const bool old = build.scene.settings.filter_dims_by_colour;
+            air.background = color * (old ? 1 : 1 - c[4]);
+            air.background_mirrored = color;
+            air.background_over = old ? Color(0) : color * (1 - c[3] - c[4]), air.background_shows = old ? 1 : std::min(1.0, std::abs(c[4] + c[3] * pov_grey(color)));
         }
         else at.skip_unmodelled();
     }
