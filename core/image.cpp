@@ -128,18 +128,19 @@ tl::expected<StoredPicture, std::string> read_stored_picture(const std::string& 
     return stored;
 }
 
-tl::expected<std::vector<std::byte>, std::string> encode_picture(const Picture& picture, const std::string& ending, int png_bits) try {
+tl::expected<std::vector<std::byte>, std::string> encode_picture(const Picture& picture, const std::string& ending, int bits) try {
     if (ending.empty()) return tl::unexpected(std::string("the name has no ending that says which format to write"));
     if (picture.width <= 0 || picture.height <= 0 || picture.channels <= 0) return tl::unexpected(std::string("the picture is empty"));
-    if (ending == ".png" && png_bits > 8) return image::encode_deep_png(picture);
+    if (ending == ".png" && bits > 8) return image::encode_deep_png(picture);
+    if (ending == ".ppm" && bits > 8) return image::encode_deep_ppm(picture);
     if (const Format* format = find_format(ending)) return format->encode(picture);
     return image::encode_by_module(picture, ending);
 } catch (const std::bad_alloc&) {
     return tl::unexpected(std::string(kNoMemory));
 }
 
-tl::expected<void, std::string> write_picture(const std::string& path, const Picture& picture, int png_bits) {
-    const Result<Bytes> bytes = encode_picture(picture, lower_ending(path), png_bits);
+tl::expected<void, std::string> write_picture(const std::string& path, const Picture& picture, int bits) {
+    const Result<Bytes> bytes = encode_picture(picture, lower_ending(path), bits);
     if (!bytes) return tl::unexpected(fmt::format("cannot write {}: {}", path, bytes.error()));
     return write_file(path, *bytes);
 }

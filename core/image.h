@@ -51,14 +51,14 @@ tl::expected<StoredPicture, std::string> read_stored_picture(const std::string& 
 /// The same for a picture held in memory.
 tl::expected<StoredPicture, std::string> decode_stored_picture(std::span<const std::byte> bytes);
 
-/// Writes `picture`, linear and premultiplied by alpha, by the ending of `path`: .exr (float, every channel, names as layers); .png (8 bit, or 16 if `png_bits` says so,
+/// Writes `picture`, linear and premultiplied by alpha, by the ending of `path`: .exr (float, every channel, names as layers); .png (8 bit, or 16 if `bits` says so,
 /// sRGB-encoded, colour and alpha only); .ppm (the same without alpha: over black); .pfm (float, colour only, over black); others through the
 /// OpenImageIO module. PNG's alpha is straight, so colour is divided by it (where it is 0, colour stays); it is left out if it is 1 everywhere.
 /// Written to a temporary name and renamed, without time stamps: the same picture gives the same bytes, and a file is never half there.
-tl::expected<void, std::string> write_picture(const std::string& path, const Picture& picture, int png_bits = 8);
+tl::expected<void, std::string> write_picture(const std::string& path, const Picture& picture, int bits = 8);
 
 /// The bytes that write_picture would write for `ending` (".png", ...; lower case). An error is one sentence.
-tl::expected<std::vector<std::byte>, std::string> encode_picture(const Picture& picture, const std::string& ending, int png_bits = 8);
+tl::expected<std::vector<std::byte>, std::string> encode_picture(const Picture& picture, const std::string& ending, int bits = 8);
 
 /// The endings that write_picture knows without a module.
 bool can_write_picture(const std::string& path);

@@ -50,11 +50,11 @@ std::string why_not_writable(const std::string& path) {
     return {};
 }
 
-tl::expected<std::vector<std::string>, std::string> write_film(const std::string& path, const Picture& picture, int png_bits) {
+tl::expected<std::vector<std::string>, std::string> write_film(const std::string& path, const Picture& picture, int bits) {
     std::vector<std::string> files{path};
     const bool exr = fs::path(path).extension() == ".exr";
     const int color_end = layer_end(picture, 0);
-    if (auto done = write_picture(path, exr ? picture : channels(picture, 0, color_end), png_bits); !done) return tl::unexpected(done.error());
+    if (auto done = write_picture(path, exr ? picture : channels(picture, 0, color_end), bits); !done) return tl::unexpected(done.error());
     if (exr) return files;
     for (int first = color_end, end; first < picture.channels; first = end) {
         end = layer_end(picture, first);

@@ -13,6 +13,6 @@ std::string why_not_writable(const std::string& path);
 
 /// Writes a film's picture (colour, then the layers' channels, "layer.X") to `path`. An EXR holds everything; other formats hold the
 /// colour, and each layer stands beside it as an EXR: out.png, out.depth.exr. Returns the files' names, `path` first.
-tl::expected<std::vector<std::string>, std::string> write_film(const std::string& path, const Picture& picture, int png_bits = 8);
+tl::expected<std::vector<std::string>, std::string> write_film(const std::string& path, const Picture& picture, int bits = 8);
 
 }  // namespace alidade

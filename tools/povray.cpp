@@ -186,7 +186,7 @@ int run_povray(const Verb& verb, const Words& words) {
     const auto request = parse_povray_words(words);
     if (!request) return fail(request.error());
     for (const std::string& note : request->notes) fmt::print(stderr, "alidade: warning: {}\n", note);
-    if (request->to_file && request->bits != 8 && request->bits != 16) fmt::print(stderr, "alidade: warning: {} bits a colour are asked for: PNG files have 8 or 16\n", request->bits);
+    if (request->to_file && request->bits != 8 && request->bits != 16) fmt::print(stderr, "alidade: warning: {} bits a colour are asked for: PNG and PPM files have 8 or 16\n", request->bits);
     if (request->alpha && request->to_file && !has_straight_alpha(*request) && request->file_type != 'E')
         fmt::print(stderr, "alidade: warning: +UA (Output_Alpha): files of this type (+F{}) have no alpha, what is missing is black\n", request->file_type);
     exit_on_signal();

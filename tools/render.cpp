@@ -19,14 +19,14 @@ struct RenderWords {
     Request request;
     std::string output, stats;
     ProgressMode progress = ProgressMode::bar;
-    int png_bits = 8;
+    int bits = 8;
     bool json = false;
 };
 
 void add_output_options(CLI::App& app, RenderWords& words) {
     app.add_option("-o,--output", words.output, "the picture: .png, .exr, .pfm, .ppm or what OpenImageIO writes (default: the scene's name with .png, here)")
         ->type_name("FILE");
-    add_choice(app, "--bits", {"8", "16"}, [&words](size_t i) { words.png_bits = i ? 16 : 8; }, "of a sample of a PNG file (default 8)");
+    add_choice(app, "--bits", {"8", "16"}, [&words](size_t i) { words.bits = i ? 16 : 8; }, "of a sample of a PNG or PPM file (default 8)");
     app.add_option("--stats", words.stats, "writes what the render cost, as JSON")->type_name("FILE.json");
     add_choice(app, "--progress", {"bar", "json", "none"}, [&words](size_t i) { words.progress = ProgressMode(i); },
                "a bar (only on a terminal), a line of JSON every 10 %, or nothing (default bar)");
@@ -53,7 +53,7 @@ tl::expected<Film, std::string> render_watched(const CompiledScene& scene, const
 }
 
 int write_everything(const RenderWords& words, const Prepared& prepared, const Film& film) {
-    const auto files = write_film(words.output, film.picture, words.png_bits);
+    const auto files = write_film(words.output, film.picture, words.bits);
     if (!files) return fail(fmt::format("{}: {}", words.output, files.error()));
     const std::string report = as_json_text(cost(words, prepared, film, *files));
     if (!words.stats.empty()) {

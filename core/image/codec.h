@@ -47,6 +47,8 @@ Result<Bytes> encode_deep_png(const Picture& picture);
 /// PGM and PPM, plain and raw (P2, P3, P5, P6), and PFM (Pf, PF).
 Result<Stored> decode_pnm(std::span<const std::byte> bytes);
 Result<Bytes> encode_ppm(const Picture& picture);
+/// With 16 bits a sample.
+Result<Bytes> encode_deep_ppm(const Picture& picture);
 Result<Bytes> encode_pfm(const Picture& picture);
 
 Result<Stored> decode_exr(std::span<const std::byte> bytes);

@@ -123,17 +123,40 @@ Result<Stored> decode_pnm(std::span<const std::byte> bytes) {
     return tl::unexpected(std::string("broken PPM header"));
 }
 
-Result<Bytes> encode_ppm(const Picture& picture) {
+namespace {
+
+/// What a PPM file holds of a picture.
+Result<ColorChannels> ppm_colors(const Picture& picture) {
     ColorChannels colors = color_channels(picture);
     if (colors.count == 0) return tl::unexpected(std::string("PPM holds colour, but the picture has no channels R, G, B or Y"));
     colors.count = 3;   // gray is written as three equal channels
     colors.alpha = -1;  // what is left of a premultiplied colour without its alpha is the picture over black
-    const std::vector<uint8_t> codes = encode_8bit(picture, colors, false);
+    return colors;
+}
+
+Bytes ppm(const Picture& picture, int most, const void* codes, size_t size) {
     Bytes bytes;
-    const std::string header = fmt::format("P6\n{} {}\n255\n", picture.width, picture.height);
+    const std::string header = fmt::format("P6\n{} {}\n{}\n", picture.width, picture.height, most);
     append(bytes, header.data(), header.size());
-    append(bytes, codes.data(), codes.size());
+    append(bytes, codes, size);
     return bytes;
+}
+
+}  // namespace
+
+Result<Bytes> encode_ppm(const Picture& picture) {
+    const auto colors = ppm_colors(picture);
+    if (!colors) return tl::unexpected(colors.error());
+    const std::vector<uint8_t> codes = encode_8bit(picture, *colors, false);
+    return ppm(picture, 255, codes.data(), codes.size());
+}
+
+Result<Bytes> encode_deep_ppm(const Picture& picture) {
+    const auto colors = ppm_colors(picture);
+    if (!colors) return tl::unexpected(colors.error());
+    std::vector<uint8_t> bytes;   // the upper one first
+    for (const uint16_t code : encode_16bit(picture, *colors, false)) bytes.push_back(uint8_t(code >> 8)), bytes.push_back(uint8_t(code));
+    return ppm(picture, 65535, bytes.data(), bytes.size());
 }
 
 Result<Bytes> encode_pfm(const Picture& picture) {

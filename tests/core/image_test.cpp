@@ -81,6 +81,22 @@ TEST_F(ImageFiles, PfmKeepsEveryBit) {
     }
 }
 
+/// The codes of 16 bits are those of PNG files.
+TEST_F(ImageFiles, DeepPpmHoldsWhatDeepPngHolds) {
+    for (const auto& names : {std::vector<std::string>{"R", "G", "B"}, std::vector<std::string>{"Y"}}) {
+        Picture picture = random_floats(7, 9, names, 2);
+        for (size_t i = 0; i < picture.values.size(); i += 2) picture.values[i] = float(i) / float(picture.values.size());
+        ASSERT_TRUE(write_picture(path("a.ppm"), picture, 16));
+        ASSERT_TRUE(write_picture(path("a.png"), picture, 16));
+        const auto read = read_picture(path("a.ppm"), Encoding::automatic), want = read_picture(path("a.png"), Encoding::automatic);
+        ASSERT_TRUE(read && want);
+        ASSERT_EQ(read->channels, 3);
+        for (int y = 0; y < 9; ++y)
+            for (int x = 0; x < 7; ++x)
+                for (int c = 0; c < 3; ++c) EXPECT_EQ(read->at(x, y)[c], want->at(x, y)[want->channels == 3 ? c : 0]);
+    }
+}
+
 /// The table was worked out from IEC 61966-2-1 by hand: code = round(255 f(linear)), f(x) = 12.92 x below 0.0031308, else 1.055 x^(1/2.4) - 0.055.
 TEST_F(ImageFiles, PngCodesAreTheNearestOnTheStandardCurve) {
     const struct { float linear; int code; } rows[] = {

@@ -59,10 +59,13 @@ class Povray(InFolder):
         self.assertEqual([x for x in range(10) if grey[90 + x]], [2, 3])
         self.assertEqual([y for y in range(10) if grey[10 * y + 2]], [5, 6, 7, 8, 9])
 
-    def test_bits_of_png_files(self):
+    def test_bits_of_files(self):
         for word, bits in (("+FN", 8), ("+FN8", 8), ("+FN16", 16), ("Bits_Per_Color=16", 16)):
             self.render("+Is.pov", "+W8", "+H8", word)
             self.assertEqual((self.folder / "s.png").read_bytes()[24], bits, word)
+        for word, most in (("+FP", b"255"), ("+FP16", b"65535")):
+            self.render("+Is.pov", "+W8", "+H6", word)
+            self.assertEqual((self.folder / "s.ppm").read_bytes().split()[:4], [b"P6", b"8", b"6", most])
 
     def test_values_are_read_as_by_povray(self):
         """Fractions of whole numbers are cut, a line of an INI file is one setting, and a scene may have any name."""
