@@ -33,9 +33,9 @@ class Sides {
             const CsgSide side = find(part);
             varies = varies || side == CsgSide::varies || nodes_[part].mask != node.mask;
             decided = decided || (side == deciding && nodes_[part].mask == node.mask);
+            if (decided && node.op != CsgOp::union_) return deciding;   // a union shows the surfaces of all parts
         }
-        if (decided && !(varies && node.op == CsgOp::union_)) return deciding;   // a union shows the surfaces of all parts
-        return varies ? CsgSide::varies : usual;
+        return varies ? CsgSide::varies : decided ? deciding : usual;
     }
 
     std::span<const CsgNode> nodes_;

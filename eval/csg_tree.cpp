@@ -91,7 +91,7 @@ void sort_by_place(Plain& p, const CsgNarrow& narrow) {
     for (std::ptrdiff_t i = 0; i < count; ++i) halves[2 * i >= count].parts.push_back(std::move(bounded[i]));
     p.parts.erase(bounded, p.parts.end());
     for (Plain& half : halves) {
-        half.op = p.op;
+        half.op = p.op, half.mask = p.mask;
         finish(half, narrow);
         p.parts.push_back(std::move(half));
     }

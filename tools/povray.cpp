@@ -52,13 +52,13 @@ Request request_of(const PovrayRequest& r, int frame) {
 }
 
 /// Columns and rows are counted from 1, or are shares of the picture if not greater than 1.
-int first_pixel(double start, int size) { return start <= 0 ? 0 : start <= 1 ? int(start * size) : int(start) - 1; }
-int end_pixel(double end, int size) { return end <= 0 ? size : end <= 1 ? int(std::ceil(end * size)) : int(end); }
+int first_pixel(double start, int size) { return start <= 0 ? 0 : start < 1 ? int(start * size) : int(start) - 1; }
+int end_pixel(double end, int size) { return end <= 0 ? size : end <= 1 ? int(end * size) : int(end); }
 
-/// What `scene` asks for, more than one sample with a lens, takes the place of antialiasing.
 /// PNG, TGA and BMP files. EXR's alpha is associated; others have none.
 bool has_straight_alpha(const PovrayRequest& r) { return std::string_view("NTB").find(r.file_type) != std::string_view::npos; }
 
+/// What `scene` asks for, more than one sample with a lens, takes the place of antialiasing.
 RenderOptions render_options(const PovrayRequest& r, int frame, const RenderSettings& scene) {
     RenderOptions options;
     options.width = r.width, options.height = r.height;

@@ -21,12 +21,15 @@ bool Occluders::find(const CompiledScene& scene, const ShadePoint& point, const 
     if (!is_finite(point.position) || !is_finite(moved) || !to.finite()) return false;
     const Shaft shaft({point.position - moved, point.position + moved}, {to.min - moved, to.max + moved});
     if (!scene.top->candidates(shaft, kMostOccluders, ids_)) return false;
-    const ShaftSides sides(scene, point, shaft);
+    const ShaftSides sides(scene, shaft);
     all_.clear(), sides_.clear();
     for (const uint32_t id : ids_) {
         if (!(scene.set->mask(id) & kMaskShadow)) continue;
+        const bool solid = scene.set->is_solid(id);
+        if (!solid && id == point.instance && sides.leaves_plane(id)) continue;
         const One one{id, uint32_t(sides_.size())};
-        if ((scene.set->is_solid(id) ? scene.set->solid(id).tree.sides(sides, sides_) : sides.side(id)) == CsgSide::varies) all_.push_back(one);
+        if ((solid ? scene.set->solid(id).tree.sides(sides, sides_) : sides.side(id)) == CsgSide::varies) all_.push_back(one);
+        else sides_.resize(one.sides);
     }
     return true;
 }

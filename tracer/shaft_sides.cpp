@@ -28,23 +28,35 @@ bool holds(const Geometry& geometry, const Bounds& box) {
     return true;
 }
 
+/// An instance, and boxes in its own space.
+struct Local {
+    const Instance& instance;
+    const Geometry& geometry;
+    bool finite;
+    double size;
+
+    Local(const CompiledScene& scene, uint32_t id)
+        : instance(scene.instances[id]), geometry(scene.geometries[instance.geometry]), finite(geometry.bounds.finite()), size(finite ? std::max(max_abs(geometry.bounds.min), max_abs(geometry.bounds.max)) : 0) {}
+    Bounds operator()(const Bounds& box) const { return padded(instance.in_place ? box : instance.to_local.bounds(box), size); }
+    const Plane* plane() const { return std::get_if<Plane>(geometry.source); }
+};
+
 }  // namespace
 
-/// Of the plane on which they start, rays are on the side that they go to, and cannot come back (spawn_ray).
-CsgSide ShaftSides::of_plane(uint32_t id, const Plane& plane, const Bounds& from, const Bounds& to) const {
-    const CsgSide goal = side_of_plane(plane, to);
-    return id == point_.instance || side_of_plane(plane, from) == goal ? goal : CsgSide::varies;
+bool ShaftSides::leaves_plane(uint32_t id) const {
+    const Local local(scene_, id);
+    return local.plane() && side_of_plane(*local.plane(), local(shaft_.to())) != CsgSide::varies;
 }
 
 CsgSide ShaftSides::side(uint32_t id) const {
-    const Instance& instance = scene_.instances[id];
-    const Geometry& geometry = scene_.geometries[instance.geometry];
+    const Local local(scene_, id);
+    const Geometry& geometry = local.geometry;
     if (geometry.mesh || geometry.ops->costly) return CsgSide::varies;   // a costly search, once a point, gains nothing
-    const bool finite = geometry.bounds.finite();
-    const double size = finite ? std::max(max_abs(geometry.bounds.min), max_abs(geometry.bounds.max)) : 0;
-    const auto local = [&](const Bounds& box) { return padded(instance.in_place ? box : instance.to_local.bounds(box), size); };
-    if (const Plane* plane = std::get_if<Plane>(geometry.source)) return of_plane(id, *plane, local(shaft_.from()), local(shaft_.to()));
-    if (finite) return geometry.ops->convex && holds(geometry, local(shaft_.to())) && holds(geometry, local(shaft_.from())) ? CsgSide::inside : CsgSide::varies;
+    if (local.plane()) {
+        const CsgSide side = side_of_plane(*local.plane(), local(shaft_.from()));
+        return side_of_plane(*local.plane(), local(shaft_.to())) == side ? side : CsgSide::varies;
+    }
+    if (local.finite) return geometry.ops->convex && holds(geometry, local(shaft_.to())) && holds(geometry, local(shaft_.from())) ? CsgSide::inside : CsgSide::varies;
     if (!geometry.ops->narrow) return CsgSide::varies;
     const Bounds hull = local(shaft_.hull());
     if (geometry.ops->narrow(*geometry.source, false, hull).empty()) return CsgSide::outside;

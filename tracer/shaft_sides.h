@@ -7,19 +7,19 @@
 
 namespace alidade {
 
-/// Rays that spawn_ray() makes from a point to somewhere in a box, as a region for CsgTree::sides().
+/// The rays of a shaft as a region for CsgTree::sides().
 class ShaftSides final : public CsgRegion {
   public:
-    /// All must outlive it. `shaft` holds the rays.
-    ShaftSides(const CompiledScene& scene, const ShadePoint& point, const Shaft& shaft) : scene_(scene), point_(point), shaft_(shaft) {}
+    /// Both must outlive it.
+    ShaftSides(const CompiledScene& scene, const Shaft& shaft) : scene_(scene), shaft_(shaft) {}
     bool meets(const Bounds& box) const override { return shaft_.meets(box); }
     CsgSide side(uint32_t instance) const override;
+    /// Do the rays surely leave the instance, if that is a plane on which they start? They cannot come back (spawn_ray). Not for parts of solids: there, crossings at the start are one place with
+    /// those of other parts (CsgTree).
+    bool leaves_plane(uint32_t instance) const;
 
   private:
-    CsgSide of_plane(uint32_t id, const Plane& plane, const Bounds& from, const Bounds& to) const;
-
     const CompiledScene& scene_;
-    const ShadePoint& point_;
     const Shaft& shaft_;
 };
 

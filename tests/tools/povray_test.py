@@ -59,6 +59,13 @@ class Povray(InFolder):
         self.assertEqual([x for x in range(10) if grey[90 + x]], [2, 3])
         self.assertEqual([y for y in range(10) if grey[10 * y + 2]], [5, 6, 7, 8, 9])
 
+    def test_fractions_of_a_picture_are_cut(self):
+        """Where parts begin and end in POV-Ray, from 0; 1 is the first column, but as an end the last."""
+        for words, columns in ((["+EC0.6"], (0, 27)), (["+EC0.61"], (0, 28)), (["+EC0.999"], (0, 46)), (["+EC1"], (0, 47)), (["+SC0.6"], (28, 47)), (["+SC1"], (0, 47)), (["+SC2", "+EC28"], (1, 27))):
+            self.render("+Is.pov", "Declare=R=9", "+W48", "+H2", "+FP", *words)
+            seen = [x for x, grey in enumerate(self.picture("s.ppm")[2][:48]) if grey]
+            self.assertEqual((seen[0], seen[-1]), columns, words)
+
     def test_bits_of_files(self):
         for word, bits in (("+FN", 8), ("+FN8", 8), ("+FN16", 16), ("Bits_Per_Color=16", 16)):
             self.render("+Is.pov", "+W8", "+H8", word)

@@ -198,18 +198,24 @@ TEST(Occluders, AreThoseThatEachRayFinds) {
     }
 }
 
-/// A floor, alone and clipped, under a light, in a ball: no shadow ray can meet anything, so nothing is asked.
+/// A floor under a light, in a ball, and a wall behind all that is seen, with a hole, clipped: no shadow ray can meet anything, so nothing is asked.
 TEST(Occluders, AreNotWhatSurroundsAndWhatIsStoodOn) {
     const auto scene = [](bool shadows) {
         SceneBuilder b;
         const MaterialId plain = b.material(b.lambert(Color(1)));
+        b.object(Plane{{0, 1, 0}, 0}, plain);
         b.object(Plane{{0, 1, 0}, -3}, plain);
         b.object(Sphere{Vec3(0), 1}, plain, Transform::scale(Vec3(1e5)));
-        Node floor, clip;
-        floor.what = b.shape(Plane{{0, 1, 0}, 0}), floor.materials = {plain};
-        clip.what = b.shape(Box{{-40, -2, -40}, {40, 50, 40}});
-        floor.clips = {b.node(clip, false)};
-        b.node(floor, true);
+        const auto part = [&](ShapeGeometry shape) {
+            Node n;
+            n.what = b.shape(std::move(shape)), n.materials = {plain};
+            return b.node(n, false);
+        };
+        Node wall;
+        wall.csg = CsgKind::difference;
+        wall.children = {part(Plane{{0, 0, 1}, -20}), part(Sphere{{0, 0, -20}, 3})};
+        wall.clips = {part(Box{{-40, -2, -40}, {40, 50, 40}})};
+        b.node(wall);
         b.light(PointLight(), Color(40), Transform::translate({0, 3, 0}));
         b.scene.lights[0].shadowless = !shadows;
         b.scene.lights[0].shadow_grid = grid_of(4, 4);
@@ -221,6 +227,32 @@ TEST(Occluders, AreNotWhatSurroundsAndWhatIsStoodOn) {
     EXPECT_EQ(lit.picture.values, asked.picture.values);
     EXPECT_GT(asked.stats.shadow_rays, 5000u);
     EXPECT_EQ(lit.stats.work.primitives, asked.stats.work.primitives);
+}
+
+/// In a solid, faces at one place are one: a plane that is stood on counts with those beside it. Rooms of planes, with a floor that is there twice, and looked at along an edge.
+TEST(Occluders, OfSolidsWhoseFacesMeetUnderThePoint) {
+    for (const double twice : {0.0, 7e-14, 2e-13, 1.0}) {
+        SceneBuilder b;
+        const MaterialId plain = b.material(b.lambert(Color(1)));
+        Node room;
+        room.csg = CsgKind::intersection, room.inverse = true;
+        for (const Plane& plane : {Plane{{0, -1, 0}, 1}, Plane{{0, -1, 0}, 1 - twice}, Plane{{0, 1, 0}, 3}, Plane{{1, 0, 0}, 4}, Plane{{-1, 0, 0}, 4}, Plane{{0, 0, 1}, 9}, Plane{{0, 0, -1}, 4}}) {
+            Node n;
+            n.what = b.shape(plane), n.materials = {plain};
+            room.children.push_back(b.node(n, false));
+        }
+        b.node(room);
+        b.light(PointLight(), Color(40), Transform::translate({0.5, 2, 0}));
+        b.scene.lights[0].shadow_grid = grid_of(4, 4);
+        b.scene.lights[0].shadow_grid->axis1 = {1, 0, 0}, b.scene.lights[0].shadow_grid->axis2 = {0, 0, 1};
+        b.camera({0, -1 + (twice == 1 ? 1 : 0), 6}, {0, -1 + (twice == 1 ? 1 : 0), -4}, 60);
+        CompileOptions each, once;
+        each.accel = "brute", once.accel = "bvh";
+        EXPECT_EQ(rendered(b.scene, centre_rays(33), each).picture.values, rendered(b.scene, centre_rays(33), once).picture.values) << twice;
+        b.scene.cameras.clear(), b.scene.nodes.pop_back(), b.scene.roots.pop_back();
+        b.camera({0, 1, 6}, {0, -0.5, 0}, 60);
+        EXPECT_EQ(rendered(b.scene, centre_rays(33), each).picture.values, rendered(b.scene, centre_rays(33), once).picture.values) << twice;
+    }
 }
 
 /// Where a point is known far less well than the shaft is wide, rays begin and end beside it: what is just behind the light is in their way.

@@ -42,10 +42,8 @@ TEST(ShaftSides, HoldForAllRays) {
     for (uint32_t round = 0; round < 40 * kObjects; ++round) {
         const uint32_t id = round % kObjects;
         const Bounds from = box_at(draw.vector(2), 0.01, draw), to = box_at(draw.vector(3), 0.5, draw);
-        ShadePoint point;
-        point.instance = kNoId;
         const Shaft shaft(from, to);
-        const CsgSide side = ShaftSides(*scene, point, shaft).side(id);
+        const CsgSide side = ShaftSides(*scene, shaft).side(id);
         if (side == CsgSide::varies) continue;
         ++(side == CsgSide::inside ? inside : outside)[id % 6];
         const Instance& instance = scene->instances[id];
@@ -62,23 +60,22 @@ TEST(ShaftSides, HoldForAllRays) {
     EXPECT_EQ(inside[5] + outside[5], 0);
 }
 
-/// Rays that start on a plane are on the side of their goal.
+/// A plane that rays start on is left, not one beside it.
 TEST(ShaftSides, OfAPlaneThatIsStoodOn) {
     SceneBuilder b;
     const MaterialId plain = b.material(b.lambert(Color(1)));
     b.object(Plane{{0, 1, 0}, 0}, plain);
-    b.object(Plane{{0, 1, 0}, 1e-12}, plain);
+    b.object(Sphere{}, plain);
     const auto scene = compiled(b.scene);
-    ShadePoint point;
-    point.instance = 0;
-    const auto sides = [&](double height, uint32_t id) {
+    const auto leaves = [&](double height, uint32_t id) {
         const Shaft shaft({Vec3(-1e-15), Vec3(1e-15)}, {{-1, height - 1, -1}, {1, height + 1, 1}});
-        return ShaftSides(*scene, point, shaft).side(id);
+        EXPECT_EQ(ShaftSides(*scene, shaft).side(id), CsgSide::varies);
+        return ShaftSides(*scene, shaft).leaves_plane(id);
     };
-    EXPECT_EQ(sides(3, 0), CsgSide::outside);
-    EXPECT_EQ(sides(-3, 0), CsgSide::inside);
-    EXPECT_EQ(sides(0.5, 0), CsgSide::varies);
-    EXPECT_EQ(sides(3, 1), CsgSide::varies);
+    EXPECT_TRUE(leaves(3, 0));
+    EXPECT_TRUE(leaves(-3, 0));
+    EXPECT_FALSE(leaves(0.5, 0));
+    EXPECT_FALSE(leaves(3, 1));
 }
 
 }  // namespace
