@@ -6,12 +6,16 @@ namespace alidade {
 
 namespace {
 
+/// After so many nodes the search is given up: others vary, for all that is known. In large trees most are passed by their boxes; where they are not, it would take longer than the rays.
+constexpr int kMostNodes = 256;
+
 class Sides {
   public:
     Sides(std::span<const CsgNode> nodes, const CsgRegion& region, CsgSide* out) : nodes_(nodes), region_(region), out_(out) {}
 
     CsgSide find(uint32_t n) {
         const CsgNode& node = nodes_[n];
+        if (++asked_ > kMostNodes) return out_[n] = CsgSide::varies;
         if (!region_.meets(node.box)) return out_[n] = node.far ? CsgSide::inside : CsgSide::outside;
         return out_[n] = node.op == CsgOp::leaf ? of_leaf(node) : of_parts(n);
     }
@@ -41,6 +45,7 @@ class Sides {
     std::span<const CsgNode> nodes_;
     const CsgRegion& region_;
     CsgSide* out_;
+    int asked_ = 0;
 };
 
 }  // namespace
