@@ -10,16 +10,17 @@ namespace {
 /// How far a ray that hits nothing goes, for a fog.
 constexpr double kFarAway = 2e10;
 
-/// As of version 3.7: each pigment is a filter for what is behind it, `background`, of which `shows` is left.
-Color filtered_sky(const CompiledScene& scene, const SkySphere& sky, const Vec3& at, const Color& background, double& shows) {
+/// As of version 3.7: each pigment is a filter for what is behind it.
+SkyOver filtered_sky(const CompiledScene& scene, const SkySphere& sky, const Vec3& at, const SkyOver& behind) {
     Color sum(0), through(1);
+    double shows = behind.shows;
     for (size_t i = sky.pigments.size(); i-- > 0;) {
         const PigmentColor c = scene.textures->pigment(sky.pigments[i], at);
         sum += c.color * through * sky.emission * (1 - c.filter - c.transmit);
         const Color passed = c.color * c.filter + Color(c.transmit);
         through *= passed, shows *= pov_grey(passed);
     }
-    return sum + background * through;
+    return {sum + behind.color * through, shows};
 }
 
 /// Before: the colours behind are dimmed by numbers, and only the background is filtered.
@@ -62,19 +63,17 @@ double optical_distance(const Fog& fog, const Vec3& origin, const Vec3& directio
 Color pov_sky(const CompiledScene& scene, const Vec3& direction) {
     const SkySphere& sky = *scene.scene.atmosphere.sky;
     const Vec3 at = scene.sky_from_world.vector(direction);
-    const Color& background = scene.scene.atmosphere.background;
-    double unused = 1;
-    return scene.scene.settings.filter_dims_by_colour ? mixed_sky(scene, sky, at, background) : filtered_sky(scene, sky, at, background, unused);
+    const SkyOver background{scene.scene.atmosphere.background, 1};
+    return scene.scene.settings.filter_dims_by_colour ? mixed_sky(scene, sky, at, background.color) : filtered_sky(scene, sky, at, background).color;
 }
 
 SkyOver pov_sky_over(const CompiledScene& scene, const Vec3& direction, bool mirrored) {
     const Atmosphere& air = scene.scene.atmosphere;
-    SkyOver out{mirrored ? air.background_mirrored : air.background_over, air.background_shows};
-    if (!air.sky || air.sky->pigments.empty()) return out;
+    const SkyOver background{mirrored ? air.background_mirrored : air.background_over, air.background_shows};
+    if (!air.sky || air.sky->pigments.empty()) return background;
     const Vec3 at = scene.sky_from_world.vector(direction);
-    if (scene.scene.settings.filter_dims_by_colour) out = mirrored ? SkyOver{mixed_sky(scene, *air.sky, at, out.color), 0} : SkyOver();   // before 3.7, a sky is all missing
-    else out.color = filtered_sky(scene, *air.sky, at, out.color, out.shows);
-    return out;
+    if (!scene.scene.settings.filter_dims_by_colour) return filtered_sky(scene, *air.sky, at, background);
+    return mirrored ? SkyOver{mixed_sky(scene, *air.sky, at, background.color), 0} : SkyOver();   // before 3.7, a sky is all missing
 }
 
 namespace {

@@ -106,8 +106,9 @@ std::optional<PixelSamples> sample_pixel(const Job& job, Tracing& tracing, int x
         const double shown = pixel.sum.shows;
         const Color radiance = take_sample(job, tracing, x, y, s, pixel);
         if (!job.sample_stop.asks()) continue;
-        noise.add(radiance), noise_of_alpha.add(Color(pixel.sum.shows - shown));
-        if (pixel.samples < job.spp && job.sample_stop.enough(noise, pixel.samples) && job.sample_stop.enough(noise_of_alpha, pixel.samples)) {
+        noise.add(radiance);
+        if (tracing.alpha) noise_of_alpha.add(Color(pixel.sum.shows - shown));
+        if (pixel.samples < job.spp && job.sample_stop.enough(noise, pixel.samples) && (!tracing.alpha || job.sample_stop.enough(noise_of_alpha, pixel.samples))) {
             ++tracing.stats.pixels_ended_early;
             break;
         }

@@ -255,6 +255,32 @@ TEST(Csg, KnownSidesChangeNothing) {
     EXPECT_GT(whole, 100);
 }
 
+/// Of many parts that all are near, not all are looked at, and what was not looked at varies; groups of them are seen by the rays that see the whole.
+TEST(Csg, TheSearchForSidesIsGivenUp) {
+    test::Draw draw(10);
+    ShapeLeaves leaves;
+    CsgExpression e = of(CsgOp::difference, {leaves.add(Plane{{0, 1, 0}, 0.1})});
+    for (int i = 0; i < 600; ++i) e.parts.push_back(leaves.add(Sphere{draw.vector(0.5), draw(0.4, 0.6)}));
+    e.mask = kMaskShadow;
+    const CsgTree tree(e, leaves.narrow());
+    const Bounds box{Vec3(-1, -0.2, -1), Vec3(1, 0.2, 1)};
+    const BoxRegion region(leaves, box);
+    std::vector<CsgSide> sides;
+    EXPECT_EQ(tree.sides(region, sides), CsgSide::varies);
+    for (const CsgNode& node : tree.nodes()) EXPECT_EQ(node.mask, kMaskShadow);
+    int found = 0;
+    for (int i = 0; i < 300; ++i) {
+        Ray ray;
+        ray.origin = region.point(draw), ray.dir = region.point(draw) - ray.origin, ray.tmax = 1, ray.mask = kMaskShadow;
+        Hit want, got;
+        const bool hit = tree.first(ray, leaves, want);
+        ASSERT_EQ(tree.first(ray, leaves, got, sides), hit);
+        ASSERT_TRUE(!hit || (got.t == want.t && got.instance == want.instance));
+        found += hit;
+    }
+    EXPECT_GT(found, 30);
+}
+
 std::vector<double> distances(const std::vector<Hit>& hits) {
     std::vector<double> out;
     for (const Hit& hit : hits) out.push_back(hit.t);

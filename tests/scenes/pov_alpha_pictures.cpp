@@ -34,7 +34,6 @@ box { <-4, 2.4, 0>, <-2.5, 4, 0.1> pigment { rgbt <0, 0, 0, 1.5> } finish { ambi
 box { <-2, 2.4, 0>, <-0.5, 4, 0.1> pigment { rgbf <2, 2, 2, 1> } finish { ambient 0 diffuse 0 } }
 box { <0, 2.4, 0>, <1.5, 4, 0.1> pigment { rgbf <-1, -1, -1, 0.5> } finish { ambient 0 diffuse 0 } }
 box { <2, 2.4, 0>, <4, 4, 0.1> pigment { average pigment_map { [1 rgbt <0, 0, 0, 1.5>] [1 rgbt <0, 0, 0, 0.2>] } } finish { ambient 0 diffuse 0 } }
-background { rgbt <2, 3, 1.5, -0.5> }
 )";
 
 }  // namespace
@@ -50,6 +49,7 @@ std::vector<PovPicture> alpha_pictures() {
             picture("Fog", "fog { distance 9 rgbft <0.7, 0.6, 0.5, 0.2, 0.3> }"),
             picture("Bright", kBright),
             picture("Beyond", kBeyond),
+            picture("BackgroundBeyond", "background { rgbt <0.2, 0.3, 0.5, -0.4> }"),
             picture("Rainbows", "rainbow { angle 30 width 40 distance 40 direction <0, -0.3, 1> color_map { [0 rgbt <1, 0.5, 0.2, 0.3>] [1 rgbft <0.2, 0.5, 1, 0.2, 0.8>] } } rainbow { angle 20 width 50 distance 9 direction <0.2, 0, 1> color_map { [0 rgbt <0, 0.5, 1, 0.9>] [1 rgbt 0.6] } }"),
             coded("Gamma", "global_settings { assumed_gamma 2.2 } background { rgbt <0.2, 0.3, 0.5, 0.4> }", "#version 3.7;"),
             coded("Srgb", "global_settings { assumed_gamma srgb } background { rgbt <0.2, 0.3, 0.5, 0.4> }", "#version 3.7;"),
