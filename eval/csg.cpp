@@ -290,6 +290,11 @@ void CsgTree::all(const Ray& ray, const CsgLeaves& leaves, std::vector<Hit>& hit
     Walk(nodes_, {}, ray, leaves).run(false, [&](const Hit& h) { hits.push_back(h); });
 }
 
+CsgInside csg_inside(const ShapeOps* ops, const ShapeGeometry& shape) {
+    if (!ops || ops->sheet) return CsgInside::nowhere;
+    return ops->solid(shape) ? CsgInside::by_crossings : CsgInside::at_points;
+}
+
 uint8_t csg_cost(const ShapeOps& ops) { return ops.costly ? 2 : ops.kind == kind_of<Plane>() ? 0 : 1; }
 
 bool begins_inside(const ShapeOps& ops, const ShapeGeometry& shape, const Ray& ray, const Crossings& crossings) {

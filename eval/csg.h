@@ -23,8 +23,10 @@ enum class CsgOp : uint8_t {
 enum class CsgInside : uint8_t {
     by_crossings,   ///< by turns, from crossing to crossing
     at_points,      ///< asked at each crossing of the line with anything: leaves whose surface does not bound what is inside
-    nowhere,        ///< a surface without inside
+    nowhere,        ///< a surface without inside, also turned inside out, as in POV-Ray: what it is taken from has no surface left
 };
+/// Of a closed form, or of a mesh (null).
+CsgInside csg_inside(const ShapeOps* ops, const ShapeGeometry& shape);
 
 /// Leaves with equal ids are the same thing at several places.
 struct CsgLeaf {

@@ -112,7 +112,7 @@ Plain plain(const CsgExpression& e, bool inverse, Mask mask) {
     out.op = plain_op(e.op, inverse);
     out.leaf = e.leaf;
     out.mask = mask & e.mask;
-    out.inverted = e.op == CsgOp::leaf && inverse;
+    out.inverted = e.op == CsgOp::leaf && inverse && (e.leaf.id == kNoId || e.leaf.inside != CsgInside::nowhere);
     for (const CsgExpression& part : e.parts) {
         const bool first = &part == &e.parts.front();
         const bool turned = e.op == CsgOp::clip ? inverse && first : e.op == CsgOp::difference ? inverse != !first : inverse;

@@ -83,13 +83,15 @@ class SolidQuery::Parts final : public CsgParts {
         return uint32_t(out_.shapes_.size() - 1);
     }
 
-    /// Fills in what the tree asks of its leaves.
-    void describe(CsgExpression& e) const {
-        for (CsgExpression& part : e.parts) describe(part);
+    /// Fills in what the tree asks of its leaves, and which are turned inside out.
+    void describe(CsgExpression& e, bool inverse = false) const {
+        inverse = inverse != e.inverse;
+        for (size_t i = 0; i < e.parts.size(); ++i) describe(e.parts[i], e.op == CsgOp::clip ? inverse && i == 0 : inverse != (e.op == CsgOp::difference && i > 0));
         if (e.op != CsgOp::leaf || e.leaf.id == kNoId) return;
-        const PlacedShape& placed = out_.shapes_[e.leaf.id];
+        PlacedShape& placed = out_.shapes_[e.leaf.id];
+        placed.inverted = inverse && !(placed.ops && placed.ops->sheet);
         const ShapeGeometry& geometry = out_.scene_.shapes[placed.shape.index].geometry;
-        e.leaf.inside = !placed.ops ? CsgInside::nowhere : placed.ops->solid(geometry) ? CsgInside::by_crossings : CsgInside::at_points;
+        e.leaf.inside = csg_inside(placed.ops, geometry);
         e.leaf.bounds = placed.to_world.bounds(placed.ops ? placed.ops->bounds(geometry) : placed.triangles->bounds());
     }
 
@@ -151,8 +153,6 @@ SolidQuery::SolidQuery(const Scene& scene, NodeId root, MeshAccelerators& meshes
     if (!clipped && expression->op == CsgOp::clip) expression = CsgExpression(std::move(expression->parts[0]));
     parts.describe(*expression);
     tree_.emplace(*expression);
-    for (const CsgNode& node : tree_->nodes())
-        if (node.op == CsgOp::leaf && node.leaf != kNoId) shapes_[node.leaf].inverted = node.inverted;
 }
 
 FoundSurface SolidQuery::surface(const Ray& ray, const Hit& hit) const {

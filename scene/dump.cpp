@@ -56,7 +56,7 @@ void dump_atmosphere(std::string& out, const Atmosphere& a) {
         Line(out, "  fog").field("ground", f.ground).field("distance", f.distance).field("offset", f.offset).field("altitude", f.altitude)
             .field("turbulence", f.turbulence.amount).field("octaves", f.turbulence.octaves, usual.turbulence.octaves).field("omega", f.turbulence.omega, usual.turbulence.omega)
             .field("lambda", f.turbulence.lambda, usual.turbulence.lambda).field("turbulence_depth", f.turbulence_depth, usual.turbulence_depth)
-            .field("noise", f.noise, usual.noise).field("color", f.color).field("filter", f.filter).field("transmit", f.transmit).field("up", f.up, usual.up);
+            .field("color", f.color).field("filter", f.filter).field("transmit", f.transmit).field("up", f.up, usual.up);
     const Rainbow none;
     for (const Rainbow& r : a.rainbows)
         Line(out, "  rainbow").field("direction", r.direction, none.direction).field("up", r.up, none.up).field("angle", r.angle).field("width", r.width).field("distance", r.distance)
@@ -68,7 +68,7 @@ void dump_atmosphere(std::string& out, const Atmosphere& a) {
 void dump_settings(std::string& out, const RenderSettings& r) {
     const RenderSettings usual;
     Line(out, "settings").field("max_depth", r.max_depth).field("adc_bailout", r.adc_bailout, usual.adc_bailout)
-        .field("ambient_light", r.ambient_light, usual.ambient_light).field("irid_wavelength", r.irid_wavelength, usual.irid_wavelength).field("assumed_gamma", r.assumed_gamma, usual.assumed_gamma)
+        .field("ambient_light", r.ambient_light, usual.ambient_light).field("noise", r.noise, usual.noise).field("irid_wavelength", r.irid_wavelength, usual.irid_wavelength).field("assumed_gamma", r.assumed_gamma, usual.assumed_gamma)
         .field("srgb_coded", r.srgb_coded).field("filter_dims_by_colour", r.filter_dims_by_colour).field("see_through", r.see_through).field("follows_mirrors", r.follows_mirrors, true).field("default_light", r.default_light, true)
         .field("light_units", r.light_units).field("why_light_units", r.why_light_units).field("default_spp", r.default_spp, usual.default_spp)
         .field("generator", r.generator);

@@ -53,7 +53,6 @@ struct Fog {
     double distance = 0, offset = 0, altitude = 0;
     Turbulence turbulence{Vec3(0)};
     double turbulence_depth = 0.5;
-    NoiseGenerator noise = NoiseGenerator::range_corrected;
     Color color{0};
     double filter = 0, transmit = 0;
     Vec3 up{0, 1, 0};
@@ -117,6 +116,7 @@ struct RenderSettings {
     std::optional<int> max_depth;             ///< POV max_trace_level
     double adc_bailout = 1.0 / 255;
     Color ambient_light{1};
+    NoiseGenerator noise = NoiseGenerator::range_corrected;   ///< of the turbulence of fogs and thin films
     Color irid_wavelength{0.7, 0.52, 0.48};   ///< of red, green and blue, in units of PovFinish::irid_thickness
     double assumed_gamma = 1;                 ///< colours are powers: linear = colour ^ assumed_gamma
     bool srgb_coded = false;                  ///< instead, colours are sRGB-coded: they are calculated with as they are, and decoded at the end

@@ -382,9 +382,9 @@ std::shared_ptr<const CompiledScene> compile(Scene scene, const CompileOptions& 
     build_structures(*out, *accel, placer.take_solids(), options, said);
     default_camera(*out, said);
     default_light(*out, options, said);
-    find_what_is_around_cameras(*out);
     placer.finish();
     choose_kernel(*out, *accel, options, reasons);
+    find_what_is_around_cameras(*out);
     return out;
 }
 

@@ -81,6 +81,12 @@ struct Solid {
 };
 
 /// A camera with its node's transform applied: all in world space.
+/// A body that a camera may stand in.
+struct Surrounding {
+    uint32_t id = 0;
+    Bounds bounds;   ///< of its surface: what is inside of it and outside of them does not count, as in POV-Ray
+};
+
 struct PlacedCamera {
     Camera camera;
 };
@@ -112,7 +118,7 @@ struct CompiledScene {
     std::vector<std::vector<bool>> lit_by; ///< which lights shine, by Instance::light_set; empty: all on all
     std::vector<std::unique_ptr<Projector>> projectors;   ///< by light, null for most; empty: none has one
     std::vector<PlacedCamera> cameras;     ///< at least one
-    std::vector<uint32_t> around_cameras;  ///< where there is fog: the instances, and behind them in number the solids, that a camera may stand in
+    std::vector<Surrounding> around_cameras;  ///< unless all is air: the instances, and behind them in number the solids, that a camera may stand in
     Transform sky_from_world;              ///< into the space of the sky's pigments
     std::unique_ptr<Sky> sky;              ///< what a ray sees that leaves the scene, and what lights it from there
     bool glows = false;                    ///< a surface emits light (or is unlit)

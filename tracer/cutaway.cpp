@@ -83,7 +83,7 @@ class LaidOpen {
         const auto part_holds = [&](const CsgExpression& part) { return holds(part); };
         switch (e.op) {
             // What was hit holds its surface.
-            case CsgOp::leaf: return e.leaf.id != kNoId && (e.leaf.id == point_.instance || leaves_.inside(e.leaf.id, point_.position)) != e.inverse;
+            case CsgOp::leaf: return e.leaf.id != kNoId && (e.leaf.id == point_.instance || leaves_.inside(e.leaf.id, point_.position)) != (e.inverse && csg_leaf(scene_, e.leaf.id).inside != CsgInside::nowhere);
             case CsgOp::union_:
             case CsgOp::merge: return std::any_of(e.parts.begin(), e.parts.end(), part_holds) != e.inverse;
             case CsgOp::intersection: return std::all_of(e.parts.begin(), e.parts.end(), part_holds) != e.inverse;

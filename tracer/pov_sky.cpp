@@ -46,11 +46,11 @@ double ground_density(double start, double end) {
 }
 
 /// The distance as it counts for a fog: turbulence makes it shorter, its density changes with the height.
-double optical_distance(const Fog& fog, const Vec3& origin, const Vec3& direction, double distance) {
+double optical_distance(const Fog& fog, NoiseGenerator noise, const Vec3& origin, const Vec3& direction, double distance) {
     double length = distance;
     if (fog.turbulence.amount != Vec3(0)) {
         const Vec3 middle = (origin + direction * (distance / 2)) * fog.turbulence.amount;
-        length *= 1 - std::exp(-distance / fog.distance) * std::min(1.0, turbulence(middle, fog.turbulence, fog.noise) * fog.turbulence_depth);
+        length *= 1 - std::exp(-distance / fog.distance) * std::min(1.0, turbulence(middle, fog.turbulence, noise) * fog.turbulence_depth);
     }
     if (!fog.ground) return length;
     const Vec3 up = normalized(fog.up);
@@ -62,7 +62,7 @@ double optical_distance(const Fog& fog, const Vec3& origin, const Vec3& directio
 
 Color pov_sky(const CompiledScene& scene, const Vec3& direction) {
     const SkySphere& sky = *scene.scene.atmosphere.sky;
-    const Vec3 at = scene.sky_from_world.vector(direction);
+    const Vec3 at = scene.sky_from_world.point(direction);   // as if it were a point: the sky can be shifted
     const SkyOver background{scene.scene.atmosphere.background, 1};
     return scene.scene.settings.filter_dims_by_colour ? mixed_sky(scene, sky, at, background.color) : filtered_sky(scene, sky, at, background).color;
 }
@@ -71,7 +71,7 @@ SkyOver pov_sky_over(const CompiledScene& scene, const Vec3& direction, bool mir
     const Atmosphere& air = scene.scene.atmosphere;
     const SkyOver background{mirrored ? air.background_mirrored : air.background_over, air.background_shows};
     if (!air.sky || air.sky->pigments.empty()) return background;
-    const Vec3 at = scene.sky_from_world.vector(direction);
+    const Vec3 at = scene.sky_from_world.point(direction);   // as if it were a point: the sky can be shifted
     if (!scene.scene.settings.filter_dims_by_colour) return filtered_sky(scene, *air.sky, at, background);
     return mirrored ? SkyOver{mixed_sky(scene, *air.sky, at, background.color), 0} : SkyOver();   // before 3.7, a sky is all missing
 }
@@ -120,7 +120,7 @@ Haze haze(const CompiledScene& scene, const Vec3& origin, const Vec3& direction,
     for (size_t i = fogs.size(); i-- > 0;) {
         const Fog& fog = fogs[i];
         if (!(fog.distance != 0)) continue;
-        const double left = std::max(std::exp(-optical_distance(fog, origin, direction, distance) / fog.distance), fog.transmit);
+        const double left = std::max(std::exp(-optical_distance(fog, scene.scene.settings.noise, origin, direction, distance) / fog.distance), fog.transmit);
         out.added += fog.color * (1 - left);
         const Color passed = (Color(1 - fog.filter) + fog.color * fog.filter) * left;
         out.kept *= passed, out.shows *= pov_grey(passed);

@@ -83,13 +83,8 @@ PovSurface::Passage PovSurface::passage(const CompiledScene& scene, const ShadeP
     const double own = scene.interiors[interior].ior, here = ior_in(scene, state.inside);
     out.refraction = scene.interiors[interior].refraction;
     const bool last = !state.inside.empty() && state.inside.top().carrier == carrier;
-    // A camera inside of a solid has not entered it.
-    const bool began_inside = state.inside.empty() && !point.front && !point.mesh && state.kind == RayKind::camera;
     if (out.beyond.leave(carrier)) {
         out.ratio = last ? own / ior_in(scene, out.beyond) : 1;
-        out.faded = pov_fade(scene.interiors[interior], state.travelled);
-    } else if (began_inside) {
-        out.ratio = own;
         out.faded = pov_fade(scene.interiors[interior], state.travelled);
     } else {
         out.beyond.enter({carrier, interior});
@@ -99,7 +94,7 @@ PovSurface::Passage PovSurface::passage(const CompiledScene& scene, const ShadeP
 }
 
 PovSurface::PovSurface(const CompiledScene& scene, const ShadePoint& point, const Vec3& dir, const Vec3& normal)
-    : dir_(dir), normal_(normal), position_(point.position), irid_wavelength_(scene.scene.settings.irid_wavelength) {
+    : dir_(dir), normal_(normal), position_(point.position), irid_wavelength_(scene.scene.settings.irid_wavelength), noise_(scene.scene.settings.noise) {
     double_illuminate_ = scene.instances[point.instance].double_illuminate;
     for_each_mixed_slot(scene, point, [&](const ShadePoint& own, double share) { add(scene, own, material_at(scene, own), share, pattern_frame(own)); });
 }
@@ -190,7 +185,7 @@ Color PovSurface::film(const PovFinish& f, double nl, double nd) const {
     if (f.irid_turbulence != 0) {
         Turbulence t;
         t.octaves = 5;
-        thickness *= 1 + f.irid_turbulence * (2 * turbulence(position_, t, NoiseGenerator::range_corrected) - 1);
+        thickness *= 1 + f.irid_turbulence * (2 * turbulence(position_, t, noise_) - 1);
     }
     const Color phase = (2 * kPi * thickness * (std::abs(nl) + std::abs(nd))) / irid_wavelength_;
     return Color(1) + f.irid * Color(std::cos(phase.x), std::cos(phase.y), std::cos(phase.z));

@@ -63,6 +63,7 @@ class PovSurface {
 
     Vec3 dir_, normal_, position_;
     Color irid_wavelength_{1};
+    NoiseGenerator noise_ = NoiseGenerator::range_corrected;
     bool double_illuminate_ = false, sends_on_ = false;
 };
 

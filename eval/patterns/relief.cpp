@@ -48,7 +48,7 @@ Vec3 Relief::embossed(const Vec3& place, const Vec3& n) const {
 
 Vec3 Relief::bent(const Vec3& place, const Vec3& n) const {
     if (pattern_.is_bump_map()) return embossed(place, n);
-    if (slopes_.empty() && pattern_.row().relief) return pattern_.relief(place, n, amount_);
+    if (pattern_.row().relief) return pattern_.relief(place, n, amount_);
     static constexpr Vec3 kTowards[] = {{0.942809041, -0.333333333, 0}, {-0.471404521, -0.333333333, 0.816496581}, {-0.471404521, -0.333333333, -0.816496581}, {0, 1, 0}};
     const double k = -5 * amount_ * (0.02 / accuracy_);
     Vec3 out = n;

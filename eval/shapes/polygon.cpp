@@ -74,6 +74,7 @@ bool polygon_solid(const ShapeGeometry&) { return false; }
 
 }  // namespace
 
-const ShapeOps kPolygonOps = {"polygon", "a flat face between loops", kind_of<Polygon>(), polygon_bounds, polygon_crossings, polygon_error, polygon_surface, polygon_inside, polygon_solid};
+const ShapeOps kPolygonOps = {.name = "polygon", .doc = "a flat face between loops", .kind = kind_of<Polygon>(), .bounds = polygon_bounds, .crossings = polygon_crossings,
+                              .error = polygon_error, .surface = polygon_surface, .inside = polygon_inside, .solid = polygon_solid, .sheet = true};
 
 }  // namespace alidade

@@ -61,6 +61,7 @@ struct ShapeOps {
     /// Those of crossings() that are wanted, bit for bit; the box is that of bounds(). Null: they take as long as all.
     Crossings (*wanted)(const ShapeGeometry&, const Bounds& own, const Ray&, Wanted) = nullptr;
     bool convex = false;                                                 ///< what is between points that are inside is inside, too
+    bool sheet = false;                                                  ///< nothing is inside, like in a mesh, also of one that is turned inside out
 
     /// As `wanted`, for directions of any length: the forms multiply them with themselves, which must neither overflow nor be lost.
     Crossings crossings_wanted(const ShapeGeometry& shape, const Bounds& own, const Ray& ray, Wanted what) const {

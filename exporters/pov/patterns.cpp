@@ -28,7 +28,6 @@ int number_of_waves(const Scene& scene) {
     return 10;
 }
 
-NoiseGenerator usual_noise(const Scene& scene) { return scene.atmosphere.fogs.empty() ? NoiseGenerator::range_corrected : scene.atmosphere.fogs.front().noise; }
 
 size_t PatternWriter::list_length(const PatternSignal& s) {
     static constexpr std::pair<std::string_view, size_t> kLists[] = {{"checker", 2}, {"brick", 2}, {"hexagon", 3}, {"square", 4}, {"triangular", 6}, {"cubic", 6}};
@@ -147,7 +146,7 @@ void PatternWriter::pattern_head(const PatternSignal& s) {
 
 void PatternWriter::pattern_modifiers(const PatternSignal& s) {
     parameters(s);
-    if (s.noise != usual_noise(scene_)) sdl_.line("noise_generator", int(s.noise));
+    if (s.noise != scene_.settings.noise) sdl_.line("noise_generator", int(s.noise));
     write_turbulence(sdl_, s.turbulence);
     if (s.wave) {
         if (*s.wave == Wave::poly) sdl_.line(kWaves[int(*s.wave)], s.wave_exponent);

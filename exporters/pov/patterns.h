@@ -49,7 +49,5 @@ class PatternWriter {
 
 /// The number of waves is one for the whole scene in POV-Ray: that of the first pattern that has one, else 10.
 int number_of_waves(const Scene& scene);
-/// The generator of what names none: that of the first fog, which cannot.
-NoiseGenerator usual_noise(const Scene& scene);
 
 }  // namespace alidade::pov_export

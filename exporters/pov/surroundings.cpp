@@ -64,7 +64,7 @@ void write_settings(const Scene& scene, Sdl& sdl) {
     sdl.line("adc_bailout", s.adc_bailout);
     if (s.ambient_light != Color(1)) sdl.line("ambient_light", Expression{s.ambient_light});
     if (s.irid_wavelength != RenderSettings().irid_wavelength) sdl.line("irid_wavelength", Expression{s.irid_wavelength});
-    if (usual_noise(scene) != NoiseGenerator::range_corrected) sdl.line("noise_generator", int(usual_noise(scene)));
+    if (s.noise != RenderSettings().noise) sdl.line("noise_generator", int(s.noise));
     if (number_of_waves(scene) != 10) sdl.line("number_of_waves", number_of_waves(scene));
     sdl.end();
 }

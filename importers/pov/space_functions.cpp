@@ -63,7 +63,7 @@ void set_usual_gamma(const Parser& p, Build& build) {
 /// What was made of the blocks that were asked.
 struct SpaceFunctions::Stage {
     explicit Stage(Parser& p) : build(p), pigments(build.scene) {
-        build.noise = usual_noise(p);
+        build.scene.settings.noise = usual_noise(p);
         set_usual_gamma(p, build);
         settings = p.globals.size();
     }

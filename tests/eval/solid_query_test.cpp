@@ -183,6 +183,32 @@ TEST(SolidQuery, AMeshIsAskedThroughItsAccelerator) {
     EXPECT_GT(found->normal.z, 0.5);
 }
 
+/// As POV-Ray has it: what has no inside has none inverted either, and takes away all.
+TEST(SolidQuery, WhatATriangleOrAPolygonIsTakenFromHasNoSurface) {
+    Polygon polygon;
+    polygon.loops = {{{-1, -1, 0}, {1, -1, 0}, {0, 1, 0}}};
+    Mesh mesh;
+    mesh.positions = {{-1, -1, 0}, {1, -1, 0}, {0, 1, 0}};
+    mesh.triangles = {{0, 1, 2}};
+    for (const ShapeGeometry& sheet : {ShapeGeometry(polygon), ShapeGeometry(mesh)}) {
+        Scene scene;
+        scene.shapes.resize(2);
+        scene.shapes[0].geometry = Sphere(), scene.shapes[1].geometry = sheet;
+        scene.nodes.resize(3);
+        scene.nodes[0].csg = CsgKind::difference, scene.nodes[0].children = {NodeId{1}, NodeId{2}};
+        scene.nodes[1].what = ShapeId{0}, scene.nodes[2].what = ShapeId{1};
+        for (const bool inverse : {false, true}) {
+            scene.nodes[2].inverse = inverse;
+            MeshAccelerators meshes(scene);
+            const SolidQuery query(scene, NodeId{0}, meshes);
+            const auto found = query.first(Ray{{0, 0, -5}, {0, 0, 1}});
+            ASSERT_TRUE(found);
+            EXPECT_NEAR(found->t, 5, 1e-12) << "not the sphere";
+            EXPECT_FALSE(query.inside(Vec3(0, 0, 0.5)));
+        }
+    }
+}
+
 TEST(SolidQuery, FlatShapesAreLeftOutAndEndlessReferencesAreRefused) {
     Scene scene;
     ShapeEntry entry;

@@ -346,7 +346,6 @@ const Change kOtherChanges[] = {
     [](Scene& s) { fog(s).turbulence.omega = 0.7; },
     [](Scene& s) { fog(s).turbulence.lambda = 3; },
     [](Scene& s) { fog(s).turbulence_depth = 1; },
-    [](Scene& s) { fog(s).noise = NoiseGenerator::perlin; },
     [](Scene& s) { fog(s).color.x = 1; },
     [](Scene& s) { fog(s).filter = 1; },
     [](Scene& s) { fog(s).transmit = 1; },
@@ -377,6 +376,7 @@ const Change kOtherChanges[] = {
     [](Scene& s) { s.settings.lens_noise = LensNoise{1e-4, 0.5, 0}; },
     [](Scene& s) { s.settings.lens_noise = LensNoise{1e-4, 0.9, 9}; },
     [](Scene& s) { s.settings.irid_wavelength = Color(1); },
+    [](Scene& s) { s.settings.noise = NoiseGenerator::perlin; },
     [](Scene& s) { s.settings.generator = "x"; },
 };
 

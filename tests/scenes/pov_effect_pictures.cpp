@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Rainbows, bent camera rays, powers of reflections, projected light.
+/// Rainbows, a shifted sky, thin films, bent camera rays, powers of reflections, projected light.
 #include "tests/scenes/pov_pictures.h"
 
 namespace alidade::test {
@@ -8,6 +8,7 @@ namespace {
 
 const std::string kHead = "#version 3.7; global_settings { assumed_gamma 1 } background { rgb <.3,.5,.7> }\n";
 const std::string kSun = "light_source { <10,20,-15> rgb <1,.9,.8> }\n";
+const std::string kView = "camera { location <0,2,-6> look_at <0,.5,0> angle 50 }\n";
 const std::string kFloor = "plane { y, -1 pigment { checker rgb 1 rgb <1,0,0> } }\n";
 
 /// Looks at the point opposite of the sun, above a floor with a ball that mirrors it.
@@ -30,6 +31,8 @@ std::vector<PovPicture> effect_pictures() {
     const std::string colours = "color_map { [0 rgbt <.6,0,1,.9>] [.3 rgbft <0,.4,1,.2,.4>] [.6 rgbt <1,1,0,.3>] [1 rgbf <1,0,0,.5>] } ";
     const std::string mirrors = kHead + kSun + kFloor + "camera { location <0,2,-6> look_at <0,.5,0> angle 50 } ";
     return {
+        {"ShiftedSky", kHead + kView + kSun + "sky_sphere { pigment { wood scale .4 } pigment { gradient y color_map { [0 rgbt <1,0,0,.2>] [1 rgbt 1] } } scale 2 translate <.3,.5,0> rotate z*20 } sphere { 0, 1 pigment { rgb .5 } finish { reflection .5 } }"},
+        {"IridOfAnotherNoise", kHead + kView + kSun + "global_settings { noise_generator 3 } " + "sphere { <-1,1,0>, 1 pigment { rgb <.4,.6,.8> } finish { irid { .4 thickness .7 turbulence .5 } } } plane { y, -2 pigment { rgb 1 } finish { reflection .4 irid { .3 thickness .2 turbulence 1 } } }"},
         {"RainbowAboveMirrorsAndGlass", rainbow("rainbow { direction <.1,-.2,1> angle 40 width 12 distance 30 " + colours + "}")},
         {"RainbowsThatMeet", rainbow("rainbow { direction <.1,-.2,1> angle 35 width 12 distance 30 " + colours + "} rainbow { direction <.1,-.2,2> angle 42 width 9 distance 1e4 color_map { [0 rgb x] [1 rgbt y+.5] } }")},
         {"ArcOfARainbow", rainbow("rainbow { direction <.3,-.2,1> angle 35 width 15 distance 1e3 up <.3,1,.1> arc_angle 150 falloff_angle 70 " + colours + "}")},

@@ -57,6 +57,7 @@ std::vector<PovPicture> patterned_pictures() {
         {"FrequencyOfBlocks", twelve("", "pigment { checker frequency 2 phase .3 scale .4 }, pigment { brick frequency 2 phase .3 sine_wave scale .1 }, pigment { hexagon frequency 1.3 cubic_wave scale .4 }, pigment { square frequency 3 scale .3 }, "
                                          "pigment { triangular frequency .3 phase .1 scale .3 }, pigment { cubic frequency .3 scallop_wave rotate 20 }, pigment { quilted frequency 3 scale .4 }, pigment { quilted frequency -1.5 phase .2 triangle_wave scale .4 }, "
                                          "pigment { checker phase .4 scale .4 }, pigment { quilted phase .4 scale .4 }, pigment { brick frequency -1.5 scallop_wave scale .1 }, pigment { hexagon rgb x rgb y rgb z frequency 2 scale .4 }", "box { -.9, .9 pigment")},
+        {"SlopeMapsOfReliefs", kHead + kView + kSun + "#declare S = slope_map { [0 <0,1>] [.5 <1,0>] [1 <0,-1>] } sphere { -1.2*x, 1 pigment { rgb 1 } normal { bumps 1 slope_map { S } scale .3 } } sphere { 1.2*x, 1 pigment { rgb 1 } normal { quilted 1 slope_map { S } scale .3 } } plane { y, -1 pigment { rgb 1 } normal { ripples 1 slope_map { S } } }"},
         {"Normals", twelve("sky_sphere { pigment { gradient y color_map { [0 rgb <.6,.7,1>] [1 rgb <.1,.2,.8>] } } pigment { bozo turbulence .6 color_map { [.4 rgbt 1] [.8 rgbt <1,1,1,.2>] } scale .3 } rotate x*20 }",
                            "normal { bumps .6 scale .2 }, normal { dents 1 scale .3 }, normal { wrinkles .8 scale .5 }, normal { ripples .7 frequency 4 }, normal { quilted 1 scale .5 }, normal { granite .3 scale 2 }, normal { "
                            "facets coords .4 size .3 }, normal { gradient x .8 slope_map { [0 <0,1>] [.5 <1,0>] [1 <0,-1>] } scale .3 }, normal { checker normal { bumps 1 scale .1 } normal { ripples 1 frequency 20 } scale .5 "
@@ -237,6 +238,7 @@ std::vector<PovPicture> other_pictures() {
         {"Spotlights", kHead + kView + "light_source { <5,8,-6> rgb 1.2 spotlight radius 12 falloff 22 tightness 3 point_at 0 fade_distance 8 fade_power 2 } light_source { <-5,4,-6> rgb <.2,.3,.6> parallel point_at "
                              "0 } light_source { <0,9,0> rgb .2 shadowless } plane { y, -1 pigment { rgb .7 } finish { phong .5 } } sphere { 0, .8 pigment { rgb 1 } finish { phong 1 } }"},
         {"Orthographic", kHead + "camera { orthographic location <1,3,-6> look_at 0 angle 40 rotate y*10 sky <1,3,0> }" + kSun + "box { -1, 1 pigment { rgb <.9,.5,.3> } }"},
+        {"OrthographicWithoutAim", kHead + "camera { orthographic location <.5,.3,-4> direction 2*z rotate x*10 }" + kSun + "box { -1, 1 pigment { rgb <.9,.5,.3> } }"},
         {"Fisheye", around("fisheye angle 220 right x up y")},
         {"UltraWide", around("ultra_wide_angle angle 160 right 1.5*x up y")},
         {"Omnimax", around("omnimax right x up y")},
@@ -305,7 +307,7 @@ std::vector<PovPicture> other_pictures() {
 
 std::vector<PovPicture> pov_pictures() {
     std::vector<PovPicture> all;
-    for (const auto& list : {patterned_pictures(), light_pictures(), sampled_pictures(), fog_pictures(), effect_pictures(), cutaway_pictures(), old_cameras(), other_pictures(), image_pictures()}) all.insert(all.end(), list.begin(), list.end());
+    for (const auto& list : {patterned_pictures(), light_pictures(), sampled_pictures(), fog_pictures(), effect_pictures(), cutaway_pictures(), default_pictures(), inside_pictures(), old_cameras(), other_pictures(), image_pictures()}) all.insert(all.end(), list.begin(), list.end());
     return all;
 }
 

@@ -31,6 +31,10 @@ std::vector<PovPicture> cutaway_pictures();
 std::vector<PovPicture> quality_pictures();
 /// With alpha.
 std::vector<PovPicture> alpha_pictures();
+/// Of what textures begin with.
+std::vector<PovPicture> default_pictures();
+/// Of what is inside of what.
+std::vector<PovPicture> inside_pictures();
 std::vector<PovPicture> other_pictures();
 /// All of them.
 std::vector<PovPicture> pov_pictures();

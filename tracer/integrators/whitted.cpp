@@ -37,7 +37,7 @@ template <unsigned F> struct Whitted {
     double length_so_far = 0;   // of the camera ray and its straight continuations through alpha
 
     static Color radiance(Tracing& tracing, const Ray& ray, RayState& state, FirstHit& first) {
-        if (tracing.scene.scene.atmosphere.is_hazy()) state.inside = start_inside(tracing.scene, ray.origin);
+        if (!tracing.scene.around_cameras.empty()) state.inside = start_inside(tracing.scene, ray.origin);
         Whitted whitted{tracing, first};
         whitted.trace(ray, state);
         if constexpr (kFollows) {

@@ -103,7 +103,6 @@ void read_rainbow(Build& build, const Block& block) {
 
 void read_fog(Build& build, const Block& block) {
     Fog fog;
-    fog.noise = build.noise;
     take_fog(build, block, fog);
     if (fog.ground && fog.altitude == 0) build.p.fail(block.place, "a ground fog needs a fog_alt that is not 0");
     if (fog.distance != 0) build.scene.atmosphere.fogs.push_back(fog);

@@ -8,6 +8,7 @@
 
 #include <iterator>
 #include <map>
+#include <set>
 #include <tuple>
 
 namespace alidade::pov {
@@ -51,8 +52,8 @@ struct Build {
     std::map<std::pair<const Block*, std::optional<SignalId>>, SignalId> normals;    ///< of a normal
     std::map<SignalId, PatternSignal> loose_modifiers;   ///< of plain colours: transformations, turbulence ..., which act on a pattern that a later block puts in their place
     std::map<SignalId, ConstantSignal> quick_colors;     ///< of pigments that have one
+    std::set<SignalId> without_maps;                     ///< pigments that have their pattern's own colours: those of another pattern that takes its place are its own again
     std::map<const Block*, MaterialId> parts;           ///< textures of maps
-    NoiseGenerator noise = NoiseGenerator::range_corrected;   ///< of patterns that give none
     int number_of_waves = 10;                           ///< of waves and ripples
 
     bool shapes_alone = false;                          ///< textures, materials and interiors are passed over: the scene is asked where its shapes are, and not drawn
@@ -74,6 +75,8 @@ class Cursor {
 
     bool done() const { return i_ >= block_.items.size(); }
     const Item& peek() const { return block_.items[i_]; }
+    /// Is it an identifier that holds the block, and not the block itself?
+    bool at_declared() const { return peek().kind == Item::Kind::value; }
     const Item& next() { return block_.items[i_++]; }
     Place place() const { return done() ? block_.place : peek().place; }
     const Block& block() const { return block_; }

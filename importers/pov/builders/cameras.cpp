@@ -53,12 +53,11 @@ void apply_look_at(Build& build, Place at, const CameraWords& words, Camera& c) 
     c.direction *= along;
 }
 
-/// The window gets the size that it would fill at the distance of what is looked at: in order always, where what is looked at is <0,0,1> until it is
-/// given; together only where its size is not given.
+/// The window gets the size that it would fill at the distance of what is looked at, which is <0,0,1> until it is given: in order always; together only
+/// where its size is not given.
 void apply_orthographic(const CameraWords& words, bool in_order, Camera& c) {
     if (c.projection != Projection::orthographic || (!in_order && words.sized && !words.angle)) return;
-    const double usual = in_order ? length(Vec3(0, 0, 1) - c.location) : length(c.direction);
-    const double scale = (words.look_at ? length(*words.look_at - c.location) : usual) / length(c.direction);
+    const double scale = length(words.look_at.value_or(Vec3(0, 0, 1)) - c.location) / length(c.direction);
     c.right *= scale, c.up *= scale;
 }
 

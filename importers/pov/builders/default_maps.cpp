@@ -35,16 +35,23 @@ struct Row {
 constexpr Row kRows[] = {{"bozo", kBozo}, {"wood", kWood}, {"agate", kAgate}, {"marble", kMarble}, {"radial", kRadial}, {"mandel", kMandel}, {"brick", kBrick},
                          {"checker", kBlocks}, {"hexagon", kBlocks}, {"square", kFaces}, {"triangular", kFaces}, {"cubic", kFaces}};
 
-std::span<const Entry> usual(const std::string& pattern) {
+/// Of the Mandelbrot sets, that of z^2 + c alone has colours.
+bool is_higher_mandel(const PatternSignal& s) {
+    constexpr size_t kExponent = 1;
+    return s.pattern == "mandel" && s.parameters.size() > kExponent && s.parameters[kExponent] != 2;
+}
+
+std::span<const Entry> usual(const PatternSignal& s) {
+    if (is_higher_mandel(s)) return kGray;
     for (const Row& row : kRows)
-        if (row.pattern == pattern) return row.map;
+        if (row.pattern == s.pattern) return row.map;
     return kGray;
 }
 
 }  // namespace
 
 void add_default_map(Build& build, PatternSignal& s) {
-    const std::span<const Entry> map = usual(s.pattern);
+    const std::span<const Entry> map = usual(s);
     const size_t length = list_length(s);
     if (!length && !s.map.empty()) return;
     const size_t wanted = length ? length : map.size();

@@ -91,7 +91,7 @@ void take_word(Build& build, Cursor& at, PovFinish& f, Albedo& albedo) {
     if (double* number = at.peek().kind == Item::Kind::word ? plain_number(f, at.peek().word) : nullptr) {
         at.next();
         *number = double(float(at.number("this part of a finish")));   // POV-Ray keeps them in single precision
-    } else if (const Block* base = at.block_at("finish"_w)) at.next(), build_finish(build, *base, f);
+    } else if (const Block* base = at.block_at("finish"_w)) at.next(), take_declared_finish(build, *base, f), albedo = Albedo();
     else if (const Block* block = at.block_at("reflection"_w)) at.next(), take_reflection_block(build, *block, f);
     else if (const Block* film = at.block_at("irid"_w)) at.next(), take_irid(build, *film, f);
     else if (at.accept("reflection"_w)) f.reflection_min = f.reflection_max = at.rgb("a reflection");
@@ -110,6 +110,13 @@ void build_finish(Build& build, const Block& block, PovFinish& f) {
     for (Cursor at(build, block); !at.done();) take_word(build, at, f, albedo);
     if (f.roughness == 0) build.p.fail(block.place, "a roughness of 0 has no highlight", "leave specular out, or make the roughness small");
     albedo.apply(f);
+}
+
+void take_declared_finish(Build& build, const Block& block, PovFinish& f) {
+    PovFinish made = default_texture(build, block.defaults);
+    made.pigment = f.pigment, made.normal = f.normal;
+    build_finish(build, block, made);
+    f = made;
 }
 
 }  // namespace alidade::pov

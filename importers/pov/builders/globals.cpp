@@ -38,7 +38,7 @@ void begin_settings(Build& build, const Program& program) {
     s.srgb_coded = old;               // without assumed_gamma an old scene's numbers are what the file holds: no correction at all
     build.uncorrected = old;
     s.filter_dims_by_colour = old;
-    if (program.version_given && program.version < 3.5 - 1e-9) build.noise = NoiseGenerator::original;
+    if (program.version_given && program.version < 3.5 - 1e-9) s.noise = NoiseGenerator::original;
     s.generator = "POV-Ray";
 }
 
@@ -50,7 +50,7 @@ void read_globals(Build& build, const Block& block) {
         else if (at.accept("adc_bailout"_w)) s.adc_bailout = at.number("adc_bailout");
         else if (at.accept("ambient_light"_w)) s.ambient_light = at.rgb("the ambient light");
         else if (at.accept("irid_wavelength"_w)) s.irid_wavelength = at.rgb("the wavelengths of irid");
-        else if (at.accept("noise_generator"_w)) build.noise = NoiseGenerator(at.integer("the noise generator", 1, 3));
+        else if (at.accept("noise_generator"_w)) s.noise = NoiseGenerator(at.integer("the noise generator", 1, 3));
         else if (at.accept("number_of_waves"_w)) build.number_of_waves = at.integer("the number of waves", 1, 1000);
         else if (is_silent(at)) at.skip();
         else at.skip_unmodelled();

@@ -129,11 +129,12 @@ bool take_pattern(Build& build, Cursor& at, PatternSignal& s, double* depth) {
     const PatternOps* row = find_pattern(kWords[word]);
     if (row ? row->source != SourceKind::none : word != "magnet"_w) return false;
     s.parameters.clear(), s.source.reset(), s.picture.reset();
-    s.noise = build.noise;
+    s.noise = build.scene.settings.noise;
     keep_wave(s);
     if (!row) return take_magnet(build, at, s);
     at.next();
     s.pattern = row->name;
+    if (list_length(s)) s.frequency = row->frequency;   // it stays so for another pattern, too
     take_leading(build, at, word, s);
     return true;
 }

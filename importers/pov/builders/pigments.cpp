@@ -31,18 +31,20 @@ void read_pigment_entry(Build& build, const Block& entry, std::vector<MapEntry>&
     map.push_back({place.value, build_pigment(build, entry, usual_pigment(build, entry), place.skipped)});
 }
 
-/// The colours or pigments behind the name of a pattern of blocks.
+/// The colours or pigments behind the name of a pattern of blocks. Of pigments that are missing each is the default one.
 void read_list(Build& build, Cursor& at, PatternSignal& s) {
     const size_t length = list_length(s);
     if (!length) return;
     s.map.clear();
+    std::optional<SignalId> missing;
     while (s.map.size() < length) {
         const double value = double(s.map.size());
         const Place place = at.place();
-        if (const Block* pigment = at.block_at("pigment"_w)) at.next(), s.map.push_back({value, build_pigment(build, *pigment, usual_pigment(build, *pigment))});
+        if (const Block* pigment = at.block_at("pigment"_w)) at.next(), missing = usual_pigment(build, *pigment), s.map.push_back({value, build_pigment(build, *pigment, *missing)});
         else if (at.at_numeric()) s.map.push_back({value, add_colour(build, at.colour("a colour of a pattern"), place)});
         else break;
     }
+    while (missing && s.map.size() < length) s.map.push_back({double(s.map.size()), *missing});
 }
 
 bool take_maps(Build& build, Cursor& at, PatternSignal& s) {
@@ -65,6 +67,13 @@ bool take_patterned(Build& build, Cursor& at, Signal& pigment, PatternSignal& lo
     return true;
 }
 
+/// What a pigment begins with that begins as `start` does: not with its colours, if it has those of its pattern.
+Signal copy_of(const Build& build, SignalId start) {
+    Signal copy = build.scene.signals[start.index];
+    if (build.without_maps.contains(start)) std::get<PatternSignal>(copy.what).map.clear();
+    return copy;
+}
+
 PatternSignal loose_of(const Build& build, SignalId plain) {
     const auto known = build.loose_modifiers.find(plain);
     return known == build.loose_modifiers.end() ? PatternSignal() : known->second;
@@ -82,7 +91,7 @@ void read_pigment(Build& build, Cursor& at, Signal& pigment, PatternSignal& loos
         if (const Block* base = at.block_at("pigment"_w)) {
             at.next();
             const SignalId id = build_pigment(build, *base, usual_pigment(build, *base));
-            pigment = Signal(build.scene.signals[id.index]), loose = loose_of(build, id), quick = quick_color_of(build, id);
+            pigment = copy_of(build, id), loose = loose_of(build, id), quick = quick_color_of(build, id);
         } else if (at.at_numeric()) {
             const std::array<double, 5> c = at.colour("a pigment");
             pigment.what = ConstantSignal{Vec4(c[0], c[1], c[2], 1), c[3], c[4]};
@@ -122,17 +131,19 @@ SignalId build_pigment(Build& build, const Block& block, SignalId start, size_t 
     const std::pair key(&block, start);
     const auto known = build.pigments.find(key);
     if (known != build.pigments.end()) return known->second;
-    Signal pigment = build.scene.signals[start.index];
+    Signal pigment = copy_of(build, start);
     Cursor at(build, block, skipped);
     PatternSignal loose = loose_of(build, start);
     std::optional<ConstantSignal> quick = quick_color_of(build, start);
     read_pigment(build, at, pigment, loose, quick);
     auto* pattern = std::get_if<PatternSignal>(&pigment.what);
+    const bool without_map = pattern && pattern->map.empty() && !list_length(*pattern);
     if (pattern && pattern->pattern != kImageMap && (pattern->pattern != "average" || pattern->map.empty())) add_default_map(build, *pattern);
     pigment.from = build.position(block.place);
     const bool plain = !pattern;
     const SignalId id = build.add_signal(std::move(pigment));
     if (plain) build.loose_modifiers.emplace(id, std::move(loose));
+    if (without_map) build.without_maps.insert(id);
     if (quick) build.quick_colors.emplace(id, *quick);
     build.pigments.emplace(key, id);
     return id;
@@ -162,6 +173,7 @@ SignalId moved_signal(Build& build, SignalId id, const Transform& transform) {
 SignalId moved(Build& build, SignalId id, const Transform& transform) {
     const SignalId there = moved_signal(build, id, transform);
     if (const auto quick = quick_color_of(build, id)) build.quick_colors.emplace(there, *quick);
+    if (build.without_maps.contains(id)) build.without_maps.insert(there);
     return there;
 }
 

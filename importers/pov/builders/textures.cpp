@@ -47,14 +47,22 @@ void read_texture_map(Build& build, const Block& block, Draft& d) {
     });
 }
 
-void read_list(Build& build, Cursor& at, Draft& d) {
-    const size_t length = list_length(d.pattern);
+/// Until there are `length` of them.
+void read_list(Build& build, Cursor& at, Draft& d, size_t length) {
     while (d.textures.size() < length) {
         const Block* texture = at.block_at("texture"_w);
         if (!texture) break;
         at.next();
         add_entry(d, double(d.textures.size()), part(build, *texture, 0), default_texture(build, 0).pigment);
     }
+}
+
+/// The textures behind the name of a pattern of blocks. Of those that are missing each is the default one.
+void read_blocks(Build& build, Cursor& at, Draft& d) {
+    const size_t length = list_length(d.pattern);
+    const Block* first = at.block_at("texture"_w);
+    read_list(build, at, d, length);
+    while (first && d.textures.size() < length) add_entry(d, double(d.textures.size()), default_material(build, first->defaults), default_texture(build, 0).pigment);
 }
 
 /// `tiles { texture { } tile2 texture { } }`: an old name for a checker of two textures, the second of which is where a checker has its first.
@@ -64,7 +72,7 @@ void read_tiles(Build& build, const Block& block, Draft& d) {
     for (Cursor at(build, block); !at.done();) {
         if (at.accept("tile2"_w)) continue;
         const size_t before = d.textures.size();
-        read_list(build, at, d);
+        read_list(build, at, d, list_length(d.pattern));
         if (d.textures.size() == before) at.skip_unmodelled();
     }
     std::reverse(d.textures.begin(), d.textures.end());
@@ -94,7 +102,7 @@ void read_material_map(Build& build, const Block& block, Draft& d) {
 bool take_map(Build& build, Cursor& at, Draft& d) {
     if (take_pattern(build, at, d.pattern)) {
         d.pattern.map.clear(), d.textures.clear();
-        read_list(build, at, d);
+        read_blocks(build, at, d);
     } else if (const Block* tiles = at.block_at("tiles"_w)) {
         at.next();
         read_tiles(build, *tiles, d);
@@ -202,15 +210,17 @@ bool take_layer_part(Build& build, Cursor& at, TextureLayers& layers, const Tran
     if (!block || (block->word != "pigment"_w && block->word != "normal"_w && block->word != "finish"_w)) return false;
     auto* layer = std::get_if<PovFinish>(&layers.back());
     if (!layer) return at.skip_unmodelled(), true;                   // a map of textures has none of these
+    const bool declared = at.at_declared();                           // `texture { P }`: instead of what was there
     at.next();
-    if (block->word == "finish"_w) return build_finish(build, *block, *layer), true;
+    if (block->word == "finish"_w) return (declared ? take_declared_finish : build_finish)(build, *block, *layer), true;
     const Transform back = inverse(since).value_or(Transform());
     const auto there = [&](SignalId id) { return since.is_identity() ? id : moved_in_space(build, id, since); };
     const auto here = [&](SignalId id) { return since.is_identity() ? id : moved_in_space(build, id, back); };
+    const PovFinish start = declared ? default_texture(build, block->defaults) : *layer;
     if (block->word == "pigment"_w) {
-        layer->pigment = here(build_pigment(build, *block, there(layer->pigment)));
+        layer->pigment = here(build_pigment(build, *block, there(start.pigment)));
     } else {
-        layer->normal = here(build_normal(build, *block, layer->normal ? std::optional(there(*layer->normal)) : std::nullopt));
+        layer->normal = here(build_normal(build, *block, start.normal ? std::optional(there(*start.normal)) : std::nullopt));
     }
     return true;
 }

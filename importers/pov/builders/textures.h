@@ -26,6 +26,8 @@ void move_in_space(Build& build, TextureLayers& layers, const Transform& t);
 void set_uv_mapped(Build& build, TextureLayers& layers);
 /// `finish { ... }` over what `layer` has. Source   POV-Ray 3.7 reference, 3.4.3.3 "Finish".
 void build_finish(Build& build, const Block& block, PovFinish& layer);
+/// All of the layer but its pigment and normal becomes that of a declared finish, which begins with the default one where it was declared.
+void take_declared_finish(Build& build, const Block& block, PovFinish& layer);
 
 MaterialId add_material(Build& build, TextureLayers layers, Place at);
 /// The default texture as a material, made once.

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: Apache-2.0
+/// What textures begin with: the default texture where they stand, that where they were declared, or what was there before.
+#include "tests/scenes/pov_pictures.h"
+
+namespace alidade::test {
+
+namespace {
+
+constexpr const char* kHead = "#version 3.7; global_settings { assumed_gamma 1 } camera { location <1,2,-5> look_at 0 angle 45 } background { rgb <.3,.3,.7> } light_source { <3,5,-5> 1 }\n";
+constexpr const char* kDeclared = "#declare P = pigment { wood color_map { [0 rgb <1,.4,.2>] [1 rgb <.2,.6,.1>] } scale .4 } #declare F = finish { phong 1 } #declare N = normal { bumps 1 scale .2 }\n";
+constexpr const char* kDefault = "#default { texture { pigment { dents frequency 1.45 } finish { ambient .5 diffuse .3 brilliance 2 } normal { dents 1 turbulence .5 } } }\n";
+
+std::string after_default(const std::string& objects) { return std::string(kHead) + kDeclared + kDefault + objects; }
+
+/// Six spheres in a row of three and one of two and one.
+std::string spheres(const std::vector<std::string>& textures) {
+    std::string out;
+    for (size_t i = 0; i < textures.size(); ++i)
+        out += "sphere { <" + std::to_string(int(i % 3) - 1) + "," + std::to_string(i / 3) + "-.5,0>*1.1, .5 " + textures[i] + " }\n";
+    return out;
+}
+
+}  // namespace
+
+std::vector<PovPicture> default_pictures() {
+    return {
+        {"DefaultsOfDeclaredFinishes", after_default(spheres({"pigment { rgb 1 } finish { F }", "texture { pigment { P } finish { diffuse .2 } finish { F } }", "texture { F }", "pigment { rgb 1 } finish { phong 1 }", "pigment { rgb 1 } finish { F diffuse 1 }", "texture { finish { diffuse 1 } }"}))},
+        {"DeclaredPartsAsTextures", after_default(spheres({"texture { P }", "texture { P F N }", "texture { N }", "texture { P scale 2 finish { F } }", "texture { pigment { P turbulence 1 } normal { N bump_size .3 } }", "texture { pigment { P } normal { N } }"}))},
+        {"DefaultsOfPatterns", after_default(spheres({"pigment { wood }", "pigment { agate } pigment { marble }", "pigment { bozo scale .3 } translate y*.1 pigment { wood }", "pigment { wood color_map { [0 rgb 1] [1 rgb x] } } pigment { bozo }", "texture { pigment { gradient x } }", "pigment { mandel 12 exponent 3 scale .5 }"}))},
+        {"PatternsAfterLists", std::string(kHead) + "#declare C = pigment { checker scale .4 } #declare G = pigment { dents frequency 1.45 scale .4 } #declare M = pigment { hexagon pigment { rgb x } pigment { rgb y } scale .4 }\n" + spheres({"pigment { C bozo }", "pigment { C wood color_map { [0 rgb x] [1 rgb y] } }", "pigment { G hexagon rgb x rgb y rgb z }", "pigment { M marble }", "pigment { G checker }", "pigment { G brick frequency 3 }"})},
+        {"MissingPartsOfPatterns", after_default(spheres({"pigment { checker pigment { rgb x } scale .3 }", "pigment { hexagon pigment { rgb x } pigment { rgb 1 } scale .3 }", "texture { brick texture { P } scale .1 }", "texture { cubic texture { P } texture { F } }", "pigment { hexagon rgb x scale .2 }", "texture { tiles { texture { P } tile2 texture { pigment { rgb z } } } scale .3 }"}))},
+        {"MissingPartsWithoutDefault", std::string(kHead) + spheres({"pigment { checker pigment { rgb x } scale .3 }", "texture { hexagon texture { pigment { rgb x } } scale .3 }", "pigment { triangular pigment { rgb x } scale .3 }"})},
+    };
+}
+
+}  // namespace alidade::test
