@@ -25,7 +25,7 @@ enum class CsgInside : uint8_t {
     at_points,      ///< asked at each crossing of the line with anything: leaves whose surface does not bound what is inside
     nowhere,        ///< a surface without inside, also turned inside out, as in POV-Ray: what it is taken from has no surface left
 };
-/// Of a closed form, or of a mesh (null).
+/// How it is known where the inside of a shape is; a mesh has no ops.
 CsgInside csg_inside(const ShapeOps* ops, const ShapeGeometry& shape);
 
 /// Leaves with equal ids are the same thing at several places.

@@ -15,7 +15,6 @@
 #include "tracer/normal_maps.h"
 #include "tracer/pov_sky.h"
 #include "tracer/projector.h"
-#include "tracer/start_inside.h"
 #include "tracer/textures.h"
 #include "tracer/unrendered.h"
 
@@ -96,10 +95,18 @@ class Placer : private CsgParts {
         else if (const auto* camera = std::get_if<CameraId>(&node.what)) out_.cameras.push_back({placed(out_.scene.cameras[camera->index], visit.to_world)});
     }
 
+    /// Of nodes below `id`: those that place, invert or cover one thing alone.
+    size_t levels_to_operation(NodeId id) const {
+        size_t levels = 0;
+        for (const Node* node = &out_.scene.nodes[id.index]; node->csg == CsgKind::none && node->children.size() == 1; ++levels) node = &out_.scene.nodes[node->children[0].index];
+        return levels;
+    }
+
     /// What rays see a solid is said by the nodes down to it.
     void place_solid(Visit visit) {
         Mask mask = kMaskAll;
         for (const NodeId above : visit.path) mask &= mask_of(out_.scene.nodes[above.index].flags);
+        levels_to_solid_ = visit.path.size() + levels_to_operation(visit.node);
         auto solid = csg_expression(out_.scene, visit, mask, *this);
         if (!solid) return;
         solid->mask = mask;
@@ -144,6 +151,7 @@ class Placer : private CsgParts {
         const size_t carrier = interior_carrier(out_.scene, visit.path);
         const auto interior = carrier ? out_.scene.nodes[visit.path[carrier - 1].index].interior : std::nullopt;
         instance.carrier = carrier ? carrier_at({visit.path.begin(), visit.path.begin() + std::ptrdiff_t(carrier)}) : carriers_++;
+        instance.of_whole = carrier <= levels_to_solid_;
         const bool hollow = is_hollow(out_.scene, visit.path, carrier);
         for (uint32_t slot = 0; slot < slots; ++slot) {
             const auto carried = carried_material(out_.scene, visit.path, slot);
@@ -196,6 +204,7 @@ class Placer : private CsgParts {
     Diagnostics& said_;
     std::vector<uint32_t> geometry_of_;   // by shape
     size_t solid_depth_ = std::numeric_limits<size_t>::max();   // of the solid whose parts are being passed over
+    size_t levels_to_solid_ = 0;    // nodes on the path down to the operation of the last solid, with itself
     std::vector<CsgExpression> solids_;
     bool too_deep_ = false;
     std::map<std::vector<uint32_t>, uint32_t> carrier_of_;
@@ -384,7 +393,6 @@ std::shared_ptr<const CompiledScene> compile(Scene scene, const CompileOptions& 
     default_light(*out, options, said);
     placer.finish();
     choose_kernel(*out, *accel, options, reasons);
-    find_what_is_around_cameras(*out);
     return out;
 }
 

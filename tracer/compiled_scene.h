@@ -60,6 +60,7 @@ struct Instance {
     bool usual_material = false;   ///< of its slots: no node on the path says what they are
     bool inverted = false;         ///< taken away from a solid: its normals point inwards
     uint32_t carrier = 0;          ///< of its interior: parts of one object that carries it have the same
+    bool of_whole = true;          ///< its interior is not its own alone, if it is part of a solid, but the solid's
     NodeId node;
     uint32_t light_set = 0;        ///< into CompiledScene::lit_by
     uint32_t cutaway = kNoId;      ///< into CompiledScene::cutaways: its surface shows what it lays open
@@ -81,12 +82,6 @@ struct Solid {
 };
 
 /// A camera with its node's transform applied: all in world space.
-/// A body that a camera may stand in.
-struct Surrounding {
-    uint32_t id = 0;
-    Bounds bounds;   ///< of its surface: what is inside of it and outside of them does not count, as in POV-Ray
-};
-
 struct PlacedCamera {
     Camera camera;
 };
@@ -118,7 +113,6 @@ struct CompiledScene {
     std::vector<std::vector<bool>> lit_by; ///< which lights shine, by Instance::light_set; empty: all on all
     std::vector<std::unique_ptr<Projector>> projectors;   ///< by light, null for most; empty: none has one
     std::vector<PlacedCamera> cameras;     ///< at least one
-    std::vector<Surrounding> around_cameras;  ///< unless all is air: the instances, and behind them in number the solids, that a camera may stand in
     Transform sky_from_world;              ///< into the space of the sky's pigments
     std::unique_ptr<Sky> sky;              ///< what a ray sees that leaves the scene, and what lights it from there
     bool glows = false;                    ///< a surface emits light (or is unlit)

@@ -33,7 +33,7 @@ class InteriorStack {
         if (count_ == kDepth) std::copy(entries_ + 1, entries_ + count_--, entries_);
         entries_[count_++] = e;
     }
-    /// Takes out the last entry of `carrier`; false if there is none (the camera stood inside it).
+    /// Takes out the last entry of `carrier`; false if there is none.
     bool leave(uint32_t carrier) {
         for (int i = count_ - 1; i >= 0; --i) {
             if (entries_[i].carrier != carrier) continue;

@@ -23,6 +23,7 @@ struct Job {
     const CompiledScene& scene;
     const RenderOptions& options;
     CameraRays camera;
+    StartInside around;
     Radiance radiance;
     Layers layers;
     TileGrid grid;
@@ -178,7 +179,7 @@ bool render_block(const Job& job, Tracing& tracing, const Region& square, const 
 /// the pixel under way, and those after it, are left as they are.
 bool render_tile(const Job& job, size_t i, Picture& picture, RenderStats& stats) {
     const DefaultFloatMode mode;
-    Tracing tracing{job.scene, job.max_depth, job.options.light_samples, job.scene.scene.settings.adc_bailout, job.options.alpha != Alpha::none, job.layers.any(), stats};
+    Tracing tracing{job.scene, job.around, job.max_depth, job.options.light_samples, job.scene.scene.settings.adc_bailout, job.options.alpha != Alpha::none, job.layers.any(), stats};
     const Region tile = job.grid.tile(i);
     if (job.options.supersampling) return render_block(job, tracing, job.grid.square(i), tile, picture);
     for (int y = tile.y0; y < tile.y1; ++y)
@@ -244,7 +245,8 @@ tl::expected<Film, std::string> render(const CompiledScene& scene, const RenderO
     if (int64_t(spp) * options.light_samples > kMostSamples)
         return tl::unexpected(fmt::format("{} samples a pixel times {} a light are more than {}", spp, options.light_samples, kMostSamples));
     const int depth = options.max_depth >= 0 ? options.max_depth : scene.scene.settings.max_depth.value_or(8);
-    const Job job{scene, options, CameraRays(with_lens(**camera, options), options.width, options.height), *kernel, *layers, *grid, sampler->pair, spp, depth, SampleStop(options, spp), monitor.stop, (**camera).normal};
+    const Camera seen_by = with_lens(**camera, options);
+    const Job job{scene, options, CameraRays(seen_by, options.width, options.height), StartInside(scene, seen_by), *kernel, *layers, *grid, sampler->pair, spp, depth, SampleStop(options, spp), monitor.stop, (**camera).normal};
     Film film;
     film.picture = Picture(options.width, options.height, layers->channels());
     if (options.alpha != Alpha::none)   // what is not rendered is black, not missing

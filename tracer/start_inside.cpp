@@ -8,21 +8,16 @@
 namespace alidade {
 namespace {
 
-bool is_pinhole(const Camera& camera) { return camera.projection == Projection::perspective && camera.aperture == 0; }
+bool moves_origins(const Camera& camera) {
+    const bool along = camera.projection == Projection::cylindrical && camera.cylinder >= 3;
+    return camera.projection == Projection::orthographic || along || camera.aperture > 0;
+}
 
 /// Where the camera's rays may begin.
 Bounds origins(const Camera& camera) {
-    const double window = camera.projection == Projection::perspective ? 0 : length(camera.right) + length(camera.up);
-    const Vec3 reach(window + camera.aperture);
+    if (!moves_origins(camera)) return {camera.location, camera.location};
+    const Vec3 reach = glm::abs(camera.right) + glm::abs(camera.up) + Vec3(camera.aperture);
     return {camera.location - reach, camera.location + reach};
-}
-
-/// An instance that is inside of what is `id`: all parts of a solid are.
-const Instance* part_of(const CompiledScene& scene, uint32_t id) {
-    if (id < scene.instances.size()) return &scene.instances[id];
-    for (const CsgNode& node : scene.solids[id - scene.instances.size()].tree.nodes())
-        if (node.op == CsgOp::leaf && node.leaf != kNoId) return &scene.instances[node.leaf];
-    return nullptr;
 }
 
 /// Of the surfaces of node `n` and of what is behind it. Of an intersection those parts count that are nothing far away, or all if there are none.
@@ -43,42 +38,43 @@ Bounds surfaces(const CompiledScene& scene, std::span<const CsgNode> nodes, uint
     return meets && limited ? all : any;
 }
 
-bool holds(const CompiledScene& scene, const Surrounding& body, const Vec3& point) {
-    if (!body.bounds.contains(point)) return false;
-    const uint32_t id = body.id;
-    WorkCounters unused;
-    const InstanceLeaves leaves(scene, unused);
-    if (id >= scene.instances.size()) return scene.solids[id - scene.instances.size()].tree.inside(point, leaves);
-    return leaves.inside(id, point) != scene.scene.nodes[scene.instances[id].node.index].inverse;
+/// A part that has the interior of the whole solid, if that has one.
+const Instance* part_of_whole(const CompiledScene& scene, const Solid& solid) {
+    for (const CsgNode& node : solid.tree.nodes()) {
+        const Instance* part = node.op == CsgOp::leaf && node.leaf != kNoId ? &scene.instances[node.leaf] : nullptr;
+        if (part && part->of_whole && scene.slots[part->first_slot].interior != kNoId) return part;
+    }
+    return nullptr;
 }
 
 }  // namespace
 
-void find_what_is_around_cameras(CompiledScene& scene) {
+StartInside::StartInside(const CompiledScene& scene, const Camera& camera) : scene_(scene) {
     if (scene.all_air) return;
-    Bounds around;
-    for (const PlacedCamera& placed : scene.cameras) around.extend(origins(placed.camera));
-    const auto look = [&](uint32_t id, const Bounds& bounds) {
-        if (!intersection(bounds, around).empty()) scene.around_cameras.push_back({id, bounds});
+    const Bounds begin = origins(camera);
+    const auto look = [&](uint32_t id, const Instance& part, const Bounds& bounds) {
+        const uint32_t interior = scene.slots[part.first_slot].interior;
+        if (interior != kNoId && !intersection(bounds, begin).empty()) bodies_.push_back({id, bounds, {part.carrier, interior}});
     };
-    for (uint32_t i = 0; i < scene.instances.size(); ++i) look(i, scene.instances[i].bounds);
-    for (uint32_t i = 0; i < scene.solids.size(); ++i) look(uint32_t(scene.instances.size()) + i, surfaces(scene, scene.solids[i].tree.nodes(), 0));
-    // Where all rays of a camera begin at one place, it is known now.
-    if (!std::all_of(scene.cameras.begin(), scene.cameras.end(), [](const PlacedCamera& placed) { return is_pinhole(placed.camera); })) return;
-    std::erase_if(scene.around_cameras, [&](const Surrounding& body) {
-        return std::none_of(scene.cameras.begin(), scene.cameras.end(), [&](const PlacedCamera& placed) { return holds(scene, body, placed.camera.location); });
-    });
+    for (uint32_t i = 0; i < scene.instances.size(); ++i) look(i, scene.instances[i], scene.instances[i].bounds);
+    for (uint32_t i = 0; i < scene.solids.size(); ++i)
+        if (const Instance* part = part_of_whole(scene, scene.solids[i])) look(uint32_t(scene.instances.size()) + i, *part, surfaces(scene, scene.solids[i].tree.nodes(), 0));
+    if (!moves_origins(camera)) std::erase_if(bodies_, [&](const Body& body) { return !holds(body, camera.location); });
 }
 
-InteriorStack start_inside(const CompiledScene& scene, const Vec3& origin) {
+bool StartInside::holds(const Body& body, const Vec3& point) const {
+    if (!body.bounds.contains(point)) return false;
+    WorkCounters unused;
+    const InstanceLeaves leaves(scene_, unused);
+    if (body.id >= scene_.instances.size()) return scene_.solids[body.id - scene_.instances.size()].tree.inside(point, leaves);
+    if (csg_leaf(scene_, body.id).inside == CsgInside::nowhere) return false;
+    return leaves.inside(body.id, point) != scene_.scene.nodes[scene_.instances[body.id].node.index].inverse;
+}
+
+InteriorStack StartInside::at(const Vec3& origin) const {
     InteriorStack inside;
-    for (const Surrounding& body : scene.around_cameras) {
-        const Instance* part = part_of(scene, body.id);
-        if (!part || scene.slots[part->first_slot].interior == kNoId || !holds(scene, body, origin)) continue;
-        const auto entries = inside.entries();
-        const bool known = std::any_of(entries.begin(), entries.end(), [&](const InteriorStack::Entry& e) { return e.carrier == part->carrier; });
-        if (!known) inside.enter({part->carrier, scene.slots[part->first_slot].interior});
-    }
+    for (const Body& body : bodies_)
+        if (holds(body, origin)) inside.enter(body.entry);
     return inside;
 }
 

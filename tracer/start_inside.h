@@ -7,10 +7,25 @@
 
 namespace alidade {
 
-/// Fills in CompiledScene::around_cameras. After CompiledScene::all_air is known.
-void find_what_is_around_cameras(CompiledScene& scene);
+/// The bodies that hold the origin of a camera's ray, in the order of the scene. By experiment: POV-Ray counts those that a camera does not see, too;
+/// each part of a union by itself; a solid if the operation has an interior, not if its parts alone have; and none outside of the box of its surface.
+class StartInside {
+  public:
+    StartInside(const CompiledScene& scene, const Camera& camera);
+    /// Is no ray of the camera in anything?
+    bool empty() const { return bodies_.empty(); }
+    InteriorStack at(const Vec3& origin) const;
 
-/// The bodies that hold the origin of a camera's ray, in the order of the scene. By experiment: POV-Ray counts those that a camera does not see, too.
-InteriorStack start_inside(const CompiledScene& scene, const Vec3& origin);
+  private:
+    struct Body {
+        uint32_t id = 0;              ///< of an instance, or behind all of them in number a solid
+        Bounds bounds;                ///< of its surface
+        InteriorStack::Entry entry;
+    };
+    bool holds(const Body& body, const Vec3& point) const;
+
+    const CompiledScene& scene_;
+    std::vector<Body> bodies_;        ///< those that may hold the origin of a ray
+};
 
 }  // namespace alidade

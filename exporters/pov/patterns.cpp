@@ -28,7 +28,6 @@ int number_of_waves(const Scene& scene) {
     return 10;
 }
 
-
 size_t PatternWriter::list_length(const PatternSignal& s) {
     static constexpr std::pair<std::string_view, size_t> kLists[] = {{"checker", 2}, {"brick", 2}, {"hexagon", 3}, {"square", 4}, {"triangular", 6}, {"cubic", 6}};
     for (const auto& [name, length] : kLists)

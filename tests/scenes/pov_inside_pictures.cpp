@@ -32,6 +32,9 @@ std::vector<PovPicture> inside_pictures() {
         {"CameraInGlass", seen("sphere { <0,3,-4>, 2 pigment { rgbt <.8,.9,1,.9> } interior { ior 1.2 fade_distance 3 fade_power 1 } } box { <-1,-1,-1>, <1,0,1>" + glass + "rotate y*30 }")},
         {"CameraInGlassInWater", seen("sphere { <0,3,-4>, .5" + glass + "} box { <-5,-1.5,-6>, <5,4,-2> pigment { rgbt <.6,.8,1,.9> } interior { ior 1.33 } } sphere { 0, 1 pigment { rgb 1 } finish { reflection .5 } }")},
         {"OrthographicInGlass", seen("box { <-5,-1.5,-6>, <.2,4,-2> pigment { rgbt <.6,.8,1,.9> } interior { ior 1.33 } } sphere { 0, 1 pigment { rgb 1 } finish { reflection .5 } }", "camera { orthographic location <0,3,-4> look_at 0 }")},
+        {"CameraInAUnionOfGlass", seen("union { sphere { <0,3.1,-4.2>, 1 } box { <-1,2.2,-5>, <1,4,-3.3> } pigment { rgbt <.5,.9,.4,.95> } interior { ior 1.4 } } sphere { 0, 1 pigment { rgb 1 } finish { reflection .5 } }")},
+        {"CameraInASolidOfGlasses", seen("intersection { sphere { <0,3,-4>, 2 pigment { rgbt .9 } interior { ior 1.2 } } box { <-1,2,-5>, <2,4,-3> pigment { rgbt .9 } interior { ior 1.6 } } } sphere { 0, 1 pigment { rgb 1 } finish { reflection .5 } }")},
+        {"CameraInAMovedInverseOfAnInverse", seen("#declare X = cylinder { <-1,3,-4>, <1,4,-3>, .7" + glass + "} object { object { X inverse } inverse } object { mesh { triangle { <-3,0,-6>, <3,0,-6>, <0,6,-6> } triangle { <-3,0,-2>, <3,0,-2>, <0,6,-2> } } inverse" + glass + "}")},
         {"FogAroundClippedSheets", seen("fog { distance 6 rgb <.5,.4,.3> } disc { <1,0,1>, <.8,-.6,.8>, .9 pigment { rgb y } clipped_by { plane { y, 1 } } } merge { box { -.8, .6 inverse } sphere { x, .9 } pigment { rgb <.6,.6,1> } }")},
     };
 }

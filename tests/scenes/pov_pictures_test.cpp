@@ -110,6 +110,29 @@ TEST(PovLenses, AreAsWideAsPovRays) {
     }
 }
 
+/// A ball of glass that holds a part of the lens alone.
+TEST(PovLenses, ALensThatIsAskedForStandsInTheSameGlass) {
+    const Folder folder;
+    std::ofstream(folder / "scene.pov") << "#version 3.7;\nglobal_settings { assumed_gamma 1 }\ncamera { location -4*z look_at 0 focal_point 0 aperture 1 blur_samples 16 variance 0 }\n"
+                                        << "light_source { <5,5,-5> 1 }\nplane { y, -1 pigment { checker rgb 1 rgb x } }\nsphere { <.6,0,-4>, .59 pigment { rgbt .9 } interior { ior 1.3 } }\n";
+    const auto picture = [&](bool pinhole, bool asked) {
+        auto imported = import_scene(folder / "scene.pov", {});
+        EXPECT_TRUE(imported);
+        RenderOptions options;
+        options.width = kWidth, options.height = kHeight, options.threads = 1;
+        double& aperture = imported->scene.cameras[0].aperture;
+        if (asked) options.aperture = aperture;
+        if (pinhole) aperture = 0;
+        Diagnostics said;
+        const auto compiled = compile(std::move(imported->scene), {}, said);
+        EXPECT_TRUE(compiled) << said.text();
+        return render(*compiled, options)->picture.values;
+    };
+    const std::vector<float> own = picture(false, false);
+    EXPECT_EQ(own, picture(true, true));
+    EXPECT_NE(own, picture(true, false));
+}
+
 TEST(PovPictureFiles, ABrokenFileIsAnErrorAtItsName) {
     const Folder folder;
     std::ofstream(folder / "a.png") << "no picture";

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "tracer/occluders.h"
+#include "tracer/start_inside.h"
 #include "tracer/surface.h"
 
 #include <array>
@@ -50,6 +51,7 @@ struct GridScratch {
 /// One thread's view of a render.
 struct Tracing {
     const CompiledScene& scene;
+    const StartInside& around;   ///< the camera
     int max_depth;
     int light_samples;        ///< shadow rays a surface point sends to each light with an extent, and to the sky
     double bailout;           ///< rays whose weight is below it in all channels are not followed (POV-Ray's adc_bailout)

@@ -4,7 +4,6 @@
 #include "tracer/integrators/direct_light.h"
 #include "tracer/pov_sky.h"
 #include "tracer/segment.h"
-#include "tracer/start_inside.h"
 
 namespace alidade {
 namespace {
@@ -37,7 +36,7 @@ template <unsigned F> struct Whitted {
     double length_so_far = 0;   // of the camera ray and its straight continuations through alpha
 
     static Color radiance(Tracing& tracing, const Ray& ray, RayState& state, FirstHit& first) {
-        if (!tracing.scene.around_cameras.empty()) state.inside = start_inside(tracing.scene, ray.origin);
+        if (!tracing.around.empty()) state.inside = tracing.around.at(ray.origin);
         Whitted whitted{tracing, first};
         whitted.trace(ray, state);
         if constexpr (kFollows) {

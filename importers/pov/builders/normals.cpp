@@ -19,13 +19,21 @@ void read_slope_map(Build& build, const Block& block, std::vector<SlopeEntry>& s
     });
 }
 
+SignalId flat_part(Build& build, Place place) {
+    ReliefSignal flat;
+    flat.pattern.pattern = "bumps", flat.amount = 0;
+    return build.add_signal(flat, place);
+}
+
 /// One of several normals, which begins with what the default texture has.
 SignalId part(Build& build, const Block& block, size_t skipped) {
     const SignalId normal = build_normal(build, block, default_texture(build, block.defaults).normal, skipped);
-    if (!is_flat(build, normal)) return normal;
-    ReliefSignal flat;
-    flat.pattern.pattern = "bumps", flat.amount = 0;
-    return build.add_signal(flat, block.place);
+    return is_flat(build, normal) ? flat_part(build, block.place) : normal;
+}
+
+SignalId usual_part(Build& build, const Block& beside) {
+    const std::optional<SignalId> usual = default_texture(build, beside.defaults).normal;
+    return usual && !is_flat(build, *usual) ? *usual : flat_part(build, beside.place);
 }
 
 void read_normal_map(Build& build, const Block& block, std::vector<MapEntry>& map) {
@@ -36,16 +44,19 @@ void read_normal_map(Build& build, const Block& block, std::vector<MapEntry>& ma
     });
 }
 
-/// The normals behind the name of a pattern of blocks, or the depth behind another one's.
+/// The normals behind the name of a pattern of blocks, or the depth behind another one's. Of normals that are missing each is the default one.
 void read_behind_pattern(Build& build, Cursor& at, ReliefSignal& r) {
     const size_t length = list_length(r.pattern);
     r.pattern.map.clear();
+    const Block* last = nullptr;
     while (r.pattern.map.size() < length) {
         const Block* normal = at.block_at("normal"_w);
         if (!normal) break;
         at.next();
         r.pattern.map.push_back({double(r.pattern.map.size()), part(build, *normal, 0)});
+        last = normal;
     }
+    while (last && r.pattern.map.size() < length) r.pattern.map.push_back({double(r.pattern.map.size()), usual_part(build, *last)});
     if (at.at_number()) r.amount = at.number("the depth of a normal");
 }
 

@@ -56,7 +56,7 @@ void take_leading(Build& build, Cursor& at, WordId word, PatternSignal& s) {
     switch (word) {
         case "gradient"_w: return set(s, "", at.vector("the direction of a gradient"));
         case "spiral1"_w:
-        case "spiral2"_w: set(s, "arms", at.number("the number of arms")); return;
+        case "spiral2"_w: set(s, "arms", std::trunc(at.number("the number of arms"))); return;   // `4 -.3` is 3.7
         case "julia"_w: take_complex(at, s); [[fallthrough]];
         case "mandel"_w: set(s, "iterations", at.number("the number of iterations")); return;
         case "waves"_w:

@@ -94,6 +94,7 @@ void read_pigment(Build& build, Cursor& at, Signal& pigment, PatternSignal& loos
             pigment = copy_of(build, id), loose = loose_of(build, id), quick = quick_color_of(build, id);
         } else if (at.at_numeric()) {
             const std::array<double, 5> c = at.colour("a pigment");
+            if (auto* hidden = std::get_if<PatternSignal>(&pigment.what)) loose = std::move(*hidden);   // all but its name is there for another one
             pigment.what = ConstantSignal{Vec4(c[0], c[1], c[2], 1), c[3], c[4]};
         } else if (is_quick_color(at)) {
             if (!at.at_numeric()) continue;
