@@ -28,6 +28,7 @@ struct Draft {
     bool uv_mapped = false;               ///< of the texture that follows
     bool parts_textured = false;          ///< a referenced object brings its own
     bool shows_cuts = false;              ///< cutaway_textures stands around it, which is said of the operation itself
+    bool changed = false;                 ///< a texture or interior stands around it, which takes the place of its own
     const Block* bound = nullptr;         ///< bounded_by, which clipped_by may name
     Transform bound_transform;            ///< of the object, where it stands
 };
@@ -228,7 +229,8 @@ bool object(Build& build, Cursor& at, Draft& d) {
     at.next();
     const std::span<const Item> items = at.block().items;
     d.shows_cuts = d.shows_cuts || std::any_of(items.begin(), items.end(), shows_cuts);
-    if (build.shapes_alone || !(d.shows_cuts || std::any_of(items.begin(), items.end(), changes_surface))) return reference(build, *inner, d);
+    d.changed = d.changed || std::any_of(items.begin(), items.end(), changes_surface);
+    if (build.shapes_alone || !(d.shows_cuts || d.changed)) return reference(build, *inner, d);
     constexpr size_t kMostCopies = 50'000;
     if (build.copying && ++build.copies_of_copies > kMostCopies) build.p.fail_limit(at.block().place, fmt::format("more than {} objects are copied in copies, because their textures or interiors change", kMostCopies));
     const Copying copying(build);

@@ -220,7 +220,7 @@ bool take_layer_part(Build& build, Cursor& at, TextureLayers& layers, const Tran
     if (block->word == "pigment"_w) {
         layer->pigment = here(build_pigment(build, *block, there(start.pigment)));
     } else {
-        layer->normal = here(build_normal(build, *block, start.normal ? std::optional(there(*start.normal)) : std::nullopt));
+        layer->normal = here(build_normal(build, *block, start.normal ? std::optional(there(*start.normal)) : default_texture(build, block->defaults).normal));
     }
     return true;
 }
