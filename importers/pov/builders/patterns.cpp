@@ -102,8 +102,9 @@ bool take_wave(Cursor& at, PatternSignal& s) {
     return false;
 }
 
-/// A wave that a pattern has of its own (wood, marble) stays where another takes its place.
-void keep_wave(PatternSignal& s) {
+/// A wave that a pattern has of its own (wood, marble) takes the place of the one before, and stays where another pattern takes its place.
+void keep_wave(PatternSignal& s, const PatternOps* after) {
+    if (after && after->wave != Wave::ramp) return s.wave.reset();
     const PatternOps* before = s.pattern.empty() ? nullptr : find_pattern(s.pattern);
     if (before && before->wave != Wave::ramp && !s.wave) s.wave = before->wave;
 }
@@ -130,11 +131,11 @@ bool take_pattern(Build& build, Cursor& at, PatternSignal& s, double* depth) {
     if (row ? row->source != SourceKind::none : word != "magnet"_w) return false;
     s.parameters.clear(), s.source.reset(), s.picture.reset();
     s.noise = build.scene.settings.noise;
-    keep_wave(s);
+    keep_wave(s, row);
     if (!row) return take_magnet(build, at, s);
     at.next();
     s.pattern = row->name;
-    if (list_length(s)) s.frequency = row->frequency;   // it stays so for another pattern, too
+    if (row->frequency == 0) s.frequency = 0;   // it stays so for another pattern, too
     take_leading(build, at, word, s);
     return true;
 }
