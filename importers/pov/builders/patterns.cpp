@@ -109,18 +109,25 @@ void keep_wave(PatternSignal& s, const PatternOps* after) {
     if (before && before->wave != Wave::ramp && !s.wave) s.wave = before->wave;
 }
 
+/// One that takes the place of another keeps what was said of that one's noise.
+void choose_noise(const Build& build, PatternSignal& s) {
+    if (s.pattern.empty()) s.noise = build.scene.settings.noise;
+}
+
 }  // namespace
 
 bool take_pattern(Build& build, Cursor& at, PatternSignal& s, double* depth) {
     if (at_picture(at)) {
         const Block& block = *at.any_block();
         at.next();
+        choose_noise(build, s);
         s.pattern = kWords[block.word], s.parameters.clear(), s.source.reset();
         s.picture = build_picture(build, block, depth);
         return true;
     }
     if (const Block* pigment = at.block_at("pigment_pattern"_w)) {
         at.next();
+        choose_noise(build, s);
         s.pattern = "pigment_pattern", s.parameters.clear(), s.picture.reset();
         s.source = build_pigment(build, *pigment, default_texture(build, pigment->defaults).pigment);
         return true;
@@ -130,7 +137,7 @@ bool take_pattern(Build& build, Cursor& at, PatternSignal& s, double* depth) {
     const PatternOps* row = find_pattern(kWords[word]);
     if (row ? row->source != SourceKind::none : word != "magnet"_w) return false;
     s.parameters.clear(), s.source.reset(), s.picture.reset();
-    s.noise = build.scene.settings.noise;
+    choose_noise(build, s);
     keep_wave(s, row);
     if (!row) return take_magnet(build, at, s);
     at.next();
