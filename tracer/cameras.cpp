@@ -46,6 +46,8 @@ CameraRays::CameraRays(const Camera& camera, int width, int height) : camera_(fi
     unit_right_ = normalized(camera_.right), unit_up_ = normalized(camera_.up), unit_normal_ = normalized(cross(camera_.right, camera_.up));
 }
 
+Vec2 CameraRays::bent_at(double x, double y) const { return alidade::bent_at(camera_, x / width_ - 0.5, 0.5 - y / height_); }
+
 Ray CameraRays::at(double x, double y, const Vec2& lens) const {
     if (camera_.projection != Projection::perspective && camera_.projection != Projection::orthographic) return curved_ray(camera_, x / width_ - 0.5, 0.5 - y / height_);
     const Vec3 offset = (x / width_ - 0.5) * camera_.right + (0.5 - y / height_) * camera_.up;

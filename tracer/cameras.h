@@ -24,6 +24,8 @@ class CameraRays {
     /// Through the picture point (x, y) in pixels, from the top left corner; the centre of the first pixel is (0.5, 0.5). The direction is a unit vector.
     /// With a lens, `lens` in [0, 1)^2 chooses the point of it that the ray leaves; all rays of a picture point meet in the plane of focus.
     Ray at(double x, double y, const Vec2& lens = Vec2(0.5)) const;
+    /// Where the camera's normal bends that ray: a point of the plane z = 0.
+    Vec2 bent_at(double x, double y) const;
     bool has_lens() const { return camera_.aperture > 0 && camera_.projection == Projection::perspective; }
 
   private:

@@ -21,25 +21,44 @@ struct Axes {
 };
 
 double angle_of(const Camera& c) { return c.angle * kPi / 180; }
+double vertical_angle_of(const Camera& c) { return c.vertical_angle != 0 ? c.vertical_angle * kPi / 180 : angle_of(c) / 2; }
+
+Vec2 fisheye_film(const Axes& axes, double s, double t) { return {2 * s * axes.wide, 2 * t * axes.high}; }
 
 std::optional<Vec3> fisheye(const Camera& c, const Axes& axes, double s, double t) {
-    const double a = 2 * s * axes.wide, b = 2 * t * axes.high, rho = std::hypot(a, b);
+    const Vec2 film = fisheye_film(axes, s, t);
+    const double rho = length(film);
     if (rho > 1) return std::nullopt;
-    return axes.around(a, b, rho, rho * angle_of(c) / 2);
+    return axes.around(film.x, film.y, rho, rho * angle_of(c) / 2);
+}
+
+/// The point of the film, whose edge is 1 from its centre.
+Vec2 omnimax_film(const Axes& axes, double s, double t) {
+    constexpr double kFilm = 1.283458;       // the film's own aspect ratio
+    const double aspect = axes.wide / axes.high, a = 2 * s, b = 2 * t;
+    if (aspect > kFilm) return {a * (aspect / kFilm), (b - 1) / kFilm + 1};
+    if (aspect > 1) return {a, (b - 1) / aspect + 1};
+    return {a, b / aspect};
+}
+
+/// How far from ahead the omnimax ray is that is `rho` from the film's centre.
+double omnimax_angle(double rho) {
+    const double r2 = rho * rho;
+    return rho * (1.411269 - 0.09439 * r2 + 0.25674 * r2 * r2);
 }
 
 std::optional<Vec3> omnimax(const Axes& axes, double s, double t) {
-    constexpr double kFilm = 1.283458;       // the film's own aspect ratio
-    const double aspect = axes.wide / axes.high;
-    double a = 2 * s, b = 2 * t;
-    if (aspect > kFilm) a *= aspect / kFilm, b = (b - 1) / kFilm + 1;
-    else if (aspect > 1) b = (b - 1) / aspect + 1;
-    else b /= aspect;
-    const double rho = std::hypot(a, b);
+    const Vec2 film = omnimax_film(axes, s, t);
+    const double rho = length(film), theta = omnimax_angle(rho);
     if (rho > 1) return std::nullopt;
-    const double r2 = rho * rho, theta = rho * (1.411269 - 0.09439 * r2 + 0.25674 * r2 * r2);
-    if (rho > 0 && b / rho * std::sin(theta) < -std::cos(theta)) return std::nullopt;
-    return axes.around(a, b, rho, theta);
+    if (rho > 0 && film.y / rho * std::sin(theta) < -std::cos(theta)) return std::nullopt;
+    return axes.around(film.x, film.y, rho, theta);
+}
+
+/// Around the centre from the right, -pi/2 to 3 pi/2, and away from it.
+Vec2 polar(const Vec2& film, double theta) {
+    const double rho = length(film), up = rho > 0 ? std::asin(film.y / rho) : 0;
+    return {film.x < 0 ? kPi - up : up, theta};
 }
 
 /// `v` turned by `angle` about the unit vector `k`. Source   Rodrigues' formula.
@@ -62,8 +81,7 @@ Vec3 origin(const Camera& c, double s, double t) {
 }
 
 Vec3 spherical(const Camera& c, const Axes& axes, double s, double t) {
-    const double high = c.vertical_angle != 0 ? c.vertical_angle * kPi / 180 : angle_of(c) / 2;
-    return turned(turned(axes.ahead, axes.right, -t * high), axes.up, s * angle_of(c));
+    return turned(turned(axes.ahead, axes.right, -t * vertical_angle_of(c)), axes.up, s * angle_of(c));
 }
 
 std::optional<Vec3> direction(const Camera& c, double s, double t) {
@@ -80,6 +98,20 @@ std::optional<Vec3> direction(const Camera& c, double s, double t) {
 }
 
 }  // namespace
+
+Vec2 bent_at(const Camera& c, double s, double t) {
+    const Axes axes(c);
+    const double a = s * angle_of(c);
+    switch (c.projection) {
+        case Projection::fisheye: return polar(fisheye_film(axes, s, t), length(fisheye_film(axes, s, t)) * angle_of(c) / 2);
+        case Projection::omnimax: return polar(omnimax_film(axes, s, t), omnimax_angle(length(omnimax_film(axes, s, t))));
+        case Projection::ultra_wide_angle: return {a, t * angle_of(c) * axes.high / axes.wide};
+        case Projection::panoramic: return {kPi * (0.5 - s), kPi * t};
+        case Projection::cylindrical: return c.cylinder % 2 == 1 ? Vec2(a, t * axes.high) : Vec2(s * axes.wide, t * angle_of(c));
+        case Projection::spherical: return {a, t * vertical_angle_of(c)};
+        default: return {s, t};
+    }
+}
 
 Ray curved_ray(const Camera& camera, double s, double t) {
     Ray ray;

@@ -68,7 +68,7 @@ SampleKey sample_key(const Job& job, int x, int y, uint32_t sample, uint32_t cou
     return {job.sampler, RandomKey(job.options.seed, uint64_t(job.options.frame), index), sample, count};
 }
 
-/// A camera's normal bends its rays as one of a surface at the picture's point would bend that surface's; the picture reaches from -1/2 to 1/2, upwards.
+/// A camera's normal bends its rays as one of a surface would bend that surface's, at a point of the picture.
 /// Source   POV-Ray 3.7 reference, 3.4.2.3.6 "Camera Ray Perturbation"; verified by probing.
 void bend(const Job& job, const Vec2& at, Ray& ray) { ray.dir = normalized(job.scene.textures->bent(*job.normal, PatternFrame{Vec3(at.x, at.y, 0)}, normalized(ray.dir))); }
 
@@ -78,7 +78,7 @@ Color take_ray(const Job& job, Tracing& tracing, const SampleKey& key, double x,
     state.key = key;
     state.time = float(job.options.time);
     Ray ray = job.camera.at(x, y, job.camera.has_lens() ? state.key.pair(Coordinates::lens, kLensDimension) : Vec2(0.5));
-    if (job.normal) bend(job, Vec2(x / job.options.width - 0.5, 0.5 - y / job.options.height), ray);
+    if (job.normal) bend(job, job.camera.bent_at(x, y), ray);
     ray.time = state.time;
     ++tracing.stats.camera_rays;
     FirstHit first;

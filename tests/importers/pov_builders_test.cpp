@@ -202,7 +202,6 @@ TEST_F(PovBuilders, WhatIsWrongWithARainbowOrAProjectorIsSaid) {
     EXPECT_THAT(said("rainbow { angle 3 width 2 }"), HasSubstr("s.pov:1:1: error: a rainbow needs the direction of the sun's light"));
     EXPECT_THAT(said("rainbow { direction y up 2*y width 2 }"), HasSubstr("error: the rainbow's up is the direction of its light"));
     EXPECT_THAT(said("rainbow { direction z falloff_angle 50 arc_angle 40 }"), HasSubstr("error: the falloff_angle of a rainbow is larger than its arc_angle"));
-    EXPECT_THAT(said("camera { fisheye normal { bumps } }"), HasSubstr("the normal of a camera that is neither perspective nor orthographic is not modelled yet"));
     const std::string through = "projected_through { sphere { 0, 1 } } ";
     EXPECT_THAT(said("light_source { y*9, rgb 1 " + through + through + "}"), HasSubstr("error: a light has one projected_through alone"));
     const Scene none = scene("rainbow { direction z angle 40 distance 3 } camera { normal { bump_size 2 } }");

@@ -166,10 +166,6 @@ Camera build_camera(Build& build, const Block& block) {
     Camera& c = words.camera;
     if (!is_flat(c)) set_angles(words, c);
     if (c.normal && is_flat(build, *c.normal)) c.normal.reset();
-    if (c.normal && !is_flat(c)) {
-        build.p.tally(block.place, "the normal of a camera that is neither perspective nor orthographic is not modelled yet: it is left out");
-        c.normal.reset();
-    }
     c.from = build.position(block.place);
     c.fit = Fit::stretch;
     build.scene.settings.lens_noise = c.aperture > 0 ? std::optional(words.noise) : std::nullopt;
