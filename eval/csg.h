@@ -46,6 +46,11 @@ struct CsgExpression {
     std::vector<CsgExpression> parts;
 };
 
+/// Is part `i` of the operation turned inside out if the operation is, or not, for all that stands around it and its own `inverse`?
+inline bool turns_part(const CsgExpression& e, size_t i, bool inverse) {
+    return e.op == CsgOp::clip ? inverse && i == 0 : inverse != (e.op == CsgOp::difference && i > 0);
+}
+
 /// A crossing of the line with a leaf.
 struct CsgCrossing {
     Hit hit;

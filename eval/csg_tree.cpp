@@ -113,10 +113,8 @@ Plain plain(const CsgExpression& e, bool inverse, Mask mask) {
     out.leaf = e.leaf;
     out.mask = mask & e.mask;
     out.inverted = e.op == CsgOp::leaf && inverse && (e.leaf.id == kNoId || e.leaf.inside != CsgInside::nowhere);
-    for (const CsgExpression& part : e.parts) {
-        const bool first = &part == &e.parts.front();
-        const bool turned = e.op == CsgOp::clip ? inverse && first : e.op == CsgOp::difference ? inverse != !first : inverse;
-        Plain made = plain(part, turned, out.mask);
+    for (size_t i = 0; i < e.parts.size(); ++i) {
+        Plain made = plain(e.parts[i], turns_part(e, i, inverse), out.mask);
         if (made.op == out.op && out.op != CsgOp::clip) std::move(made.parts.begin(), made.parts.end(), std::back_inserter(out.parts));
         else out.parts.push_back(std::move(made));
     }

@@ -86,7 +86,7 @@ class SolidQuery::Parts final : public CsgParts {
     /// Fills in what the tree asks of its leaves, and which are turned inside out.
     void describe(CsgExpression& e, bool inverse = false) const {
         inverse = inverse != e.inverse;
-        for (size_t i = 0; i < e.parts.size(); ++i) describe(e.parts[i], e.op == CsgOp::clip ? inverse && i == 0 : inverse != (e.op == CsgOp::difference && i > 0));
+        for (size_t i = 0; i < e.parts.size(); ++i) describe(e.parts[i], turns_part(e, i, inverse));
         if (e.op != CsgOp::leaf || e.leaf.id == kNoId) return;
         PlacedShape& placed = out_.shapes_[e.leaf.id];
         placed.inverted = inverse && !(placed.ops && placed.ops->sheet);

@@ -148,7 +148,7 @@ struct ReliefSignal {
     double amount = 0.5;              ///< how deep it is (`bump_size`)
     double accuracy = 0.02;           ///< how far apart the pattern is looked up for its slope
     bool scaled = true;               ///< the depth is the same however the pattern is scaled; false: no_bump_scale
-    std::vector<SlopeEntry> slopes;   ///< in the order of the file; empty: the pattern's value is the height
+    std::vector<SlopeEntry> slopes;   ///< in the order of the file; empty: the pattern's value is the height. Patterns with a relief of their own have no use for them
 };
 
 /// A user function of (x, y, z); `program` is an index into Scene::functions.

@@ -116,7 +116,7 @@ struct RenderSettings {
     std::optional<int> max_depth;             ///< POV max_trace_level
     double adc_bailout = 1.0 / 255;
     Color ambient_light{1};
-    NoiseGenerator noise = NoiseGenerator::range_corrected;   ///< of the turbulence of fogs and thin films
+    NoiseGenerator noise = NoiseGenerator::range_corrected;   ///< of the turbulence of fogs and thin films, and of patterns that a POV-Ray file gives none
     Color irid_wavelength{0.7, 0.52, 0.48};   ///< of red, green and blue, in units of PovFinish::irid_thickness
     double assumed_gamma = 1;                 ///< colours are powers: linear = colour ^ assumed_gamma
     bool srgb_coded = false;                  ///< instead, colours are sRGB-coded: they are calculated with as they are, and decoded at the end

@@ -55,10 +55,10 @@ std::optional<Vec3> omnimax(const Axes& axes, double s, double t) {
     return axes.around(film.x, film.y, rho, theta);
 }
 
-/// Around the centre from the right, -pi/2 to 3 pi/2, and away from it.
-Vec2 polar(const Vec2& film, double theta) {
+/// Around the film's centre from the right, -pi/2 to 3 pi/2.
+double bearing(const Vec2& film) {
     const double rho = length(film), up = rho > 0 ? std::asin(film.y / rho) : 0;
-    return {film.x < 0 ? kPi - up : up, theta};
+    return film.x < 0 ? kPi - up : up;
 }
 
 /// `v` turned by `angle` about the unit vector `k`. Source   Rodrigues' formula.
@@ -102,9 +102,10 @@ std::optional<Vec3> direction(const Camera& c, double s, double t) {
 Vec2 bent_at(const Camera& c, double s, double t) {
     const Axes axes(c);
     const double a = s * angle_of(c);
+    const Vec2 film = c.projection == Projection::omnimax ? omnimax_film(axes, s, t) : fisheye_film(axes, s, t);
     switch (c.projection) {
-        case Projection::fisheye: return polar(fisheye_film(axes, s, t), length(fisheye_film(axes, s, t)) * angle_of(c) / 2);
-        case Projection::omnimax: return polar(omnimax_film(axes, s, t), omnimax_angle(length(omnimax_film(axes, s, t))));
+        case Projection::fisheye: return {bearing(film), length(film) * angle_of(c) / 2};
+        case Projection::omnimax: return {bearing(film), omnimax_angle(length(film))};
         case Projection::ultra_wide_angle: return {a, t * angle_of(c) * axes.high / axes.wide};
         case Projection::panoramic: return {kPi * (0.5 - s), kPi * t};
         case Projection::cylindrical: return c.cylinder % 2 == 1 ? Vec2(a, t * axes.high) : Vec2(s * axes.wide, t * angle_of(c));

@@ -46,6 +46,7 @@ Vec3 Relief::embossed(const Vec3& place, const Vec3& n) const {
     return n + amount_ * (rise.x * right + rise.y * cross(right, n));
 }
 
+/// A pattern with a relief of its own has no height: slopes do not count, as in POV-Ray.
 Vec3 Relief::bent(const Vec3& place, const Vec3& n) const {
     if (pattern_.is_bump_map()) return embossed(place, n);
     if (pattern_.row().relief) return pattern_.relief(place, n, amount_);
