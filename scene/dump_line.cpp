@@ -64,7 +64,7 @@ void put(std::string& out, PictureCode code) {
 }
 
 void put(std::string& out, PictureValue value) {
-    static constexpr const char* kNames[] = {"grey", "transmission", "palette"};
+    static constexpr const char* kNames[] = {"grey", "transmission", "palette", "number"};
     out += kNames[size_t(value)];
 }
 

@@ -92,8 +92,9 @@ enum class PictureMap { planar, spherical, cylindrical, toroidal };
 enum class PictureFilter { none, bilinear, bicubic, distance };
 /// What a picture's stored numbers are: `told` is what the file says by itself, and where it does not, what stands behind the word.
 enum class PictureCode { stored, told_or_srgb, told_or_stored, srgb, power };
-/// Which of a picture's numbers make a pattern.
-enum class PictureValue { grey, transmission, palette };
+/// Which of a picture's numbers make a pattern. `transmission`: what passes, red without alpha. `palette`: the number of a colour there; without one, the grey.
+/// `number`: the same, but red times 255 without a palette.
+enum class PictureValue { grey, transmission, palette, number };
 
 /// The pattern whose colours are a picture's, without a map.
 inline constexpr const char* kImageMap = "image_map";

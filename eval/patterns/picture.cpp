@@ -142,10 +142,12 @@ SpacePicture::Texel SpacePicture::texel(int x, int y) const {
     out.rgba = Vec4(p[0], p[grey ? 0 : 1], p[grey ? 0 : 2], has_alpha ? 1 - double(p[grey ? 1 : 3]) : 0);
     const size_t color = palette_.empty() ? 0 : palette_[size_t(y) * size_t(picture_.width) + size_t(x)];
     const double shown = truncated_ && !decoded_ ? truncated_grey(p[0]) / 255 : grey ? double(p[0]) : pov_grey(Color(out.rgba));
+    const double red = grey ? shown : double(p[0]);
     switch (how_.value) {
         case PictureValue::grey: out.value = shown; break;
-        case PictureValue::transmission: out.value = out.rgba.w; break;
-        case PictureValue::palette: out.value = palette_.empty() ? std::round((grey ? shown : double(p[0])) * 255) : double(color); break;
+        case PictureValue::transmission: out.value = has_alpha || !palette_.empty() ? out.rgba.w : red; break;
+        case PictureValue::palette: out.value = palette_.empty() ? shown : double(color); break;
+        case PictureValue::number: out.value = palette_.empty() ? red * 255 : double(color); break;
     }
     const Clear& more = clear_[color];
     out.filter = more.filter;
@@ -153,7 +155,15 @@ SpacePicture::Texel SpacePicture::texel(int x, int y) const {
     return out;
 }
 
+/// Numbers are whole also between pixels.
 SpacePicture::Texel SpacePicture::sampled(const Vec2& at) const {
+    Texel out = between(at);
+    constexpr double kRounding = 1e-6;
+    if (how_.value == PictureValue::number || (how_.value == PictureValue::palette && !palette_.empty())) out.value = std::floor(out.value + kRounding);
+    return out;
+}
+
+SpacePicture::Texel SpacePicture::between(const Vec2& at) const {
     if (how_.filter == PictureFilter::none) return texel(int(std::floor(at.x)), int(std::floor(at.y)));
     // Centres of pixels are at halves.
     const int i = int(std::floor(at.x - 0.5)), j = int(std::floor(at.y - 0.5)), more = how_.filter == PictureFilter::bicubic ? 1 : 0;

@@ -39,6 +39,7 @@ class SpacePicture {
     std::optional<Vec2> pixel(const Vec3& place) const;
     Texel texel(int x, int y) const;
     Texel sampled(const Vec2& at) const;
+    Texel between(const Vec2& at) const;
     void decode(StoredPicture& stored, const RenderSettings& settings);
     void set_clearings(std::vector<uint8_t> palette);
 

@@ -27,7 +27,7 @@ bool is_jpeg(const std::string& bytes) { return picture_format(bytes).ending == 
 /// What POV-Ray calls the format of a file of this name.
 const char* format_word(const std::string& name) {
     static constexpr std::pair<std::string_view, const char*> kWords[] = {{".jpg", "jpeg"}, {".jpeg", "jpeg"}, {".ppm", "ppm"}, {".pgm", "pgm"}, {".tga", "tga"}, {".gif", "gif"},
-                                                                          {".tif", "tiff"}, {".tiff", "tiff"}, {".exr", "exr"}, {".hdr", "hdr"}, {".bmp", "sys"}, {".iff", "iff"}};
+                                                                          {".tif", "tiff"}, {".tiff", "tiff"}, {".exr", "exr"}, {".hdr", "hdr"}, {".bmp", "bmp"}, {".iff", "iff"}};
     for (const auto& [ending, word] : kWords)
         if (name.ends_with(ending)) return word;
     return "png";
@@ -269,7 +269,7 @@ bool ImageWriter::pattern(const std::string& word, const PatternPicture& p, cons
     if (p.filter != PictureFilter::none) sdl_.line("interpolate", kFilters[size_t(p.filter)]);
     if (p.once) sdl_.line("once");
     if (p.value == PictureValue::transmission) sdl_.line("use_alpha");
-    if (p.value == PictureValue::palette && !more) sdl_.line("use_index");
+    if (p.value == PictureValue::palette) sdl_.line("use_index");
     for (const PatternPicture::Clearing& c : p.clearings) {
         const std::string which = c.color ? fmt::format("{},", *c.color) : "all";
         if (c.filter != 0) sdl_.line("filter", which, c.filter);

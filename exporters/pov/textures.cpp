@@ -104,7 +104,7 @@ void TextureWriter::layer(const PovTextureMap& m) {
     sdl_.begin("texture");
     if (!pattern) {
         use(m.textures.front());
-    } else if (pattern->picture && pattern->picture->value == PictureValue::palette) {
+    } else if (pattern->picture && pattern->picture->value == PictureValue::number) {
         material_map(m, *pattern);
     } else {
         patterns_.pattern_head(*pattern);

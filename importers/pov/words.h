@@ -20,7 +20,7 @@ inline constexpr std::string_view kWords[] = {
     "all_intersections", "alpha", "altitude", "always_sample", "ambient", "ambient_light", "angle", "aoi", "aperture", "append", "arc_angle",
     "area_illumination", "area_light", "array", "asc", "ascii", "asin", "asinh", "assumed_gamma", "atan", "atan2", "atanh", "autostop", "average",
     "b_spline", "background", "bezier_spline", "bicubic_patch", "bitwise_and", "bitwise_or", "bitwise_xor", "black_hole", "blob", "blue",
-    "blur_samples", "bokeh", "bounded_by", "box", "boxed", "bozo", "break", "brick", "brick_size", "brightness", "brilliance", "bump_map",
+    "blur_samples", "bmp", "bokeh", "bounded_by", "box", "boxed", "bozo", "break", "brick", "brick_size", "brightness", "brilliance", "bump_map",
     "bump_size", "bumps", "camera", "case", "caustics", "ceil", "cells", "charset", "checker", "chr", "circular", "clipped_by", "clock",
     "clock_delta", "clock_on", "collect", "color", "color_map", "colour", "colour_map", "component", "composite", "concat", "cone", "confidence",
     "conic_sweep", "conserve_energy", "contained_by", "control0", "control1", "coords", "cos", "cosh", "count", "crackle", "crand", "cube", "cubic",

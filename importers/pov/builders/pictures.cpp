@@ -16,7 +16,7 @@ struct Format {
     const char* ending;
     bool encoded = true;
 };
-constexpr Format kFormats[] = {{"png"_w, ".png"}, {"jpeg"_w, ".jpg"}, {"gif"_w, ".gif"}, {"tga"_w, ".tga"}, {"iff"_w, ".iff"}, {"sys"_w, ".bmp"},
+constexpr Format kFormats[] = {{"png"_w, ".png"}, {"jpeg"_w, ".jpg"}, {"gif"_w, ".gif"}, {"tga"_w, ".tga"}, {"iff"_w, ".iff"}, {"bmp"_w, ".bmp"}, {"sys"_w, ".bmp"},
                                {"ppm"_w, ".ppm", false}, {"pgm"_w, ".pgm", false}, {"tiff"_w, ".tif", false}, {"exr"_w, ".exr"}, {"hdr"_w, ".hdr"}};
 
 /// Without a word it is what POV-Ray writes if nothing else is asked for.
@@ -83,8 +83,9 @@ void take_clearing(Cursor& at, bool filters, PatternPicture& out) {
     out.clearings.push_back(c);
 }
 
-/// What may stand behind the file's name; false where nothing of it stands.
+/// What may stand behind the file's name; false where nothing of it stands. Of the patterns, those of normals alone can be of a palette's numbers.
 bool take_modifier(Build& build, Cursor& at, PatternPicture& out, double* depth) {
+    const bool numbered = at.block().word == "bump_map"_w;
     if (at.accept("gamma"_w)) take_gamma(build, at, out);
     else if (at.accept("premultiplied"_w)) out.premultiplied = at.flag();
     else if (at.accept("map_type"_w)) take_map(build, at, out);
@@ -93,7 +94,7 @@ bool take_modifier(Build& build, Cursor& at, PatternPicture& out, double* depth)
     else if (at.accept("filter"_w)) take_clearing(at, true, out);
     else if (at.accept("transmit"_w)) take_clearing(at, false, out);
     else if (at.accept("use_alpha"_w)) out.value = PictureValue::transmission;
-    else if (at.accept("use_index"_w)) out.value = PictureValue::palette;
+    else if (at.accept("use_index"_w)) out.value = numbered ? PictureValue::palette : out.value;
     else if (at.accept("use_color"_w) || at.accept("use_colour"_w)) out.value = PictureValue::grey;
     else if (depth && at.accept("bump_size"_w)) *depth = at.number("the depth of a normal");
     else return false;

@@ -87,7 +87,7 @@ void read_material_map(Build& build, const Block& block, Draft& d) {
     Cursor at(build, block);
     d.pattern.pattern = "image_pattern", d.pattern.parameters.clear();
     d.pattern.picture = take_picture(build, at);
-    d.pattern.picture->value = PictureValue::palette;
+    d.pattern.picture->value = PictureValue::number;
     d.pattern.map.clear(), d.textures.clear();
     std::vector<MaterialId> list;
     while (!at.done()) {
