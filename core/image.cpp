@@ -57,7 +57,11 @@ Result<Stored> decode_stored(std::span<const std::byte> bytes) {
     if (bytes.empty()) return tl::unexpected(std::string("the picture is empty"));
     for (const Format& f : formats())
         for (const std::string_view magic : f.magic)
-            if (starts_with(bytes, magic)) return f.decode(bytes);
+            if (starts_with(bytes, magic)) {
+                Result<Stored> stored = f.decode(bytes);
+                if (stored) stored->format = std::string_view(f.ending).substr(1);
+                return stored;
+            }
     return image::decode_by_module(bytes);
 }
 

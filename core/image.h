@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <span>
 #include <string>
+#include <string_view>
 #include <tl/expected.hpp>
 #include <vector>
 
@@ -44,8 +45,9 @@ struct StoredPicture {
     uint32_t levels = 0;   ///< values are k / levels with k = 0 .. levels; 0: they are floats
     double gamma = 0;      ///< of a PNG that says by a gAMA chunk, without an sRGB chunk: stored = linear ^ gamma; 0: it does not say
     bool srgb = false;     ///< of a PNG that has an sRGB chunk
-    std::vector<uint8_t> palette = {};   ///< of a PNG with a palette: the number of each pixel's colour
+    std::vector<uint8_t> palette = {};   ///< of a PNG or GIF with a palette: the number of each pixel's colour
     std::vector<std::string> left_out = {};   ///< what else the file says, and is not in `picture`: a clause each
+    std::string_view format = {};   ///< "png", "gif" ..., by the file's magic bytes
 };
 tl::expected<StoredPicture, std::string> read_stored_picture(const std::string& path);
 /// The same for a picture held in memory.

@@ -117,6 +117,15 @@ float* allocate(AlidadeImageCall* call, const AlidadeImageInfo* info) try {
     return nullptr;
 }
 
+uint8_t* make_numbers(AlidadeImageCall* call) try {
+    Stored& stored = static_cast<Decoding*>(call->context)->stored;
+    stored.palette.resize(size_t(stored.picture.width) * size_t(stored.picture.height));
+    return stored.palette.data();
+} catch (const std::bad_alloc&) {
+    std::snprintf(call->error, sizeof call->error, "not enough memory");
+    return nullptr;
+}
+
 int keep_file(AlidadeImageCall* call, const void* bytes, size_t size) try {
     const auto* begin = static_cast<const std::byte*>(bytes);
     static_cast<Bytes*>(call->context)->assign(begin, begin + size);
@@ -139,8 +148,9 @@ Result<Stored> decode_by_module(std::span<const std::byte> bytes) {
     if (!opened) return tl::unexpected(opened.error());
     Decoding decoding;
     decoding.file_bytes = bytes.size();
-    AlidadeImageCall call{&decoding, allocate, nullptr, ""};
+    AlidadeImageCall call{&decoding, allocate, make_numbers, nullptr, ""};
     if (!(*opened)->decode(format, bytes.data(), bytes.size(), &call)) return tl::unexpected(fmt::format("broken {}: {}", format, call.error));
+    decoding.stored.format = format;
     return std::move(decoding.stored);
 }
 
@@ -160,7 +170,7 @@ Result<Bytes> encode_by_module(const Picture& picture, const std::string& ending
     const char* const names[] = {"R", "G", "B", "A"};
     const AlidadeImageInfo info{uint32_t(picture.width), uint32_t(picture.height), with_alpha ? 4u : 3u, target->floats ? 0u : 8u, names, 0, 1};
     Bytes bytes;
-    AlidadeImageCall call{&bytes, nullptr, keep_file, ""};
+    AlidadeImageCall call{&bytes, nullptr, nullptr, keep_file, ""};
     const auto encode = [&](const void* pixels) { return (*opened)->encode(target->format, &info, pixels, &call); };
     const bool done = target->floats ? encode(straight_colors(picture, colors, with_alpha).data()) : encode(encode_8bit(picture, colors, with_alpha).data());
     if (!done) return tl::unexpected(std::string(call.error));

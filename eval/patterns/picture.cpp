@@ -63,7 +63,7 @@ tl::expected<SpacePicture, std::string> SpacePicture::make(const PatternPicture&
     stored->picture = std::move(*colors);
     SpacePicture out;
     out.how_ = how;
-    out.truncated_ = stored->levels == 255 && stored->picture.channels == 1;
+    out.truncated_ = stored->format == "png" && stored->levels == 255 && stored->picture.channels == 1;   // of other formats, POV-Ray has colours
     out.decode(*stored, settings);
     out.set_clearings(std::move(stored->palette));
     out.picture_ = std::move(stored->picture);
@@ -155,7 +155,7 @@ SpacePicture::Texel SpacePicture::texel(int x, int y) const {
     return out;
 }
 
-/// Numbers are whole also between pixels.
+/// Numbers are whole also between pixels. Where all pixels around are alike, POV-Ray's rounding makes it the next lower one at some points.
 SpacePicture::Texel SpacePicture::sampled(const Vec2& at) const {
     Texel out = between(at);
     constexpr double kRounding = 1e-6;

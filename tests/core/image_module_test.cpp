@@ -194,6 +194,44 @@ TEST_F(ModuleFiles, TruncatedOrDamagedIsAnErrorOrAPicture) {
     }
 }
 
+/// 3 x 5 pixels of numbers below 4, in rows as the file has them, at the corner of a screen. Its codes have 8 bits each.
+std::string small_gif(std::string numbers, bool interlaced, char screen_width = 3) {
+    const std::string colours("\1\2\3\x40\x50\x60\x90\xa0\xb0\xf0\xe0\xd0", 12);
+    const std::string frame = std::string(",\0\0\0\0\3\0\5\0", 9) + char(interlaced ? 0x40 : 0) + "\x07" + char(numbers.size() + 2) + "\x80" + numbers + "\x81" + std::string(1, '\0');
+    return "GIF89a" + std::string{screen_width, '\0', '\5', '\0', char(0xf1), '\0', '\0'} + colours + frame + frame + ";";
+}
+
+StoredPicture decoded(const std::string& bytes) {
+    auto stored = decode_stored_picture(std::as_bytes(std::span(bytes)));
+    EXPECT_TRUE(stored) << stored.error();
+    return stored ? std::move(*stored) : StoredPicture();
+}
+
+TEST(ModuleGif, GivesTheNumbersOfThePalette) {
+    const std::string rows("\0\1\2\3\0\1\2\3\0\1\1\1\3\2\0", 15);
+    const std::string interlaced = rows.substr(0, 3) + rows.substr(12, 3) + rows.substr(6, 3) + rows.substr(3, 3) + rows.substr(9, 3);   // rows 0 4 2 1 3
+    const std::vector<uint8_t> numbers(rows.begin(), rows.end());
+    for (const StoredPicture& stored : {decoded(small_gif(rows, false)), decoded(small_gif(interlaced, true))}) {
+        EXPECT_EQ(stored.format, "gif");
+        ASSERT_EQ(stored.palette, numbers);
+        constexpr int kReds[] = {1, 0x40, 0x90, 0xf0};
+        for (int i = 0; i < 15; ++i) EXPECT_FLOAT_EQ(stored.picture.at(i % 3, i / 3)[0] * 255, float(kReds[numbers[size_t(i)]])) << i;
+    }
+    EXPECT_TRUE(decoded(small_gif(rows, false, 4)).palette.empty()) << "the picture does not fill the screen";
+}
+
+TEST(ModuleGif, DamagedHasAllNumbersOrNone) {
+    std::mt19937 random(1);
+    const std::string whole = small_gif(std::string(15, '\2'), false);
+    for (size_t round = 0; round < 3000; ++round) {
+        std::string damaged = round < whole.size() ? whole.substr(0, round) : whole;
+        for (size_t i = whole.size(); i < round; i += 500) damaged[6 + random() % (damaged.size() - 6)] = char(random());
+        const auto stored = decode_stored_picture(std::as_bytes(std::span(damaged)));
+        const size_t pixels = stored ? size_t(stored->picture.width) * size_t(stored->picture.height) : 0;
+        ASSERT_TRUE(!stored || stored->palette.empty() || stored->palette.size() == pixels) << round;
+    }
+}
+
 /// Where the module is missing, the error says what is missing and where it was looked for.
 TEST(MissingModule, IsNamed) {
     const auto without_module = [] {

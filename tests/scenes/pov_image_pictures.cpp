@@ -84,6 +84,12 @@ std::vector<PovPicture> image_pictures() {
                                  "texture { image_pattern { png \"plain.png\" } texture_map { [.3 A] [.7 B] } }, texture { image_pattern { png \"alpha.png\" use_alpha } texture_map { [0 A] [1 B] } scale .5 }, texture { uv_mapping image_pattern { png \"plain.png\" interpolate 2 } texture_map { [.3 A] [.7 B] } }, "
                                  "texture { material_map { png \"palette.png\" texture { A } texture { B } } }, texture { material_map { png \"palette.png\" map_type 1 texture { A } texture { B } texture { pigment { rgb z } } } scale .5 }, texture { material_map { png \"plain.png\" texture { A } texture { B } texture { pigment { rgb z } } } }, texture { B }, texture { A }, texture { B }, texture { A }, texture { pigment { image_map { png \"alpha.png\" } } scale .5 }, texture { uv_mapping pigment { image_map { png \"plain.png\" } } rotate 20*z }",
                                  "sphere { 0, .9 texture", "")},
+        {"ImageNumbers", twelve(kCorrected + "#declare A = texture { pigment { rgb x } } #declare B = texture { pigment { checker rgb 1 rgb y scale .2 } } #declare C = texture { pigment { rgb z } }\n",
+                                "texture { material_map { gif \"palette.gif\" texture { A } texture { B } texture { C } } }, texture { material_map { gif \"palette.gif\" map_type 2 texture { A } texture { B } texture { C } } }, texture { material_map { pgm \"grey.pgm\" texture { A } texture { B } texture { C } } }, "
+                                "texture { material_map { png \"plain.png\" map_type 1 texture { A } texture { B } texture { C } } }, texture { material_map { gif \"palette.gif\" once texture { A } texture { B } } }, texture { pigment { image_map { gif \"palette.gif\" } } }, "
+                                "texture { pigment { image_map { gif \"palette.gif\" filter 0, .7 transmit 2, .5 } } }, texture { pigment { image_map { gif \"palette.gif\" interpolate 2 transmit 1, .2 } } }, texture { pigment { image_pattern { gif \"palette.gif\" use_index } } }, "
+                                "texture { pigment { image_pattern { png \"plain.png\" use_alpha } } }, texture { pigment { image_pattern { pgm \"grey.pgm\" use_alpha interpolate 2 } } }, texture { pigment { image_pattern { pgm \"grey.pgm\" } } normal { bump_map { png \"plain.png\" use_index bump_size 2 } } finish { ambient .2 diffuse .6 } }",
+                                "box { -.8, .8 texture", "")},
         {"UvMapping", uv_scene()},
         {"CornerTextures", corner_scene()},
     };

@@ -128,6 +128,15 @@ TEST(TextureReads, AreTexels) {
     EXPECT_EQ(reads_of([&] { sky.radiance({0, 1, 0}); }), 1u);
 }
 
+TEST(SpacePictures, NumbersAreWholeBetweenPixels) {
+    const Image image{"step", "", pgm(2, 1, {10, 21}), {}};
+    PatternPicture how;
+    how.filter = PictureFilter::bilinear, how.value = PictureValue::number;
+    const auto picture = SpacePicture::make(how, image, {});
+    ASSERT_TRUE(picture);
+    for (int i = 0; i <= 40; ++i) EXPECT_EQ(picture->value({0.25 + 0.0125 * i, 0.5, 0}), std::floor(10 + 11 * i / 40.0 + 1e-6)) << i;
+}
+
 /// A square before the camera: a lookup of four texels for each sample that hits it, however many threads there are. Without a texture, none.
 TEST(TextureReads, OfAPictureAreThoseOfItsSamples) {
     for (const bool textured : {true, false}) {
