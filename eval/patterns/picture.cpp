@@ -189,7 +189,9 @@ PigmentColor SpacePicture::color(const Vec3& place) const {
 
 double SpacePicture::value(const Vec3& place) const {
     const auto at = pixel(place);
-    return at ? sampled(*at).value : 0;
+    if (!at) return 0;
+    const double value = sampled(*at).value;
+    return how_.value == PictureValue::number ? value : std::clamp(value, 0.0, 1.0);   // the cubic goes beyond both
 }
 
 Vec2 SpacePicture::rise(const Vec3& place) const {

@@ -137,6 +137,23 @@ TEST(SpacePictures, NumbersAreWholeBetweenPixels) {
     for (int i = 0; i <= 40; ++i) EXPECT_EQ(picture->value({0.25 + 0.0125 * i, 0.5, 0}), std::floor(10 + 11 * i / 40.0 + 1e-6)) << i;
 }
 
+/// Catmull and Rom's cubic goes beyond the values beside a step.
+TEST(SpacePictures, PatternsStayWithinTheirValues) {
+    const Image image{"step", "", pgm(6, 1, {0, 0, 255, 255, 0, 0}), {}};
+    PatternPicture how;
+    how.filter = PictureFilter::bicubic;
+    const auto picture = SpacePicture::make(how, image, {});
+    ASSERT_TRUE(picture);
+    int beyond = 0;
+    for (int i = 0; i < 100; ++i) {
+        const Vec3 place(i / 100.0, 0.5, 0);
+        beyond += picture->color(place).color.x < 0;
+        EXPECT_GE(picture->value(place), 0);
+        EXPECT_LE(picture->value(place), 1);
+    }
+    EXPECT_GT(beyond, 5) << "colours do go beyond";
+}
+
 /// A square before the camera: a lookup of four texels for each sample that hits it, however many threads there are. Without a texture, none.
 TEST(TextureReads, OfAPictureAreThoseOfItsSamples) {
     for (const bool textured : {true, false}) {
