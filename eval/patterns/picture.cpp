@@ -64,6 +64,7 @@ tl::expected<SpacePicture, std::string> SpacePicture::make(const PatternPicture&
     SpacePicture out;
     out.how_ = how;
     out.truncated_ = stored->format == "png" && stored->levels == 255 && stored->picture.channels == 1;   // of other formats, POV-Ray has colours
+    out.transmits_red_ = stored->format != "tiff" && stored->palette.empty();
     out.decode(*stored, settings);
     out.set_clearings(std::move(stored->palette));
     out.picture_ = std::move(stored->picture);
@@ -145,7 +146,7 @@ SpacePicture::Texel SpacePicture::texel(int x, int y) const {
     const double red = grey ? shown : double(p[0]);
     switch (how_.value) {
         case PictureValue::grey: out.value = shown; break;
-        case PictureValue::transmission: out.value = has_alpha || !palette_.empty() ? out.rgba.w : red; break;
+        case PictureValue::transmission: out.value = has_alpha || !transmits_red_ ? out.rgba.w : red; break;
         case PictureValue::palette: out.value = palette_.empty() ? shown : double(color); break;
         case PictureValue::number: out.value = palette_.empty() ? red * 255 : double(color); break;
     }

@@ -50,6 +50,7 @@ class SpacePicture {
         std::optional<double> transmit;
     };
     bool decoded_ = false;                ///< the curve is not that of the file
+    bool transmits_red_ = false;          ///< PictureValue::transmission of a picture without alpha
     bool truncated_ = false;              ///< what is calculated is cut to 8 bits: of a grey PNG of 8 bits
     std::vector<uint8_t> palette_;        ///< of each pixel; empty where the file has none
     std::array<Clear, 256> clear_{};      ///< by colour of the palette; the first alone without one

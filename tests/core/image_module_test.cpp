@@ -194,11 +194,13 @@ TEST_F(ModuleFiles, TruncatedOrDamagedIsAnErrorOrAPicture) {
     }
 }
 
-/// 3 x 5 pixels of numbers below 4, in rows as the file has them, at the corner of a screen. Its codes have 8 bits each.
-std::string small_gif(std::string numbers, bool interlaced, char screen_width = 3) {
-    const std::string colours("\1\2\3\x40\x50\x60\x90\xa0\xb0\xf0\xe0\xd0", 12);
-    const std::string frame = std::string(",\0\0\0\0\3\0\5\0", 9) + char(interlaced ? 0x40 : 0) + "\x07" + char(numbers.size() + 2) + "\x80" + numbers + "\x81" + std::string(1, '\0');
-    return "GIF89a" + std::string{screen_width, '\0', '\5', '\0', char(0xf1), '\0', '\0'} + colours + frame + frame + ";";
+/// 3 x 5 pixels of numbers below 4. Codes of 8 bits each, which they have as long as the decoder's table is not full.
+std::string gif_frame(const std::string& numbers, bool interlaced, const std::string& local_colors = "") {
+    const int flags = (interlaced ? 0x40 : 0) | (local_colors.empty() ? 0 : 0x81);
+    return std::string(",\0\0\0\0\3\0\5\0", 9) + char(flags) + local_colors + "\x07" + char(numbers.size() + 2) + "\x80" + numbers + "\x81" + std::string(1, '\0');
+}
+std::string gif_of(const std::string& frames, char screen_width = 3) {
+    return "GIF89a" + std::string{screen_width, '\0', '\5', '\0', char(0xf1), '\0', '\0'} + std::string("\1\2\3\x40\x50\x60\x90\xa0\xb0\xf0\xe0\xd0", 12) + frames + ";";
 }
 
 StoredPicture decoded(const std::string& bytes) {
@@ -207,28 +209,53 @@ StoredPicture decoded(const std::string& bytes) {
     return stored ? std::move(*stored) : StoredPicture();
 }
 
-TEST(ModuleGif, GivesTheNumbersOfThePalette) {
-    const std::string rows("\0\1\2\3\0\1\2\3\0\1\1\1\3\2\0", 15);
-    const std::string interlaced = rows.substr(0, 3) + rows.substr(12, 3) + rows.substr(6, 3) + rows.substr(3, 3) + rows.substr(9, 3);   // rows 0 4 2 1 3
-    const std::vector<uint8_t> numbers(rows.begin(), rows.end());
-    for (const StoredPicture& stored : {decoded(small_gif(rows, false)), decoded(small_gif(interlaced, true))}) {
+const std::string kRows("\0\1\2\3\0\1\2\3\0\1\1\1\3\2\0", 15);
+const std::string kInterlacedRows = kRows.substr(0, 3) + kRows.substr(12, 3) + kRows.substr(6, 3) + kRows.substr(3, 3) + kRows.substr(9, 3);   // 0 4 2 1 3
+
+TEST(ModuleGif, GivesNumbersAndColorsOfTheFirstPicture) {
+    const std::vector<uint8_t> numbers(kRows.begin(), kRows.end());
+    const std::string other = gif_frame(std::string(15, '\3'), false), local("\x10\2\3\x20\x50\x60\x30\xa0\xb0\x50\xe0\xd0", 12);
+    const std::string told = std::string("\x21\xfe\3abc\0", 7) + std::string("\x21\xf9\4\1\0\0\2\0", 8);   // a comment; number 2 is transparent
+    const struct {
+        std::string frames;
+        std::array<int, 4> reds;
+        int clear;
+    } cases[] = {{gif_frame(kRows, false) + other, {1, 0x40, 0x90, 0xf0}, -1},
+                 {gif_frame(kInterlacedRows, true) + other, {1, 0x40, 0x90, 0xf0}, -1},
+                 {gif_frame(kRows, false, local) + other, {0x10, 0x20, 0x30, 0x50}, -1},
+                 {told + gif_frame(kRows, false), {1, 0x40, 0x90, 0xf0}, 2}};
+    for (const auto& c : cases) {
+        const StoredPicture stored = decoded(gif_of(c.frames));
         EXPECT_EQ(stored.format, "gif");
         ASSERT_EQ(stored.palette, numbers);
-        constexpr int kReds[] = {1, 0x40, 0x90, 0xf0};
-        for (int i = 0; i < 15; ++i) EXPECT_FLOAT_EQ(stored.picture.at(i % 3, i / 3)[0] * 255, float(kReds[numbers[size_t(i)]])) << i;
+        ASSERT_EQ(stored.picture.channels, 4);
+        for (int i = 0; i < 15; ++i) {
+            const int number = numbers[size_t(i)];
+            EXPECT_FLOAT_EQ(stored.picture.at(i % 3, i / 3)[0] * 255, float(c.reds[size_t(number)])) << i;
+            EXPECT_EQ(stored.picture.at(i % 3, i / 3)[3], number == c.clear ? 0 : 1) << i;
+        }
     }
-    EXPECT_TRUE(decoded(small_gif(rows, false, 4)).palette.empty()) << "the picture does not fill the screen";
+    EXPECT_TRUE(decoded(gif_of(gif_frame(kRows, false), 4)).palette.empty()) << "the picture does not fill the screen";
 }
 
+/// Equal numbers have equal colours, or there are none; nor are there any of a picture that is not whole.
 TEST(ModuleGif, DamagedHasAllNumbersOrNone) {
     std::mt19937 random(1);
-    const std::string whole = small_gif(std::string(15, '\2'), false);
+    const std::string whole = gif_of(gif_frame(kRows, false));
+    const size_t last_number = whole.size() - 4;
     for (size_t round = 0; round < 3000; ++round) {
         std::string damaged = round < whole.size() ? whole.substr(0, round) : whole;
         for (size_t i = whole.size(); i < round; i += 500) damaged[6 + random() % (damaged.size() - 6)] = char(random());
         const auto stored = decode_stored_picture(std::as_bytes(std::span(damaged)));
-        const size_t pixels = stored ? size_t(stored->picture.width) * size_t(stored->picture.height) : 0;
-        ASSERT_TRUE(!stored || stored->palette.empty() || stored->palette.size() == pixels) << round;
+        if (!stored || stored->palette.empty()) continue;
+        ASSERT_GE(round, last_number) << "of a part of the file";
+        std::array<const float*, 256> seen{};
+        for (size_t i = 0; i < stored->palette.size(); ++i) {
+            const float* const here = &stored->picture.values[i * size_t(stored->picture.channels)];
+            const float*& first = seen[stored->palette[i]];
+            if (!first) first = here;
+            ASSERT_TRUE(std::equal(here, here + 3, first)) << round;
+        }
     }
 }
 

@@ -94,7 +94,7 @@ bool take_modifier(Build& build, Cursor& at, PatternPicture& out, double* depth)
     else if (at.accept("filter"_w)) take_clearing(at, true, out);
     else if (at.accept("transmit"_w)) take_clearing(at, false, out);
     else if (at.accept("use_alpha"_w)) out.value = PictureValue::transmission;
-    else if (at.accept("use_index"_w)) out.value = numbered ? PictureValue::palette : out.value;
+    else if (at.accept("use_index"_w)) out.value = numbered ? PictureValue::palette : PictureValue::grey;
     else if (at.accept("use_color"_w) || at.accept("use_colour"_w)) out.value = PictureValue::grey;
     else if (depth && at.accept("bump_size"_w)) *depth = at.number("the depth of a normal");
     else return false;
