@@ -4,6 +4,7 @@
 #include "importers/pov/expressions.h"
 #include "importers/pov/macros.h"
 
+#include <array>
 #include <fmt/format.h>
 
 namespace alidade::pov {
@@ -22,6 +23,16 @@ void obey_message(Parser& p, const Token& directive) {
     }
 }
 
+/// `#max_trace_level 5` of old scenes: a `global_settings { max_trace_level 5 }`.
+void obey_setting(Parser& p, const Token& directive) {
+    std::array<Item, 2> items;
+    items[0].word = directive.directive.word, items[0].place = directive.place();
+    items[1].kind = Item::Kind::value, items[1].place = directive.place(), items[1].value = Value::number(parse_float(p));
+    const Ref<Block> block = Block::of(items, p.items);
+    block->word = "global_settings"_w, block->place = directive.place(), block->version = float(p.version);
+    p.globals.push_back(Value::of(Kind::block, block));
+}
+
 }  // namespace
 
 void obey(Parser& p, const Token& directive) {
@@ -35,9 +46,7 @@ void obey(Parser& p, const Token& directive) {
         case "fopen"_w: case "fclose"_w: case "read"_w: case "write"_w: return obey_file_directive(p, directive);
         case "if"_w: case "ifdef"_w: case "ifndef"_w: case "else"_w: case "elseif"_w: case "end"_w: case "while"_w: case "for"_w: case "switch"_w:
         case "case"_w: case "range"_w: case "break"_w: return obey_control(p, directive, index);
-        case "max_trace_level"_w: case "max_intersections"_w:
-            parse_float(p);
-            return p.warn(directive.place(), fmt::format("#{} is not obeyed: it belongs into global_settings", kWords[directive.directive.word]));
+        case "max_trace_level"_w: case "max_intersections"_w: return obey_setting(p, directive);
         default: p.fail(directive.place(), fmt::format("there is no directive #{}", kWords[directive.directive.word]));
     }
 }

@@ -25,7 +25,10 @@ class Reader {
             p_.open_scene(path, std::move(text));
             for (const std::string& declaration : p_.options.declarations) declare(declaration);
         });
-        while (!done_ && p_.said.errors() < kMostErrors && failures_ < kMostFailures) attempt([&] { statement(); });
+        while (!done_ && p_.said.errors() < kMostErrors && failures_ < kMostFailures) {
+            attempt([&] { statement(); });
+            take_settings();
+        }
         if (const auto failed = p_.files.flush()) p_.said.error({}, fmt::format("the file {} cannot be written", *failed));
         for (const auto& [place, block] : p_.defaults) program_.defaults.push_back(block);
         program_.version = p_.version, program_.version_given = p_.version_given;
@@ -62,7 +65,8 @@ class Reader {
 
     /// Some directives are obeyed without their #, as by POV-Ray.
     bool is_old_directive(const Token& token) const {
-        return token.is_word("default"_w) || token.is_word("declare"_w) || token.is_word("include"_w) || (token.is_word("version"_w) && !p_.peek().is('{'));
+        const bool setting = token.is_word("version"_w) || token.is_word("max_trace_level"_w) || token.is_word("max_intersections"_w);
+        return token.is_word("default"_w) || token.is_word("declare"_w) || token.is_word("include"_w) || (setting && !p_.peek().is('{'));
     }
     void obey_old(const Token& word) {
         Token directive = word;
@@ -84,8 +88,18 @@ class Reader {
         item.kind = Item::Kind::block, item.place = token.place();
         item.value = parse_block(p_, token.id, token.place());
         item.word = item.value.as<Block>().word;
-        if (token.id == "global_settings"_w) p_.globals.push_back(item.value);
-        program_.items.push_back(std::move(item));
+        if (token.id == "global_settings"_w) p_.globals.push_back(std::move(item.value));
+        else program_.items.push_back(std::move(item));
+    }
+
+    /// Those of blocks and of directives take their places among what else the scene holds.
+    void take_settings() {
+        for (; settings_ < p_.globals.size(); ++settings_) {
+            Item item;
+            item.kind = Item::Kind::block, item.word = "global_settings"_w, item.value = p_.globals[settings_];
+            item.place = item.block().place;
+            program_.items.push_back(std::move(item));
+        }
     }
 
     /// After an error: leaves macros, and goes on at the next directive or word that begins a line.
@@ -118,6 +132,7 @@ class Reader {
     Program program_;
     bool done_ = false;
     size_t failures_ = 0;
+    size_t settings_ = 0;          ///< how many of the parser's are in the program
 };
 
 }  // namespace

@@ -46,6 +46,18 @@ TEST_F(PovBuilders, SettingsDependOnTheVersion) {
     EXPECT_THAT(said(twice), HasSubstr("assumed_gamma was given before"));
 }
 
+TEST_F(PovBuilders, LevelsAndFogsOfOldScenes) {
+    for (const char* text : {"max_trace_level 9", "#max_trace_level 3*3", "global_settings { max_trace_level 2 } max_trace_level 9", "max_trace_level 2 sphere { 0, 1 } global_settings { max_trace_level 9 }"})
+        EXPECT_EQ(scene(text).settings.max_depth, 8) << text;
+    EXPECT_EQ(said("max_intersections 64 sphere { 0, 1 }"), "");
+    for (const char* fog : {"color red .5 12", "12 color rgb .5", "rgb .5 3 distance 12", "rgb .5 distance 3 12"}) {
+        const Scene read = scene(std::string("fog { ") + fog + " }");
+        ASSERT_EQ(read.atmosphere.fogs.size(), 1u) << fog;
+        EXPECT_EQ(read.atmosphere.fogs[0].distance, 12) << fog;
+        EXPECT_EQ(read.atmosphere.fogs[0].color.x, .5) << fog;
+    }
+}
+
 /// For each layer of the last material that has several, from the bottom up: is it marked as uncoloured?
 std::string marks(const Scene& scene) {
     std::string out;
