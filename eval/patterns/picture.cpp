@@ -198,7 +198,9 @@ double SpacePicture::value(const Vec3& place) const {
 Vec2 SpacePicture::rise(const Vec3& place) const {
     const auto at = pixel(place);
     if (!at) return Vec2(0);
-    const double here = sampled(*at).value, left = sampled(*at + Vec2(-1, -1)).value, right = sampled(*at + Vec2(1, -1)).value;
+    const Vec2 size(picture_.width, picture_.height);
+    const auto beside = [&](double x) { return sampled(glm::mod(*at + Vec2(x, -1), size)).value; };   // around the edges also with `once`
+    const double here = sampled(*at).value, left = beside(-1), right = beside(1);
     return {(right - left) / 2, here - (left + right) / 2};
 }
 
