@@ -38,6 +38,19 @@ std::string uv_scene() {
            "sphere { 0, 1.5 scale .6 pigment { average pigment_map { [1 uv_mapping " + map + " scale .5] [1 rgb 1] } } translate <2.5,-1,0> scale 1.01 }";
 }
 
+/// Layers over others, which colour nothing in old versions, but for what pictures filter.
+std::string old_layers() {
+    const std::string textures[] = {
+        "texture { A } texture { B }", "texture { A } texture { C }", "texture { C } texture { B }", "texture { B } texture { C }", "texture { A } texture { pigment { image_map { gif \"palette.gif\" filter all 1 } } }",
+        "texture { A } texture { pigment { gradient x pigment_map { [.3 image_map { png \"plain.png\" filter all .5 }] [.7 image_map { png \"grey.png\" filter all .8 }] } } }",
+        "texture { A } texture { pigment { image_map { png \"alpha.png\" filter all .3 } } }", "texture { A } texture { pigment { image_map { png \"plain.png\" transmit all .6 } } }", "texture { A } texture { B } texture { C }"};
+    std::string out = "#version 3.1; global_settings { assumed_gamma 1 }\n" + kBack + "camera { orthographic location -10*z look_at 0 right 8*x up 6*y }\n#declare A = texture { pigment { rgb <1,.5,.2> } }\n"
+                      "#declare B = texture { pigment { image_map { png \"plain.png\" filter all .5 } } }\n#declare C = texture { pigment { rgbf <.2,.8,.5,.5> } }\n";
+    int i = 0;
+    for (const std::string& texture : textures) out += fmt::format("box {{ -.8, .8 {} translate <{}, {}, 0> }}\n", texture, i % 3 * 2 - 2.003, 2.002 - 2 * (i / 3)), ++i;
+    return out;
+}
+
 /// The textures at the corners of a triangle are mixed over it.
 std::string corner_scene() {
     return kCorrected + kBack + "camera { orthographic location -10*z look_at 0 right 8*x up 6*y }\n#declare R = texture { pigment { rgb x } finish { phong .5 } } #declare G = texture { pigment { checker rgb y rgb 1 scale .3 } "
@@ -90,6 +103,7 @@ std::vector<PovPicture> image_pictures() {
                                 "texture { pigment { image_map { gif \"palette.gif\" filter 0, .7 transmit 2, .5 } } }, texture { pigment { image_map { gif \"palette.gif\" interpolate 2 transmit 1, .2 } } }, texture { pigment { image_pattern { gif \"palette.gif\" use_alpha use_index } } }, "
                                 "texture { pigment { image_pattern { png \"plain.png\" use_index use_alpha } } }, texture { pigment { image_pattern { pgm \"grey.pgm\" use_alpha interpolate 2 } } }, texture { pigment { image_pattern { pgm \"grey.pgm\" } } normal { bump_map { png \"plain.png\" use_index once bump_size 2 } } finish { ambient .2 diffuse .6 } }",
                                 "box { -.8, .8 texture", "")},
+        {"ImageLayersOfVersion31", old_layers()},
         {"UvMapping", uv_scene()},
         {"CornerTextures", corner_scene()},
     };

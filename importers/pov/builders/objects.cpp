@@ -73,7 +73,7 @@ void add_textures(Build& build, Draft& d, TextureLayers more, const Block& block
     begin_texture(d, block.place);
     if (d.uv_mapped) set_uv_mapped(build, more);
     move_in_space(build, more, inverse(d.transform).value_or(Transform()));   // what stood between the layers moves those before it alone
-    add_layers(d.layers, std::move(more), block.version);
+    add_layers(build, d.layers, std::move(more), block.version);
 }
 
 /// The layers of `material { ... }`, moved by what stands behind them in it.
@@ -81,8 +81,8 @@ TextureLayers read_material(Build& build, const Block& block, std::optional<Inte
     const Nested nested(build.p, block.place);
     TextureLayers layers;
     for (Cursor at(build, block); !at.done();) {
-        if (const Block* base = at.block_at("material"_w)) at.next(), layers.clear(), interior.reset(), add_layers(layers, read_material(build, *base, interior), block.version);
-        else if (const Block* texture = at.block_at("texture"_w)) at.next(), add_layers(layers, build_texture(build, *texture), texture->version);
+        if (const Block* base = at.block_at("material"_w)) at.next(), layers.clear(), interior.reset(), add_layers(build, layers, read_material(build, *base, interior), block.version);
+        else if (const Block* texture = at.block_at("texture"_w)) at.next(), add_layers(build, layers, build_texture(build, *texture), texture->version);
         else if (const Block* inside = at.block_at("interior"_w)) at.next(), interior = add_interior(build, *inside, interior);
         else if (at.at_transform()) move_layers(build, layers, at.transform());
         else at.skip_unmodelled();

@@ -144,7 +144,7 @@ PatternSignal* pattern_in(Signal& signal) {
 /// Of one that is referred to: as declared, where it was declared.
 TextureLayers declared_texture(Build& build, const Block& block) {
     TextureLayers layers;
-    add_layers(layers, build_texture(build, block), block.version);
+    add_layers(build, layers, build_texture(build, block), block.version);
     return layers;
 }
 
@@ -177,14 +177,22 @@ PovFinish changed_default(Build& build, const Block& block, const PovFinish& bef
     return lowest;
 }
 
+/// Of their colours POV-Ray's old versions keep what they filter.
+bool is_of_pictures(const Scene& scene, SignalId pigment) {
+    const auto* pattern = std::get_if<PatternSignal>(&scene.signals[pigment.index].what);
+    if (!pattern) return false;
+    if (pattern->pattern == kImageMap) return true;
+    return !pattern->map.empty() && std::all_of(pattern->map.begin(), pattern->map.end(), [&](const MapEntry& entry) { return is_of_pictures(scene, entry.signal); });
+}
+
 }  // namespace
 
-void add_layers(TextureLayers& layers, TextureLayers more, float version) {
+void add_layers(const Build& build, TextureLayers& layers, TextureLayers more, float version) {
     const size_t first = std::max<size_t>(layers.size(), 1);
     layers.insert(layers.end(), more.begin(), more.end());
     if (version > 3.1F) return;
     for (size_t i = first; i < layers.size(); ++i)
-        if (auto* finish = std::get_if<PovFinish>(&layers[i])) finish->uncolored = true;
+        if (auto* finish = std::get_if<PovFinish>(&layers[i]); finish && !is_of_pictures(build.scene, finish->pigment)) finish->uncolored = true;
 }
 
 void move_layers(Build& build, TextureLayers& layers, const Transform& t) {
@@ -249,7 +257,7 @@ TextureLayers build_texture(Build& build, const Block& block, size_t skipped) {
     for (const Ref<Block>& layer : block.layers) {
         TextureLayers more = build_texture(build, *layer);
         if (d.layers.size() + more.size() > kMostLayers) build.p.fail_limit(block.place, fmt::format("the texture has more than {} layers", kMostLayers));
-        add_layers(d.layers, std::move(more), block.version);
+        add_layers(build, d.layers, std::move(more), block.version);
     }
     return std::move(d.layers);
 }
