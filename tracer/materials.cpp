@@ -107,6 +107,18 @@ bool check_supported(const Scene& scene, uint32_t material, const std::vector<Si
     return true;
 }
 
+/// Does the interior that POV-Ray gives to all objects tell how the surface mirrors?
+bool has_fresnel_mirror(const Scene& scene, uint32_t material) {
+    const std::vector<uint32_t> parts = with_parts(scene, {material});
+    return std::any_of(parts.begin(), parts.end(), [&](uint32_t part) {
+        const auto& layers = scene.materials[part].layers;
+        return std::any_of(layers.begin(), layers.end(), [](const auto& layer) {
+            const auto* f = std::get_if<PovFinish>(&layer);
+            return f && f->reflection_fresnel;
+        });
+    });
+}
+
 }  // namespace
 
 bool lets_light_through(const Scene& scene, uint32_t material) {
@@ -167,30 +179,15 @@ uint32_t MaterialTable::add_interior(const Material& material, std::optional<Int
     return uint32_t(out_.interiors.size() - 1);
 }
 
-namespace {
-
-bool has_fresnel_mirror(const Scene& scene, uint32_t material) {
-    const std::vector<uint32_t> parts = with_parts(scene, {material});
-    return std::any_of(parts.begin(), parts.end(), [&](uint32_t part) {
-        const auto& layers = scene.materials[part].layers;
-        return std::any_of(layers.begin(), layers.end(), [](const auto& layer) {
-            const auto* f = std::get_if<PovFinish>(&layer);
-            return f && f->reflection_fresnel;
-        });
-    });
-}
-
-}  // namespace
-
 SlotMaterial MaterialTable::slot(std::optional<MaterialId> material, std::optional<InteriorId> interior, bool hollow) {
     SlotMaterial out;
     out.material = material ? material->index : default_material();
     const Material& m = out_.scene.materials[out.material];
     const auto* pbr = m.layers.empty() ? nullptr : std::get_if<GltfPbr>(&m.layers[0]);
     const auto* top = m.layers.empty() ? nullptr : std::get_if<PovFinish>(&m.layers.back());
-    // POV-Ray's interiors tell how an opaque surface mirrors, too, those that are not given as well; and a camera may stand in one that keeps fog out.
-    const bool filled = interior || (top && top->ior) || out_.scene.atmosphere.is_hazy() || has_fresnel_mirror(out_.scene, out.material);
-    if (pbr ? is_zero(out_.scene, pbr->transmission) : !filled && !lets_light_through(out_.scene, out.material)) return out;
+    // POV-Ray's interiors tell how an opaque surface mirrors, too; and a camera may stand in one that keeps fog out.
+    const auto filled = [&] { return interior || (top && top->ior) || out_.scene.atmosphere.is_hazy() || has_fresnel_mirror(out_.scene, out.material); };
+    if (pbr ? is_zero(out_.scene, pbr->transmission) : !filled() && !lets_light_through(out_.scene, out.material)) return out;
     const auto [at, added] = interior_of_.try_emplace({out.material, interior ? interior->index : kNoId, hollow}, 0);
     if (added) at->second = add_interior(m, interior, hollow);
     out.interior = at->second;

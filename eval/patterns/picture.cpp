@@ -156,11 +156,13 @@ SpacePicture::Texel SpacePicture::texel(int x, int y) const {
     return out;
 }
 
+bool SpacePicture::is_numbered() const { return how_.value == PictureValue::number || (how_.value == PictureValue::palette && !palette_.empty()); }
+
 /// Numbers are whole also between pixels. Where all pixels around are alike, POV-Ray's rounding makes it the next lower one at some points.
 SpacePicture::Texel SpacePicture::sampled(const Vec2& at) const {
     Texel out = between(at);
     constexpr double kRounding = 1e-6;
-    if (how_.value == PictureValue::number || (how_.value == PictureValue::palette && !palette_.empty())) out.value = std::floor(out.value + kRounding);
+    if (is_numbered()) out.value = std::floor(out.value + kRounding);
     return out;
 }
 
@@ -192,7 +194,7 @@ double SpacePicture::value(const Vec3& place) const {
     const auto at = pixel(place);
     if (!at) return 0;
     const double value = sampled(*at).value;
-    return how_.value == PictureValue::number ? value : std::clamp(value, 0.0, 1.0);   // the cubic goes beyond both
+    return is_numbered() ? value : std::clamp(value, 0.0, 1.0);   // the cubic goes beyond both
 }
 
 Vec2 SpacePicture::rise(const Vec3& place) const {

@@ -37,6 +37,8 @@ class SpacePicture {
         double filter = 0, value = 0;
     };
     std::optional<Vec2> pixel(const Vec3& place) const;
+    /// Are values whole numbers, from 0 to 255?
+    bool is_numbered() const;
     Texel texel(int x, int y) const;
     Texel sampled(const Vec2& at) const;
     Texel between(const Vec2& at) const;

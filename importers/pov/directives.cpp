@@ -23,7 +23,7 @@ void obey_message(Parser& p, const Token& directive) {
     }
 }
 
-/// `#max_trace_level 5` of old scenes: a `global_settings { max_trace_level 5 }`.
+/// `#max_trace_level 5` of old scenes, also without the #: a `global_settings { max_trace_level 5 }`.
 void obey_setting(Parser& p, const Token& directive) {
     p.check_items(directive.place());
     std::array<Item, 2> items;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 /// Pictures that go through the OpenImageIO module. A program of its own: once the module is open, it stays so.
 #include "core/image.h"
+#include "tests/core/gif.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -13,6 +14,7 @@
 namespace alidade {
 namespace {
 
+using namespace test;
 using testing::HasSubstr;
 
 class ModuleFiles : public testing::Test {
@@ -194,14 +196,8 @@ TEST_F(ModuleFiles, TruncatedOrDamagedIsAnErrorOrAPicture) {
     }
 }
 
-/// 3 x 5 pixels of numbers below 4. Codes of 8 bits each, which they have as long as the decoder's table is not full.
-std::string gif_frame(const std::string& numbers, bool interlaced, const std::string& local_colors = "") {
-    const int flags = (interlaced ? 0x40 : 0) | (local_colors.empty() ? 0 : 0x81);
-    return std::string(",\0\0\0\0\3\0\5\0", 9) + char(flags) + local_colors + "\x07" + char(numbers.size() + 2) + "\x80" + numbers + "\x81" + std::string(1, '\0');
-}
-std::string gif_of(const std::string& frames, char screen_width = 3) {
-    return "GIF89a" + std::string{screen_width, '\0', '\5', '\0', char(0xf1), '\0', '\0'} + std::string("\1\2\3\x40\x50\x60\x90\xa0\xb0\xf0\xe0\xd0", 12) + frames + ";";
-}
+std::string frame_of(const std::string& numbers, bool interlaced, const std::string& own_colors = "") { return gif_frame({3, 5}, numbers, interlaced, own_colors); }
+std::string gif_of(const std::string& frames, char screen_width = 3) { return gif_file({screen_width, 5}, std::string("\1\2\3\x40\x50\x60\x90\xa0\xb0\xf0\xe0\xd0", 12), frames); }
 
 StoredPicture decoded(const std::string& bytes) {
     auto stored = decode_stored_picture(std::as_bytes(std::span(bytes)));
@@ -214,16 +210,16 @@ const std::string kInterlacedRows = kRows.substr(0, 3) + kRows.substr(12, 3) + k
 
 TEST(ModuleGif, GivesNumbersAndColorsOfTheFirstPicture) {
     const std::vector<uint8_t> numbers(kRows.begin(), kRows.end());
-    const std::string other = gif_frame(std::string(15, '\3'), false), local("\x10\2\3\x20\x50\x60\x30\xa0\xb0\x50\xe0\xd0", 12);
-    const std::string told = std::string("\x21\xfe\3abc\0", 7) + std::string("\x21\xf9\4\1\0\0\2\0", 8);   // a comment; number 2 is transparent
+    const std::string other = frame_of(std::string(15, '\3'), false), local("\x10\2\3\x20\x50\x60\x30\xa0\xb0\x50\xe0\xd0", 12);
+    const std::string told = std::string("\x21\xfe\3abc\0", 7) + gif_clear(2);   // a comment; number 2 is transparent
     const struct {
         std::string frames;
         std::array<int, 4> reds;
         int clear;
-    } cases[] = {{gif_frame(kRows, false) + other, {1, 0x40, 0x90, 0xf0}, -1},
-                 {gif_frame(kInterlacedRows, true) + other, {1, 0x40, 0x90, 0xf0}, -1},
-                 {gif_frame(kRows, false, local) + other, {0x10, 0x20, 0x30, 0x50}, -1},
-                 {told + gif_frame(kRows, false), {1, 0x40, 0x90, 0xf0}, 2}};
+    } cases[] = {{frame_of(kRows, false) + other, {1, 0x40, 0x90, 0xf0}, -1},
+                 {frame_of(kInterlacedRows, true) + other, {1, 0x40, 0x90, 0xf0}, -1},
+                 {frame_of(kRows, false, local) + other, {0x10, 0x20, 0x30, 0x50}, -1},
+                 {told + frame_of(kRows, false), {1, 0x40, 0x90, 0xf0}, 2}};
     for (const auto& c : cases) {
         const StoredPicture stored = decoded(gif_of(c.frames));
         EXPECT_EQ(stored.format, "gif");
@@ -235,13 +231,13 @@ TEST(ModuleGif, GivesNumbersAndColorsOfTheFirstPicture) {
             EXPECT_EQ(stored.picture.at(i % 3, i / 3)[3], number == c.clear ? 0 : 1) << i;
         }
     }
-    EXPECT_TRUE(decoded(gif_of(gif_frame(kRows, false), 4)).palette.empty()) << "the picture does not fill the screen";
+    EXPECT_TRUE(decoded(gif_of(frame_of(kRows, false), 4)).palette.empty()) << "the picture does not fill the screen";
 }
 
 /// Equal numbers have equal colours, or there are none; nor are there any of a picture that is not whole.
 TEST(ModuleGif, DamagedHasAllNumbersOrNone) {
     std::mt19937 random(1);
-    const std::string whole = gif_of(gif_frame(kRows, false));
+    const std::string whole = gif_of(frame_of(kRows, false));
     const size_t last_number = whole.size() - 4;
     for (size_t round = 0; round < 3000; ++round) {
         std::string damaged = round < whole.size() ? whole.substr(0, round) : whole;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tests/scenes/sample_pictures.h"
+#include "tests/core/gif.h"
 
 #include <array>
 #include <cmath>
@@ -65,14 +66,6 @@ std::string smooth() {
     return png(Kind::grey, 16, out, "", kSide, kSide);
 }
 
-/// With a palette of three colours and one that is not there: codes of 8 bits, which are not packed any tighter, since the table is not full before the end.
-std::string gif(const std::string& numbers, const std::string& colours) {
-    const auto little = [](uint32_t n) { return std::string{char(n & 255), char(n >> 8)}; };
-    const std::string size = little(kWidth) + little(kHeight), codes = "\x80" + numbers + "\x81";
-    return "GIF89a" + size + std::string("\xf1\0\0", 3) + colours + std::string("\x21\xf9\x04\x01\0\0\x01\0", 8) + "," + std::string(4, '\0') + size + std::string("\0\x07", 2) +
-           char(codes.size()) + codes + std::string("\0;", 2);
-}
-
 void write(const std::filesystem::path& path, const std::string& bytes) { std::ofstream(path, std::ios::binary) << bytes; }
 
 }  // namespace
@@ -89,7 +82,7 @@ void write_sample_pictures(const std::filesystem::path& folder) {
     for (char& n : numbers) n = char(uint8_t(n) % 3);
     const std::string three = std::string("\xff\x40\x20\x30\xe0\x50\x20\x60\xf0", 9), palette = chunk("PLTE", three) + chunk("tRNS", std::string("\xff\x80", 2));
     write(folder / "palette.png", png(Kind::palette, 8, numbers, palette));
-    write(folder / "palette.gif", gif(numbers, three + std::string(3, '\x7f')));
+    write(folder / "palette.gif", gif_file({kWidth, kHeight}, three + std::string(3, '\x7f'), gif_clear(1) + gif_frame({kWidth, kHeight}, numbers)));
     write(folder / "deep.png", png(Kind::rgb, 16, noise(6 * kPixels, 5)));
     write(folder / "deep_grey.png", png(Kind::grey, 16, noise(2 * kPixels, 6)));
     write(folder / "smooth.png", smooth());

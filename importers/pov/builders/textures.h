@@ -16,7 +16,7 @@ TextureLayers build_texture(Build& build, const Block& block, size_t skipped = 0
 /// Takes a pigment, a normal or a finish that comes next into the layer on top; false where none of them stands. `since`: how the layers will be moved by what
 /// stood before, which does not move the new part.
 bool take_layer_part(Build& build, Cursor& at, TextureLayers& layers, const Transform& since = {});
-/// Puts `more` over `layers`, where the language is that of `version`: up to 3.1 what passes the new ones, but the lowest of all, is not coloured.
+/// Puts `more` over `layers`, where the language is that of `version`: up to 3.1 what passes the new ones, but the lowest of all and those of pictures, is not coloured.
 void add_layers(const Build& build, TextureLayers& layers, TextureLayers more, float version);
 /// Moves layers behind all that they have.
 void move_layers(Build& build, TextureLayers& layers, const Transform& t);
