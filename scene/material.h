@@ -110,10 +110,11 @@ struct PatternPicture {
     bool once = false;                ///< it is not repeated: nothing is around it
     bool premultiplied = false;       ///< the file's colours are multiplied by its alpha
     PictureValue value = PictureValue::grey;
-    /// Colours become transparent by this much more: the one with a number in the palette, or all.
+    /// What passes colours: the one with a number in the palette, or all. Of palettes it takes the place of the alpha, of others transmit is added to it.
+    /// The last that is said of a colour holds.
     struct Clearing {
         std::optional<int> color;
-        double filter = 0, transmit = 0;
+        std::optional<double> filter, transmit;
         friend bool operator==(const Clearing&, const Clearing&) = default;
     };
     std::vector<Clearing> clearings;

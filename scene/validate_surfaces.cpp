@@ -10,7 +10,7 @@ bool finite(const Vec4& v) { return is_finite(Vec3(v)) && std::isfinite(v.w); }
 
 bool finite(const PatternPicture& picture) {
     return std::isfinite(picture.gamma) &&
-           std::all_of(picture.clearings.begin(), picture.clearings.end(), [](const PatternPicture::Clearing& c) { return std::isfinite(c.filter) && std::isfinite(c.transmit); });
+           std::all_of(picture.clearings.begin(), picture.clearings.end(), [](const PatternPicture::Clearing& c) { return std::isfinite(c.filter.value_or(0)) && std::isfinite(c.transmit.value_or(0)); });
 }
 
 bool finite(const PatternSignal& pattern) {

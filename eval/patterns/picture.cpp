@@ -111,8 +111,8 @@ void SpacePicture::set_clearings(std::vector<uint8_t> palette) {
     for (const PatternPicture::Clearing& c : how_.clearings)
         for (size_t i = 0; i < clear_.size(); ++i) {
             if (c.color ? size_t(*c.color) != i || palette_.empty() : false) continue;
-            if (c.filter != 0) clear_[i].filter = c.filter;
-            if (c.transmit != 0) clear_[i].transmit = c.transmit;
+            if (c.filter) clear_[i].filter = *c.filter;
+            if (c.transmit) clear_[i].transmit = c.transmit;
         }
 }
 

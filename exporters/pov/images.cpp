@@ -272,8 +272,8 @@ bool ImageWriter::pattern(const std::string& word, const PatternPicture& p, cons
     if (p.value == PictureValue::palette) sdl_.line("use_index");
     for (const PatternPicture::Clearing& c : p.clearings) {
         const std::string which = c.color ? fmt::format("{},", *c.color) : "all";
-        if (c.filter != 0) sdl_.line("filter", which, c.filter);
-        if (c.transmit != 0) sdl_.line("transmit", which, c.transmit);
+        if (c.filter) sdl_.line("filter", which, *c.filter);
+        if (c.transmit) sdl_.line("transmit", which, *c.transmit);
     }
     if (more) more();
     sdl_.end();

@@ -161,7 +161,7 @@ TEST_F(PovBuilders, AnImageMapIsAPattern) {
     EXPECT_EQ(map.warps.size(), 1u);
     PatternPicture want;
     want.image = ImageId{0}, want.map = PictureMap::cylindrical, want.filter = PictureFilter::bicubic, want.once = true, want.code = PictureCode::told_or_srgb;
-    want.clearings = {{2, 0.5, 0}, {{}, 0, 0.25}};
+    want.clearings = {{2, 0.5, {}}, {{}, {}, 0.25}};
     EXPECT_EQ(*map.picture, want);
     EXPECT_EQ(std::get<PatternSignal>(s.signals.at(second.pigment.index).what).picture->code, PictureCode::srgb);
     const auto& relief = std::get<ReliefSignal>(s.signals.at(second.normal->index).what);

@@ -103,6 +103,12 @@ std::vector<PovPicture> image_pictures() {
                                 "texture { pigment { image_map { gif \"palette.gif\" filter 0, .7 transmit 2, .5 } } }, texture { pigment { image_map { gif \"palette.gif\" interpolate 2 transmit 1, .2 } } }, texture { pigment { image_pattern { gif \"palette.gif\" use_alpha use_index } } }, "
                                 "texture { pigment { image_pattern { png \"plain.png\" use_index use_alpha } } }, texture { pigment { image_pattern { pgm \"grey.pgm\" use_alpha interpolate 2 } } }, texture { pigment { image_pattern { pgm \"grey.pgm\" } } normal { bump_map { png \"plain.png\" use_index once bump_size 2 } } finish { ambient .2 diffuse .6 } }",
                                 "box { -.8, .8 texture", "")},
+        {"ClearColors", twelve(kCorrected + back,
+                               "pigment { image_map { gif \"palette.gif\" filter all .5 filter 0, 0 } }, pigment { image_map { gif \"palette.gif\" filter 0, 0 filter all .5 } }, pigment { image_map { gif \"palette.gif\" filter 1, .8 filter all 0 } }, pigment { image_map { gif \"palette.gif\" transmit 0, 0 transmit "
+                               "1, 0 transmit 2, 0 transmit 3, 0 } }, pigment { image_map { png \"palette.png\" transmit all 0 } }, pigment { image_map { png \"palette.png\" transmit all .6 transmit 1, 0 } }, pigment { image_map { png \"palette.png\" transmit 1, 0 transmit all .6 } }, pigment { image_map { png "
+                               "\"palette.png\" filter all .9 filter 2, 0 interpolate 2 } }, pigment { image_map { png \"alpha.png\" transmit all 0 } }, pigment { image_map { png \"alpha.png\" filter all .4 filter all 0 } }, pigment { " + plain + "transmit all .6 transmit all 0 } }, pigment { image_map { png "
+                               "\"palette.png\" filter all .4 transmit all .2 filter 1, .1 transmit 1, 0 } }",
+                               "box { -.8, .8 pigment")},
         {"ImageLayersOfVersion31", old_layers()},
         {"UvMapping", uv_scene()},
         {"CornerTextures", corner_scene()},
