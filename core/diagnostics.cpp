@@ -53,6 +53,7 @@ std::string Diagnostics::text() const {
     for (const Diagnostic& d : list_) out += text(d);
     if (errors_ > kKept) out += fmt::format("... and {} more errors\n", errors_ - kKept);
     if (warnings_ > kKept) out += fmt::format("... and {} more warnings\n", warnings_ - kKept);
+    if (notes_ > kKept) out += fmt::format("... and {} more notes\n", notes_ - kKept);
     return out;
 }
 

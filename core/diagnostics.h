@@ -23,7 +23,7 @@ struct Diagnostic {
 
 class Diagnostics {
   public:
-    /// Only this many errors and this many warnings are kept; the rest is counted (a broken file of a million lines must not fill memory).
+    /// Only this many errors, warnings and notes each are kept; the rest is counted (a broken file of a million lines must not fill memory).
     static constexpr size_t kKept = 100;
 
     uint32_t add_file(std::string path);

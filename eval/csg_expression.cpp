@@ -18,18 +18,21 @@ CsgOp csg_op(CsgKind kind) {
     return CsgOp::union_;
 }
 
+constexpr Mask kMaskShadows = kMaskShadow | kMaskOpaque | kMaskFilter;
+
 class Builder {
   public:
     Builder(const Scene& scene, Visit& at, CsgParts& parts) : scene_(scene), at_(at), parts_(parts) {}
 
-    std::optional<CsgExpression> expression(Mask seen) {
+    /// `inverted`: once at least, by what stands around the node.
+    std::optional<CsgExpression> expression(Mask seen, bool inverted) {
         if (!parts_.enters(at_)) return std::nullopt;
         const Node& node = scene_.nodes[at_.node.index];
         CsgExpression e;
         e.leaf.id = parts_.place(at_);                           // without one it is flat, and nothing
         const bool has_shape = std::holds_alternative<ShapeId>(node.what);
         if (!node.children.empty()) {
-            CsgExpression below = operation(node, seen);
+            CsgExpression below = operation(node, seen, inverted || node.inverse);
             if (has_shape) below.parts.push_back(std::move(e));
             else if (below.parts.empty()) return std::nullopt;
             e = std::move(below);
@@ -41,15 +44,15 @@ class Builder {
     }
 
   private:
-    CsgExpression operation(const Node& node, Mask seen) {
+    CsgExpression operation(const Node& node, Mask seen, bool inverted) {
         CsgExpression e;
         e.op = csg_op(node.csg);
         e.cutaway_textures = node.cutaway_textures;
         for (const NodeId child : node.children) {
-            const Mask below = seen & mask_of(scene_.nodes[child.index].flags);
-            auto part = part_at(child, below);
-            // POV-Ray looks at the flags of a solid as a whole, and at these two of the parts of merges: for a camera ray, one without image is not there.
-            if (part && node.csg == CsgKind::merge) part->mask = below | ~(kMaskCamera | kMaskReflection);
+            const Mask below = seen & mask_of_path(scene_, {child});
+            auto part = part_at(child, below, inverted || (node.csg == CsgKind::difference && !e.parts.empty()));
+            // POV-Ray looks at the flags of a solid as a whole, and at these of the parts of unions and merges: for a reflected ray, one without reflection is not there. Inverted, both are intersections.
+            if (part && !inverted && (node.csg == CsgKind::merge || node.csg == CsgKind::union_)) part->mask = below | ~(node.csg == CsgKind::merge ? kMaskCamera | kMaskReflection : kMaskReflection);
             if (part) e.parts.push_back(std::move(*part));
             else if (node.csg == CsgKind::difference && e.parts.empty()) e.parts.emplace_back();   // nothing, from which something is taken
         }
@@ -61,17 +64,17 @@ class Builder {
         e.op = CsgOp::clip;
         e.parts.push_back(std::move(of));
         for (const NodeId clip : node.clips)
-            if (auto part = part_at(clip, kMaskAll)) e.parts.push_back(std::move(*part));
+            if (auto part = part_at(clip, kMaskAll, true)) e.parts.push_back(std::move(*part));
         return e;
     }
 
-    std::optional<CsgExpression> part_at(NodeId id, Mask seen) {
+    std::optional<CsgExpression> part_at(NodeId id, Mask seen, bool inverted) {
         const Node& node = scene_.nodes[id.index];
         if (!node.flags.visible) return std::nullopt;
         const NodeId above = std::exchange(at_.node, id);
         const Transform to_world = std::exchange(at_.to_world, at_.to_world * node.to_parent);
         at_.path.push_back(id);
-        auto part = expression(seen);
+        auto part = expression(seen, inverted);
         at_.path.pop_back();
         at_.node = above, at_.to_world = to_world;
         return part;
@@ -92,11 +95,30 @@ bool is_solid(const Node& node) {
 Mask mask_of(const NodeFlags& flags) {
     Mask mask = kMaskAll;
     if (!flags.image) mask &= ~kMaskCamera;
-    if (!flags.shadow) mask &= ~(kMaskShadow | kMaskOpaque | kMaskFilter);
+    if (!flags.shadow) mask &= ~kMaskShadows;
     if (!flags.reflection) mask &= ~kMaskReflection;
     return mask;
 }
 
-std::optional<CsgExpression> csg_expression(const Scene& scene, Visit& at, Mask seen, CsgParts& parts) { return Builder(scene, at, parts).expression(seen); }
+std::optional<NodeId> lone_part(const Node& node) {
+    return node.csg == CsgKind::none && node.children.size() == 1 ? std::optional(node.children[0]) : std::nullopt;
+}
+
+Mask mask_of_path(const Scene& scene, std::vector<NodeId> path) {
+    for (auto below = lone_part(scene.nodes[path.back().index]); below; below = lone_part(scene.nodes[below->index])) path.push_back(*below);
+    Mask mask = kMaskAll;
+    bool is_part = false, whole = false;
+    for (const NodeId id : path) {
+        const Node& node = scene.nodes[id.index];
+        mask &= mask_of(node.flags) | (is_part ? ~kMaskReflection : 0);
+        whole = whole || node.whole || !node.clips.empty();
+        if (lone_part(node)) continue;                              // what it places may be a union
+        is_part = is_part || (node.csg == CsgKind::union_ && whole);
+        whole = false;
+    }
+    return mask;
+}
+
+std::optional<CsgExpression> csg_expression(const Scene& scene, Visit& at, Mask seen, CsgParts& parts) { return Builder(scene, at, parts).expression(seen, false); }
 
 }  // namespace alidade

@@ -18,6 +18,13 @@ inline constexpr Mask kMaskOpaque = 16, kMaskFilter = 32;
 /// The rays that see what has these flags.
 Mask mask_of(const NodeFlags& flags);
 
+/// Of a node that places, inverts, clips or covers one thing alone, that thing.
+std::optional<NodeId> lone_part(const Node& node);
+
+/// The rays that see what is at the end of a path through the scene, by the flags of all on it, and of what it places alone: in POV-Ray an object that is placed or clipped once more is the same object, with the flags
+/// that it had. A union that is clipped or `whole` is one object, whose parts' flags count for reflections alone.
+Mask mask_of_path(const Scene& scene, std::vector<NodeId> path);
+
 /// Who makes leaves of the shapes of a solid.
 class CsgParts {
   public:

@@ -19,8 +19,10 @@ struct ImportOptions {
     bool strict = false;                             ///< warnings about what is not understood become errors
     std::optional<std::string> write_folder;         ///< --allow-write: where a scene's program may write
     pov::FrameSettings frame;                        ///< what a scene's program may ask of the picture and the clock
+    std::optional<double> version;                   ///< of the language of POV scenes that do not say it
     int quality = pov::kFullQuality;                 ///< of POV scenes: below, what takes time is left out, as POV-Ray's +Q says
     LightUnitsOption light_units = LightUnitsOption::automatic;
+    pov::PrintText print;                            ///< what a POV scene's #debug, #render and #statistics print, as it comes; absent: notes, the first hundred
     uint64_t max_file_bytes = uint64_t(1) << 34;
     std::string format;                              ///< the name of the importer for files of which neither content nor ending tells; if empty, they are errors
     bool shown_only = false;                         ///< what no node of the scene shows may stay unread, if its format has it apart: for rendering

@@ -36,6 +36,7 @@ struct Node {
     std::optional<InteriorId> interior;
     CsgKind csg = CsgKind::none;
     bool inverse = false;
+    bool whole = false;                       ///< POV: this union is not split: of the flags of its parts, that reflections miss them counts alone
     bool cutaway_textures = false;            ///< POV: parts of this intersection or difference without a material show those of the parts that they cut
     bool usual_material = false;              ///< POV: materials[0] is that of #default, which stands where nothing else does
     std::vector<NodeId> children, clips, bounds;   ///< clips: POV clipped_by; bounds: POV bounded_by

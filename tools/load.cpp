@@ -3,6 +3,7 @@
 
 #include "scene/queries.h"
 #include "tools/analytic.h"
+#include "tools/scene_text.h"
 
 #include <chrono>
 
@@ -18,9 +19,18 @@ std::optional<Scene> posed(const Scene& scene, double time, Diagnostics& said) {
     return checked.has_errors() ? std::nullopt : std::optional(pose(scene, time));
 }
 
+ImportResult import_aloud(const Request& request) {
+    SceneText text(true);
+    ImportOptions options = request.import;
+    if (!options.print) options.print = [&](pov::TextStream where, const std::string& what) { text.print(where, what); };
+    ImportResult imported = import_scene(request.scene, options);
+    text.end_line();
+    return imported;
+}
+
 /// A file's, or one that the program has itself.
 ImportResult read_scene(const Request& request) {
-    if (!tradeoff::is_analytic(request.scene)) return import_scene(request.scene, request.import);
+    if (!tradeoff::is_analytic(request.scene)) return import_aloud(request);
     auto made = tradeoff::analytic_scene(request.scene);
     if (made) return Imported{std::move(*made), {}};
     Diagnostics said;

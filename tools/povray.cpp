@@ -5,6 +5,7 @@
 #include "tools/output.h"
 #include "tools/povray_words.h"
 #include "tools/render_state.h"
+#include "tools/scene_text.h"
 #include "tools/verbs.h"
 #include "tracer/compiled_scene.h"
 
@@ -38,6 +39,7 @@ Request request_of(const PovrayRequest& r, int frame) {
     request.import.include_paths = r.library_paths;
     request.import.include_paths.insert(request.import.include_paths.begin(), ".");   // POV-Ray's first place; the scene's folder, which is none of POV-Ray's, comes before it here
     request.import.declarations = r.declarations;
+    request.import.version = r.version;
     request.import.quality = r.quality;
     request.compile.threads = r.threads;
     pov::FrameSettings& f = request.import.frame;
@@ -97,8 +99,8 @@ std::string text_of(const Diagnostics& said, Severity wanted) {
 }
 
 /// Appends to the files of the streams that have one; "" or what went wrong.
-std::string keep_messages(const PovrayRequest& r, const Diagnostics& said, const std::string& done) {
-    const std::string texts[kMessageStreams] = {said.text() + done, text_of(said, Severity::note), text_of(said, Severity::error), done, done, text_of(said, Severity::warning)};
+std::string keep_messages(const PovrayRequest& r, const SceneText& scene, const Diagnostics& said, const std::string& done) {
+    const std::string texts[kMessageStreams] = {scene.lines() + said.text() + done, scene.text(), text_of(said, Severity::error), done, done, text_of(said, Severity::warning)};
     for (size_t i = 0; i < kMessageStreams; ++i) {
         if (r.message_files[i].empty()) continue;
         std::ofstream out(r.message_files[i], std::ios::app);
@@ -111,7 +113,7 @@ std::string keep_messages(const PovrayRequest& r, const Diagnostics& said, const
 int finished(const PovrayRequest& r, const std::string& output, const RenderStats& stats) {
     const std::string done = fmt::format("{}: {}x{}, rendered in {:.2f} s\n", output, r.width, r.height, stats.seconds);
     if (r.verbose) fmt::print(stderr, "{}", done);
-    const std::string wrong = keep_messages(r, {}, done);
+    const std::string wrong = keep_messages(r, SceneText(false), {}, done);
     return wrong.empty() ? kDone : fail(wrong);
 }
 
@@ -150,9 +152,13 @@ int render_to_file(const PovrayRequest& r, const CompiledScene& scene, const Ren
 int render_frame(const PovrayRequest& r, int frame) {
     const std::string output = output_name(r, frame);
     if (done_already(r, output)) return fmt::print(stderr, "{}: rendered already, and +C: skipped\n", output), kDone;
-    const Prepared prepared = prepare(request_of(r, frame));
+    SceneText text(r.shows_scene_text);
+    Request request = request_of(r, frame);
+    request.import.print = [&](pov::TextStream where, const std::string& what) { text.print(where, what); };
+    const Prepared prepared = prepare(request);
+    text.end_line();
     fmt::print(stderr, "{}", prepared.said.text());
-    if (const std::string wrong = keep_messages(r, prepared.said, ""); !wrong.empty()) return fail(wrong);
+    if (const std::string wrong = keep_messages(r, text, prepared.said, ""); !wrong.empty()) return fail(wrong);
     if (!prepared.scene) return kError;
     const StopOnSignal signals;
     Monitor monitor;

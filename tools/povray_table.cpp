@@ -92,11 +92,18 @@ constexpr const char* kNoCommands = "commands around frames are not run";
 
 bool file_type(PovrayRequest& r, const PovrayWord& w) { return file_switch(r, {w.value, r.to_file}); }
 
+bool version(PovrayRequest& r, const PovrayWord& w) {
+    const auto x = parse_number(w.value, 0);
+    return x ? (r.version = *x, true) : false;
+}
+
 bool clock(PovrayRequest& r, const PovrayWord& w) { return r.clock_given = true, number<&PovrayRequest::clock>(r, w); }
 
-/// `+GD`, `-GD`, `Debug_Console=on`: what is said goes to stderr, all of it. `+GDname`: to a file, too.
+/// `+GD`, `-GD`, `Debug_Console=on`: whether what the scene prints goes to stderr; what we say does in any case. `+GDname`: to a file, too; `-GDname`: only there.
 template <MessageStream Stream> bool message_switch(PovrayRequest& r, const PovrayWord& w) {
-    if (w.on && !w.value.empty() && !truth(w.value)) r.message_files[size_t(Stream)] = w.value;
+    const auto on = truth(w.value);
+    if (!w.value.empty() && !on) r.message_files[size_t(Stream)] = w.value;
+    if (Stream == MessageStream::all || Stream == MessageStream::debug) r.shows_scene_text = w.on && on.value_or(true);
     return true;
 }
 template <MessageStream Stream> bool message_file(PovrayRequest& r, const PovrayWord& w) {
@@ -179,7 +186,7 @@ constexpr PovrayRow kTable[] = {
     {"Dither_Method", "", nothing},
     {"Grayscale_Output", "", told<kNoGray>},
     {"Include_Header", "HI", told<kNoHeader>},
-    {"Version", "MV", nothing},
+    {"Version", "MV", version},
     {"Create_Ini", "GI", told<kNoIni>},
     {"Create_Histogram", "", nothing},
     {"Warning_Level", "WL", nothing},

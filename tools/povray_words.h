@@ -35,7 +35,9 @@ struct PovrayRequest {
     int initial_frame = 1, final_frame = 1;
     std::optional<int> subset_start, subset_end;
     double start_column = 0, end_column = 0, start_row = 0, end_row = 0;   ///< pixels from 1, or shares of the picture up to 1; 0: all
+    bool shows_scene_text = true;         ///< the console of the debug stream. Diagnostics always are shown
     std::array<std::string, kMessageStreams> message_files;   ///< by MessageStream; "": none
+    std::optional<double> version;        ///< of the language, before the scene's first #version
     uint64_t seed = 0;                    ///< --seed=N, a word that POV-Ray does not have: other random numbers
     std::vector<std::string> notes;       ///< words that are known and change nothing here, each once
 

@@ -98,14 +98,13 @@ class Placer : private CsgParts {
     /// Of nodes below `id`: those that place, invert or cover one thing alone.
     size_t levels_to_operation(NodeId id) const {
         size_t levels = 0;
-        for (const Node* node = &out_.scene.nodes[id.index]; node->csg == CsgKind::none && node->children.size() == 1; ++levels) node = &out_.scene.nodes[node->children[0].index];
+        for (auto below = lone_part(out_.scene.nodes[id.index]); below; below = lone_part(out_.scene.nodes[below->index])) ++levels;
         return levels;
     }
 
     /// What rays see a solid is said by the nodes down to it.
     void place_solid(Visit visit) {
-        Mask mask = kMaskAll;
-        for (const NodeId above : visit.path) mask &= mask_of(out_.scene.nodes[above.index].flags);
+        const Mask mask = mask_of_path(out_.scene, visit.path);
         levels_to_solid_ = visit.path.size() + levels_to_operation(visit.node);
         auto solid = csg_expression(out_.scene, visit, mask, *this);
         if (!solid) return;
@@ -139,12 +138,8 @@ class Placer : private CsgParts {
         instance.inexact = instance.norms.cost_digits();
         instance.geometry = geometry(shape);
         instance.first_slot = uint32_t(out_.slots.size());
-        instance.mask = kMaskAll;
-        for (const NodeId above : visit.path) {
-            const NodeFlags& flags = out_.scene.nodes[above.index].flags;
-            instance.mask &= mask_of(flags);
-            instance.double_illuminate = instance.double_illuminate || flags.double_illuminate;
-        }
+        instance.mask = mask_of_path(out_.scene, visit.path);
+        for (const NodeId above : visit.path) instance.double_illuminate = instance.double_illuminate || out_.scene.nodes[above.index].flags.double_illuminate;
         instance.node = visit.node;
         instance.light_set = groups_.set_of(visit.path);
         const uint32_t slots = slot_count(out_.scene.shapes[shape.index].geometry);

@@ -171,6 +171,7 @@ void NodeWriter::flags(const Node& node) {
     if (f.hollow) c_.sdl.line("hollow");
     if (f.double_illuminate) c_.sdl.line("double_illuminate");
     if (node.inverse) c_.sdl.line("inverse");
+    if (node.whole) c_.sdl.line("split_union", "off");
     if (node.cutaway_textures && facts_.children(node).size() > 1) c_.sdl.line("cutaway_textures");
 }
 

@@ -127,11 +127,19 @@ void next_turn_of_for(Parser& p, const Token& end) {
     p.stream.conditions().pop_back();
 }
 
+/// A float that may be a condition, as behind #switch and #case, but not #range.
+double parse_float_or_condition(Parser& p) {
+    const Place at = p.peek().place();
+    const Value value = parse_full(p);
+    if (value.kind != pov::Kind::number) p.fail(at, fmt::format("a float is expected, not {}", kind_name(value)));
+    return value.c[0];
+}
+
 /// Reads what stands in the brackets of #case or #range: does `value` match?
 bool matches(Parser& p, const Token& clause, double value) {
     return within_frame(p, clause, [&] {
         p.expect('(', "behind #case or #range");
-        const double low = parse_float(p);
+        const double low = clause.directive.word == "range"_w ? parse_float(p) : parse_float_or_condition(p);
         bool match = std::fabs(value - low) < kEpsilon;
         if (clause.directive.word == "range"_w) {
             p.accept(',');
@@ -146,15 +154,23 @@ bool matches(Parser& p, const Token& clause, double value) {
 void obey_switch(Parser& p, const Token& directive, uint32_t index) {
     const double value = within_frame(p, directive, [&] {
         p.expect('(', "behind #switch");
-        const double x = parse_float(p);
+        const double x = parse_float_or_condition(p);
         p.expect(')', "behind the value of #switch");
         return x;
     });
-    for (uint32_t clause = next_clause(p, index);; clause = next_clause(p, clause)) {
+    const Token first = p.stream.frame().tokens[next_clause(p, index)];
+    if (first.directive.word == "end"_w || first.directive.word == "else"_w) p.fail(first.place(), fmt::format("#case or #range is expected in #switch before #{}", kWords[first.directive.word]));
+    enter(p, Kind::switch_, index);                                  // what stands before the first clause is obeyed
+    p.stream.conditions().back().waiting = value;
+}
+
+/// Takes the first clause from the one at `index` on that matches.
+void choose_case(Parser& p, uint32_t index, double value) {
+    for (uint32_t clause = index;; clause = next_clause(p, clause)) {
         jump(p, clause + 1);
         const Token token = p.stream.frame().tokens[clause];
-        if (token.directive.word == "end"_w) return;
-        if (token.directive.word == "else"_w || matches(p, token, value)) return enter(p, Kind::switch_, index);
+        if (token.directive.word == "end"_w) return p.stream.conditions().pop_back();
+        if (token.directive.word == "else"_w || matches(p, token, value)) return p.stream.conditions().back().waiting.reset();
     }
 }
 
@@ -180,6 +196,7 @@ void obey_break(Parser& p, const Token& directive) {
 /// #else, #elseif, #case or #range behind a clause that was taken: a branch is left, a switch falls through.
 void obey_clause(Parser& p, const Token& directive, uint32_t index) {
     if (p.stream.conditions().back().kind == Kind::switch_) {
+        if (const auto value = p.stream.conditions().back().waiting) return choose_case(p, index, *value);
         if (directive.directive.word == "case"_w || directive.directive.word == "range"_w) matches(p, directive, 0);
         return;
     }

@@ -47,8 +47,7 @@ void obey(Parser& p, const Token& directive) {
         case "fopen"_w: case "fclose"_w: case "read"_w: case "write"_w: return obey_file_directive(p, directive);
         case "if"_w: case "ifdef"_w: case "ifndef"_w: case "else"_w: case "elseif"_w: case "end"_w: case "while"_w: case "for"_w: case "switch"_w:
         case "case"_w: case "range"_w: case "break"_w: return obey_control(p, directive, index);
-        case "max_trace_level"_w: case "max_intersections"_w: return obey_setting(p, directive);
-        default: p.fail(directive.place(), fmt::format("there is no directive #{}", kWords[directive.directive.word]));
+        default: return obey_setting(p, directive);                  // of the directives that there are
     }
 }
 

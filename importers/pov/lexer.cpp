@@ -32,6 +32,15 @@ CharKind kind_of(char c) { return kKinds[static_cast<unsigned char>(c)]; }
 bool is_letter(char c) { return kind_of(c) == kLetter; }
 bool is_digit(char c) { return kind_of(c) == kDigit; }
 
+bool is_directive(WordId id) {
+    switch (id) {
+        case "declare"_w: case "local"_w: case "undef"_w: case "default"_w: case "version"_w: case "macro"_w: case "include"_w: case "debug"_w: case "warning"_w: case "error"_w: case "render"_w:
+        case "statistics"_w: case "fopen"_w: case "fclose"_w: case "read"_w: case "write"_w: case "if"_w: case "ifdef"_w: case "ifndef"_w: case "else"_w: case "elseif"_w: case "end"_w: case "while"_w:
+        case "for"_w: case "switch"_w: case "case"_w: case "range"_w: case "break"_w: case "max_trace_level"_w: case "max_intersections"_w: return true;
+        default: return false;
+    }
+}
+
 void append_utf8(std::string& out, uint32_t code) {
     if (code < 0x80) {
         out += char(code);
@@ -233,15 +242,17 @@ class Lexer {
         return true;
     }
 
-    /// Blanks may stand behind #. One without a word behind it means nothing, and is no error.
+    /// Blanks may stand behind #. One means nothing, and is no error, if there is no word behind it, or one of those that are no directives (some programs write `#global_settings`).
     void lex_directive() {
         const size_t begin = at_++;
         if (!skip_blanks() || !is_letter(peek())) return;
         const size_t name = at_;
-        const WordId id = take_name().value_or(kWordCount);
-        if (id >= kWordCount) return bad(begin, fmt::format("there is no directive #{}", text_.substr(name, std::min(at_ - name, kLongestName))));
+        const std::optional<WordId> id = take_name();
+        if (!id) return bad(begin, fmt::format("there is no directive #{}", text_.substr(name, kLongestName)));
+        if (*id >= kWordCount) return void(start(TokenKind::hashed, begin).id = *id);
+        if (!is_directive(*id)) return void(start(TokenKind::word, name).id = *id);
         Token& token = start(TokenKind::directive, begin);
-        token.directive = {uint16_t(id), 0, kOpen};
+        token.directive = {uint16_t(*id), 0, kOpen};
         match(token, uint32_t(count() - 1));
     }
 

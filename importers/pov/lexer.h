@@ -11,7 +11,8 @@
 namespace alidade::pov {
 
 /// Those up to `mark` are given out as they are; the others have to be looked at first.
-enum class TokenKind : uint8_t { number, vector, string, word, mark, name, directive, bad, end };
+/// `hashed`: a name behind a #, which is nothing if the name is known.
+enum class TokenKind : uint8_t { number, vector, string, word, mark, name, hashed, directive, bad, end };
 
 /// Two-character operators as single ones.
 inline constexpr char kLessEqual = 'l', kGreaterEqual = 'g', kNotEqual = 'n';
@@ -31,7 +32,7 @@ struct Token {
     uint32_t offset = 0;
     union {
         double number;
-        uint32_t id;              ///< word, name: its number; string, bad: index into TokenList::texts; vector: into its vectors
+        uint32_t id;              ///< word, name, hashed: its number; string, bad: index into TokenList::texts; vector: into its vectors
         DirectiveLink directive;
     };
 

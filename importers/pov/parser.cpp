@@ -38,6 +38,10 @@ Token Parser::resolve(Token token, Waiting waiting) {
                 check_budget(token.place());
                 obey(*this, token);
                 break;
+            case TokenKind::hashed:
+                if (!symbols.find(token.id)) fail_limit(token.place(), fmt::format("there is no directive #{}", names.text(token.id)));
+                token.kind = TokenKind::name;
+                [[fallthrough]];
             case TokenKind::name: {
                 Macro* macro = macro_of(token);
                 if (!macro || waiting != Waiting::nothing) return token;
@@ -112,6 +116,7 @@ std::string Parser::describe(const Token& token) const {
         case TokenKind::vector: return fmt::format("the vector <{}>", fmt::join(stream.vector(token), ", "));
         case TokenKind::string: return fmt::format("the string \"{}\"", text(token).substr(0, 40));
         case TokenKind::word: case TokenKind::name: return std::string(names.text(token.id));
+        case TokenKind::hashed: return fmt::format("#{}", names.text(token.id));
         case TokenKind::directive: return fmt::format("#{}", kWords[token.directive.word]);
         case TokenKind::mark: return token.mark == kLessEqual ? "<=" : token.mark == kGreaterEqual ? ">=" : token.mark == kNotEqual ? "!=" : std::string(1, token.mark);
         case TokenKind::bad: return text(token);
@@ -172,8 +177,9 @@ void Parser::say_tallies() {
 }
 
 void Parser::print(TextStream where, Place at, const std::string& text) {
-    if (options.print) return options.print(where, text);
     const bool warning = where == TextStream::warning;
+    if (options.print) options.print(where, text);
+    if (options.print && !warning) return;
     std::string line = text.substr(0, text.find_last_not_of(" \n\r\t") + 1);
     if (!line.empty()) said.add(diagnostic(warning ? Severity::warning : Severity::note, at, std::move(line), {}));
 }

@@ -15,8 +15,10 @@ ImportResult import_pov(const std::string& path, const ImportOptions& options) {
     read.declarations = options.declarations;
     read.strict = options.strict;
     read.frame = options.frame;
+    read.version = options.version;
     read.quality = options.quality;
     read.write_folder = options.write_folder;
+    read.print = options.print;
     read.limits.file_bytes = std::min(read.limits.file_bytes, options.max_file_bytes);
     Imported out;
     std::optional<std::string> text = pov::read_scene_file(path, read, out.diagnostics);

@@ -24,6 +24,7 @@ class Reader {
         attempt([&] {
             p_.open_scene(path, std::move(text));
             for (const std::string& declaration : p_.options.declarations) declare(declaration);
+            if (p_.options.version) p_.version = std::clamp(*p_.options.version, 1.0, 3.7), p_.version_given = true;
         });
         while (!done_ && p_.said.errors() < kMostErrors && failures_ < kMostFailures) {
             attempt([&] { statement(); });
@@ -75,6 +76,21 @@ class Reader {
         obey(p_, directive);
     }
 
+    /// `Ball`, `Balls[2]`: an `object { Ball }`.
+    bool take_declared(const Token& name) {
+        const Ref<Slot> slot = parse_reference(p_, name, false);      // says what is not declared
+        if (!slot || slot->value.kind != Kind::block) return false;
+        p_.check_items(name.place());
+        Item named;
+        named.kind = Item::Kind::value, named.place = name.place(), named.value = slot->value;
+        const Ref<Block> block = Block::of({&named, 1}, p_.items);
+        block->word = "object"_w, block->place = name.place(), block->defaults = uint32_t(p_.defaults.size()), block->version = float(p_.version);
+        Item item;
+        item.kind = Item::Kind::block, item.place = name.place(), item.word = block->word, item.value = Value::of(Kind::block, block);
+        program_.items.push_back(std::move(item));
+        return true;
+    }
+
     void statement() {
         const Token token = p_.next();
         if (token.kind == TokenKind::end) {
@@ -82,7 +98,7 @@ class Reader {
             return;
         }
         if (is_old_directive(token)) return obey_old(token);
-        if (token.kind == TokenKind::name && !p_.symbols.find(token.id)) parse_reference(p_, token, false);   // says what is not declared
+        if (token.kind == TokenKind::name && take_declared(token)) return;
         if (token.kind != TokenKind::word || !p_.peek().is('{')) p_.fail(token.place(), fmt::format("an object or a directive is expected, not {}", p_.describe(token)));
         Item item;
         item.kind = Item::Kind::block, item.place = token.place();

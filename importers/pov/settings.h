@@ -13,6 +13,7 @@ namespace alidade::pov {
 
 /// The streams of #debug, #warning, #error, #render and #statistics.
 enum class TextStream { debug, warning, error, render, statistics };
+using PrintText = std::function<void(TextStream, const std::string&)>;
 
 /// Of an animation's frame; as POV-Ray has them without one.
 struct FrameSettings {
@@ -30,10 +31,11 @@ struct ReadOptions {
     std::vector<std::string> declarations;               ///< NAME=VALUE, a float each (POV-Ray's Declare=)
     std::optional<std::string> write_folder;             ///< #fopen ... write works below it, and nowhere else
     FrameSettings frame;
+    std::optional<double> version;                       ///< as if #version gave it before all; absent: none is given
     int quality = kFullQuality;                          ///< 0 to 11: less than full, and the scene is read without what takes time (quality.h)
     bool strict = false;                                 ///< names of files are not found in another case
     Limits limits;
-    std::function<void(TextStream, const std::string&)> print;   ///< absent: #warning becomes a warning, the rest notes
+    PrintText print;                                     ///< absent: notes; #warning becomes a warning in any case
 };
 
 }  // namespace alidade::pov

@@ -17,6 +17,7 @@ struct Condition {
     uint32_t body = 0;            ///< of a #for: where a turn begins
     WordId counter = 0;           ///< of a #for
     double last = 0, step = 0;
+    std::optional<double> waiting;   ///< of a #switch whose clause is not chosen yet: its value
 };
 
 struct Frame {

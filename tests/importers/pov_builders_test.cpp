@@ -123,6 +123,31 @@ TEST_F(PovBuilders, DeclaredObjectsAreStoredOnce) {
     EXPECT_EQ(s.roots.size(), 51u);
 }
 
+/// POV-Ray's own includes count on it: `quadric { Ellipsoid }`, which is a sphere.
+TEST_F(PovBuilders, NamesStandForObjectsOfAnyKind) {
+    const Scene s = scene("#declare S = sphere { 0, 3 } #declare A = array[2]; #declare A[1] = box { 0, 1 } #declare L = light_source { y, 1 }\nquadric { S scale 2 } cubic { A[1] } S A[1] #L camera { location y look_at 0 }");
+    ASSERT_EQ(s.shapes.size(), 2u) << "each once";
+    EXPECT_TRUE(std::holds_alternative<Sphere>(s.shapes[0].geometry) && std::holds_alternative<Box>(s.shapes[1].geometry));
+    EXPECT_EQ(s.lights.size(), 1u);
+    EXPECT_EQ(s.roots.size(), 6u) << "and a camera";
+    EXPECT_THAT(said("#declare F = 2; F"), HasSubstr("s.pov:1:17: error: an object or a directive is expected, not F"));
+    EXPECT_EQ(said("light_group { light_group { sphere { 0, 1 } light_source { y, 1 } } sphere { x, 1 } global_lights on }"), "");
+}
+
+TEST_F(PovBuilders, ASceneMayPrintAsItGoes) {
+    const char* text = "#debug \"a\" #render \"b\\n\" #warning \"c\" #statistics \"d\" sphere { 0, 1 }";
+    std::string printed;
+    ImportOptions options;
+    options.print = [&](pov::TextStream where, const std::string& what) { printed += std::to_string(int(where)) + what; };
+    const auto result = import(text, options);
+    ASSERT_TRUE(result);
+    EXPECT_EQ(printed, "0a3b\n1c4d");
+    EXPECT_THAT(result->diagnostics.text(), HasSubstr("s.pov:1:26: warning: c"));
+    EXPECT_EQ(result->diagnostics.list().size(), 1u);
+    EXPECT_THAT(said(text), HasSubstr("note: a"));
+    EXPECT_THAT(said("#for (I, 1, 150) #debug str(I, 0, 0) #end sphere { 0, 1 }"), HasSubstr("... and 50 more notes")) << "none is lost without a word";
+}
+
 /// An interior goes on with what is there, a name in it or in a material begins anew: as 36 scenes of two spheres told of POV-Ray.
 TEST_F(PovBuilders, ASecondInteriorGoesOnWithTheFirst) {
     const std::string names = "#declare I = interior { ior 1.33 fade_distance 2 } #declare M = material { texture { pigment { rgb 1 } } interior { I } }"
@@ -244,7 +269,9 @@ TEST_F(PovBuilders, AWordOfAnotherBlockIsAnError) {
         {"camera { phong 1 }", "phong cannot stand in camera"}, {"light_source { 0 rgb 1 ambient 1 }", "ambient cannot stand in light_source"}, {"fog { distance 1 look_at 0 }", "look_at cannot stand in fog"},
         {"sphere { 0, 1 texture { pigment { rgb 1 } diffuse 1 } }", "diffuse cannot stand in texture"}, {"sphere { 0, 1 finish { fog_alt 1 } }", "fog_alt cannot stand in finish"},
         {"global_settings { brilliance 1 }", "brilliance cannot stand in global_settings"}, {"sphere { 0, 1 interior { spotlight } }", "spotlight cannot stand in interior"},
-        {"sky_sphere { pigment { rgb 1 } fade_power 1 }", "fade_power cannot stand in sky_sphere"}, {"sphere { 0, 1 normal { bumps max_trace_level 3 } }", "max_trace_level cannot stand in normal"}};
+        {"sky_sphere { pigment { rgb 1 } fade_power 1 }", "fade_power cannot stand in sky_sphere"}, {"sphere { 0, 1 normal { bumps max_trace_level 3 } }", "max_trace_level cannot stand in normal"}, {"#declare T = texture { pigment { rgb 1 } } sphere { 0, 1 texture T }", "{ is expected behind texture"},
+        {"pigment { rgb 1 }", "an object or a directive is expected, not pigment"}, {"#declare P = pigment { rgb 1 } P", "an object is expected in object"}, {"#declare C = camera { } C", "an object is expected in object"},
+        {"sphere { 0, 1 texture { gradient y color_map { [0 rgb x] [1 rgb y] } } }", "color_map cannot stand in this texture"}};
     for (const auto& [text, message] : cases) {
         EXPECT_THAT(said(text), HasSubstr(std::string("error: ") + message));
         if (!povray_is_installed()) continue;

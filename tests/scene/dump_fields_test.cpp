@@ -54,7 +54,7 @@ const Change kNodeChanges[] = {
     [](Scene& s) { s.nodes[1].inside_materials = {MaterialId{0}}; },
     [](Scene& s) { s.nodes[1].interior = InteriorId{0}; },
     [](Scene& s) { s.nodes[3].csg = CsgKind::merge; },
-    [](Scene& s) { s.nodes[3].inverse = true; },
+    [](Scene& s) { s.nodes[3].inverse = true; }, [](Scene& s) { s.nodes[3].whole = true; },
     [](Scene& s) { s.nodes[3].children = {NodeId{4}}; },
     [](Scene& s) { s.nodes[3].clips.clear(); },
     [](Scene& s) { s.nodes[3].bounds = {NodeId{6}}; },

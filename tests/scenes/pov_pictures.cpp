@@ -281,9 +281,6 @@ std::vector<PovPicture> other_pictures() {
          "1.8*x, .4 pigment { rgb 1 } } } union { cylinder { -2*y, 2*y, .6 } cylinder { -2*z, 2*z, .6 } pigment { rgb <.2,.2,1> } "
          "} intersection { box { <0,0,-2>, 2 } plane { x, .8 } inverse inverse pigment { rgb <0,1,0> } } rotate <20,30,0> "
          "translate y*.5 }"},
-        {"FlagsOfParts", usual + "plane { y, -1 pigment { rgb .6 } finish { reflection .4 } } merge { sphere { 0, .8 no_image } box { <0,-.5,-.5>, "
-         "<1.4,.5,.5> pigment { rgb <1,0,0> } } pigment { rgb 1 } translate <-1,.5,0> } difference { box { -.6, .6 no_image "
-         "no_shadow } sphere { <0,.3,-.6>, .5 no_image } pigment { rgb <0,1,1> } translate <1.5,.5,-1> no_reflection }"},
         {"ShadowsOfSolids", usual + "plane { y, -1 pigment { rgb 1 } } difference { sphere { 0, 1.2 } cylinder { -2*y, 2*y, .6 } pigment { rgbf <1,.4,.3,.7> "
          "} translate y*.8 } difference { box { -.5, .5 } cylinder { -y, y, .3 } pigment { rgb 1 } translate <2,0,0> }"},
         {"SurfacesInSolids", usual + "intersection { sphere { 0, 1.5 } triangle { <-2,-1,0>, <2,-1,0>, <0,2,.5> pigment { rgb <1,1,0> } } pigment { rgb 1 } } "
@@ -307,7 +304,7 @@ std::vector<PovPicture> other_pictures() {
 
 std::vector<PovPicture> pov_pictures() {
     std::vector<PovPicture> all;
-    for (const auto& list : {patterned_pictures(), light_pictures(), sampled_pictures(), fog_pictures(), effect_pictures(), cutaway_pictures(), default_pictures(), inside_pictures(), old_cameras(), other_pictures(), image_pictures()}) all.insert(all.end(), list.begin(), list.end());
+    for (const auto& list : {patterned_pictures(), light_pictures(), sampled_pictures(), fog_pictures(), effect_pictures(), cutaway_pictures(), default_pictures(), inside_pictures(), flag_pictures(), old_cameras(), other_pictures(), image_pictures()}) all.insert(all.end(), list.begin(), list.end());
     return all;
 }
 

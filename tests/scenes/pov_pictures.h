@@ -35,6 +35,8 @@ std::vector<PovPicture> alpha_pictures();
 std::vector<PovPicture> default_pictures();
 /// Of what is inside of what.
 std::vector<PovPicture> inside_pictures();
+/// Of what is seen by which rays.
+std::vector<PovPicture> flag_pictures();
 std::vector<PovPicture> other_pictures();
 /// All of them.
 std::vector<PovPicture> pov_pictures();

@@ -144,13 +144,31 @@ class Povray(InFolder):
         text = {name: (self.folder / name).read_text() for name in ("d.txt", "w.txt", "f.txt", "a.txt", "STATS.OUT")}
         for name, wanted, other in (("d.txt", "said", "warned"), ("w.txt", "warned", "said"), ("STATS.OUT", "s.png: 8x6", "said")):
             self.assertIn(wanted, text[name], name)
-            self.assertNotIn(other + "\n", text[name].replace('#debug "said', ""), name)
+            self.assertNotIn(other + "\n", text[name], name)
+        self.assertEqual(text["d.txt"], "said\n", "as it is")
         self.assertEqual(text["f.txt"], "")
         self.assertTrue(all(word in text["a.txt"] for word in ("said", "warned", "s.png: 8x6")), text["a.txt"])
         (self.folder / "s.pov").write_text("sphere { 0, 1 pigmnt { } }\n")
         self.render("+Is.pov", "+GFf.txt", code=1)
         self.assertIn("error", (self.folder / "f.txt").read_text())
         self.assertIn("cannot be written", self.render("+Is.pov", "+GDnowhere/d.txt", code=1))
+
+    def test_what_scenes_print_is_shown_as_it_is(self):
+        (self.folder / "s.pov").write_text(SCENE + '#for (I, 1, 200) #debug concat(str(I, 0, 0), ",") #end #render "r\\n" #debug "open"\n')
+        all_of_it = "".join(f"{i}," for i in range(1, 201))
+        shown = self.render("+Is.pov", "+W8", "+H6")
+        self.assertTrue(shown.startswith(f"{all_of_it}r\nopen\ns.png: 8x6"), shown)
+        for words, wanted in (("-GD", "s.png"), ("Debug_Console=off", "s.png"), ("-GDd.txt +GAa.txt -GA", "s.png"), ("-GR -GS", all_of_it), ("-GA +GD", all_of_it)):
+            self.assertTrue(self.render("+Is.pov", "+W8", "+H6", *words.split()).startswith(wanted), words)
+        self.assertEqual((self.folder / "d.txt").read_text(), all_of_it + "r\nopen", "#render and #statistics are of POV-Ray's debug stream, too")
+        self.assertTrue((self.folder / "a.txt").read_text().startswith(all_of_it + "r\nopen\ns.png"))
+
+    def test_the_language_of_scenes_that_do_not_say_theirs(self):
+        (self.folder / "s.pov").write_text('#debug concat(str(version, 0, 2), "\\n")\nobject { sphere { <0 0 0> 2 } texture { ambient 0.2 color red 1 } }\n')
+        for word in ("+MV1.0", "Version=1.0"):
+            self.assertTrue(self.render("+Is.pov", "+W8", "+H6", word).startswith("1.00\n"), word)
+        self.assertIn("error", self.render("+Is.pov", "+W8", "+H6", code=1), "a texture has no ambient any more")
+        self.assertIn("+MVx", self.render("+Is.pov", "+MVx", code=1))
 
     def test_the_ini_file_of_all_renders_is_read_first(self):
         (self.folder / "povray.ini").write_text("Width=12\nHeight=9\nOutput_File_Type=P\n")

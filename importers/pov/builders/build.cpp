@@ -104,7 +104,9 @@ void Cursor::skip_unmodelled() {
     const bool named = item.kind == Item::Kind::word || block;
     const std::string_view word = named ? kWords[block ? block->word : item.word] : std::string_view("a value");
     refuse_misplaced();
-    build_.p.tally(item.place, fmt::format("{} in {} is not modelled yet: it is left out", word, kWords[block_.word]));
+    if (!named) build_.p.tally(item.place, fmt::format("a value means nothing here in {}: it is left out", kWords[block_.word]));
+    else if (!block && belongs_to_objects(item.word)) build_.p.fail(item.place, fmt::format("{{ is expected behind {}", word));
+    else build_.p.tally(item.place, fmt::format("{} in {} is not modelled yet: it is left out", word, kWords[block_.word]));
     skip();
 }
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "importers/pov/builders/objects.h"
 
+#include "eval/csg_expression.h"
+
 #include "core/transform.h"
 #include "importers/pov/builders/interiors.h"
 #include "importers/pov/builders/lights.h"
@@ -31,6 +33,7 @@ struct Draft {
     bool changed = false;                 ///< a texture or interior stands around it, which takes the place of its own
     const Block* bound = nullptr;         ///< bounded_by, which clipped_by may name
     Transform bound_transform;            ///< of the object, where it stands
+    bool bounded = false, split = true;   ///< bounded_by and split_union, which say if a union is one object
 };
 
 CsgKind csg_of(WordId word) {
@@ -47,6 +50,15 @@ bool changes_surface(const Item& item) {
     if (item.value.kind != Kind::block) return false;
     const WordId word = item.block().word;
     return word == "interior"_w || word == "texture"_w || word == "pigment"_w || word == "finish"_w || word == "normal"_w || word == "material"_w;
+}
+
+/// `no_image off` takes back what the declared object says.
+bool undoes_flags(std::span<const Item> items) {
+    for (size_t i = 0; i + 1 < items.size(); ++i) {
+        const bool is_flag = items[i].kind == Item::Kind::word && (items[i].word == "no_shadow"_w || items[i].word == "no_image"_w || items[i].word == "no_reflection"_w);
+        if (is_flag && items[i + 1].value.kind == Kind::number && items[i + 1].value.c[0] == 0) return true;
+    }
+    return false;
 }
 
 bool shows_cuts(const Item& item) { return item.kind == Item::Kind::word && item.word == "cutaway_textures"_w; }
@@ -127,7 +139,7 @@ bool is_hint(const Cursor& at) {
     const Item& item = at.peek();
     if (at.at_block("photons"_w)) return true;
     if (item.kind != Item::Kind::word) return false;
-    return item.word == "sturm"_w || item.word == "hierarchy"_w || item.word == "split_union"_w || item.word == "no_radiosity"_w;
+    return item.word == "sturm"_w || item.word == "hierarchy"_w || item.word == "no_radiosity"_w;
 }
 
 /// The lights of `light_group` shine on what stands in it, but not in a group in it; others do not, unless `global_lights` says so.
@@ -178,6 +190,7 @@ void take_clips(Build& build, Draft& d, const Block& block, const Transform& mov
 
 /// What bounds an object is trusted by POV-Ray and not needed here, unless it clips as well; `bounded_by { clipped_by }` says nothing new.
 void take_bound(Draft& d, const Block& block) {
+    d.bounded = true;
     const bool names_clips = !block.items.empty() && block.items[0].kind == Item::Kind::word;
     if (!names_clips) d.bound = &block, d.bound_transform = d.transform * d.before;
 }
@@ -195,9 +208,28 @@ void take_modifiers(Build& build, Draft& d, Cursor& at) {
         else if (const Block* clip = at.block_at("clipped_by"_w)) at.next(), take_clips(build, d, *clip, d.transform * d.before);
         else if (const Block* bound = at.block_at("bounded_by"_w)) at.next(), take_bound(d, *bound);
         else if (at.at_word("cutaway_textures"_w)) take_cutaway(build, d, at.place()), at.next();
+        else if (at.accept("split_union"_w)) d.split = at.flag();
         else if (is_hint(at)) at.skip();
         else at.skip_unmodelled();
     }
+}
+
+/// A union that is bounded, not split or clipped is one object. It throws no shadow if none of its parts does.
+void settle_union(const Build& build, Draft& d) {
+    const Node* of = &d.node;
+    bool inverse = of->inverse;
+    for (auto below = lone_part(*of); below; below = lone_part(*of)) of = &build.scene.nodes[below->index], inverse = inverse != of->inverse;
+    if (of->csg != CsgKind::union_) return;
+    d.node.whole = d.bounded || !d.split;
+    if (inverse || (!d.node.whole && d.node.clips.empty())) return;
+    const auto is_light = [&](NodeId id) { return std::holds_alternative<LightId>(build.scene.nodes[id.index].what); };
+    const auto throws_shadow = [&](NodeId id) {
+        for (std::optional<NodeId> at = id; at; at = lone_part(build.scene.nodes[at->index]))
+            if (!build.scene.nodes[at->index].flags.shadow) return false;
+        return !is_light(id);
+    };
+    const bool none = std::none_of(of->children.begin(), of->children.end(), throws_shadow);
+    if (none && !std::all_of(of->children.begin(), of->children.end(), is_light)) d.node.flags.shadow = false;
 }
 
 bool draft(Build& build, const Block& block, Draft& d);
@@ -229,7 +261,7 @@ bool object(Build& build, Cursor& at, Draft& d) {
     at.next();
     const std::span<const Item> items = at.block().items;
     d.shows_cuts = d.shows_cuts || std::any_of(items.begin(), items.end(), shows_cuts);
-    d.changed = d.changed || std::any_of(items.begin(), items.end(), changes_surface);
+    d.changed = d.changed || std::any_of(items.begin(), items.end(), changes_surface) || undoes_flags(items) || at.block().word == "light_group"_w;
     if (build.shapes_alone || !(d.shows_cuts || d.changed)) return reference(build, *inner, d);
     constexpr size_t kMostCopies = 50'000;
     if (build.copying && ++build.copies_of_copies > kMostCopies) build.p.fail_limit(at.block().place, fmt::format("more than {} objects are copied in copies, because their textures or interiors change", kMostCopies));
@@ -261,14 +293,23 @@ bool shape(Build& build, const Block& block, Cursor& at, Draft& d) {
     return true;
 }
 
+bool is_object_at(const Block& block, size_t i) { return i < block.items.size() && block.items[i].value.kind == Kind::block && is_object(block.items[i].block().word); }
+
+/// `sphere { Ball ... }` is Ball. POV-Ray does not ask of what kind that is: `quadric { Ellipsoid }`, `union { Ball }`. Where it stands among parts it is one.
+bool names_an_object(const Block& block, const Cursor& at) {
+    if (!is_object_at(block, 0)) return false;
+    if (block.word == "light_group"_w) return at.at_declared() && block.items[0].block().word == block.word;
+    if (csg_of(block.word) != CsgKind::none) return at.at_declared() && !is_object_at(block, 1);
+    return at.at_declared() || block.items[0].block().word == block.word;
+}
+
 /// Reads an object into `d`, which is as it was made; false if it is not modelled.
 bool draft(Build& build, const Block& block, Draft& d) {
     const Nested nested(build.p, block.place);
     Cursor at(build, block);
-    const Block* first = at.any_block();
     const bool wraps = block.word == "object"_w || block.word == "looks_like"_w || block.word == "projected_through"_w;
     const Transform placed = std::exchange(d.placed, Transform());
-    if (wraps || (first && first->word == block.word && csg_of(block.word) == CsgKind::none)) {
+    if (wraps || names_an_object(block, at)) {
         if (!object(build, at, d)) return false;
         d.transform = placed * d.transform;
     } else if (const CsgKind csg = csg_of(block.word); csg != CsgKind::none) {
@@ -286,6 +327,7 @@ bool draft(Build& build, const Block& block, Draft& d) {
     }
     d.node.from = build.position(block.place);
     take_modifiers(build, d, at);
+    settle_union(build, d);
     return true;
 }
 

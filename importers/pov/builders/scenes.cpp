@@ -4,6 +4,7 @@
 #include "importers/pov/builders/cameras.h"
 #include "importers/pov/builders/atmosphere.h"
 #include "importers/pov/builders/globals.h"
+#include "importers/pov/builders/misplaced.h"
 #include "importers/pov/builders/objects.h"
 #include "importers/pov/builders/pigments.h"
 #include "importers/pov/builders/textures.h"
@@ -51,6 +52,7 @@ void build_item(Build& build, const Item& item, std::optional<Camera>& camera) {
         default: break;
     }
     if (is_object(block.word)) return add_root(build, block);
+    if (belongs_to_objects(block.word)) build.p.fail(item.place, fmt::format("an object or a directive is expected, not {}", kWords[block.word]));
     build.p.tally(item.place, fmt::format("{} is not modelled yet: it is left out", kWords[block.word]));
 }
 

@@ -16,6 +16,21 @@
 // expect other
 #switch (2) #range (3, 1) #debug "in\n" #break #range (1 5) #debug "within\n" #break #end   // expect within
 #switch (1) #range (2, 3) #debug "r\n" #break #case (0) #debug "0\n" #break #else #debug "below\n" #end   // expect below
+//---- the values of #switch and #case may be conditions, and what stands before the first clause is obeyed
+#declare Q = 1;
+#switch (Q = 1 | Q = 2) #debug "before\n" #case (0) #debug "0\n" #break #case (1) #debug "1\n" #break #end   // expect before
+#switch (Q) #case (Q > 1) #debug "no\n" #break #case (Q > 0 & !0) #debug "yes\n" #break #end   // expect 1
+#switch (Q ? 3 : 4) #declare Before = 7; #range ((Q <= 0), 2) #debug "no\n" #break #case (3) #debug "3\n" #break #end   // expect yes
+#debug concat(str(Before, 0, 0), "\n")                      // expect 3
+#switch (2) #debug "outer\n" #switch (2) #case (2) #debug "inner\n" #break #case (1) #debug "no\n" #end #case (1) #debug "no\n" #case (2) #debug "behind\n" #end   // expect 7
+// expect outer
+// expect inner
+// expect behind
+//---- a # before a word that is no directive means nothing
+#declare V = #color rgb #<1, 2, 3>; #debug #concat(str(V.y, 0, 0), "\n")   // expect 2
+#global_settings { #assumed_gamma 1 } #sphere { 0, 1 #translate y }
+#declare Ball = sphere { 0, 1 } #macro Said(What) #debug concat(#What, "\n") #end union { object { #Ball } object { #Ball } } #Ball
+#Said("m")                                                  // expect m
 //---- what is not taken is not read
 #if (0) #include "nowhere.inc" #declare = ; #elseif (1) #debug "second\n" #else #debug "third\n" #end   // expect second
 #ifdef (Nothing) #debug "defined\n" #else #debug "not\n" #end   // expect not

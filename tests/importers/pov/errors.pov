@@ -47,3 +47,8 @@ sphere { 0, B2 }        // expect error 3:13 B2 is not declared
 M()                     // expect error 1:12 macros call one another
 //---- a step of 0
 #for (i, 0, 1, 0) #end  // expect error 1:16 the step of a #for must not be 0
+//---- a #switch needs a value to match
+#switch (1) #end                 // expect error 1:13 #case or #range is expected in #switch before #end
+#switch (1) #else #debug "no\n" #end   // expect error 2:13 #case or #range is expected in #switch before #else
+//---- a # before a name that is none
+#delcare A = 3          // expect error 1:1 there is no directive #delcare
