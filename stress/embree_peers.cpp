@@ -19,6 +19,7 @@ struct Embree {
     decltype(&::rtcNewScene) rtcNewScene = nullptr;
     decltype(&::rtcReleaseScene) rtcReleaseScene = nullptr;
     decltype(&::rtcSetSceneFlags) rtcSetSceneFlags = nullptr;
+    decltype(&::rtcSetSceneBuildQuality) rtcSetSceneBuildQuality = nullptr;
     decltype(&::rtcCommitScene) rtcCommitScene = nullptr;
     decltype(&::rtcNewGeometry) rtcNewGeometry = nullptr;
     decltype(&::rtcReleaseGeometry) rtcReleaseGeometry = nullptr;
@@ -40,6 +41,7 @@ struct Embree {
         return library && find(library, "rtcNewDevice", rtcNewDevice) && find(library, "rtcReleaseDevice", rtcReleaseDevice) &&
                find(library, "rtcSetDeviceMemoryMonitorFunction", rtcSetDeviceMemoryMonitorFunction) && find(library, "rtcNewScene", rtcNewScene) &&
                find(library, "rtcReleaseScene", rtcReleaseScene) && find(library, "rtcSetSceneFlags", rtcSetSceneFlags) &&
+               find(library, "rtcSetSceneBuildQuality", rtcSetSceneBuildQuality) &&
                find(library, "rtcCommitScene", rtcCommitScene) && find(library, "rtcNewGeometry", rtcNewGeometry) &&
                find(library, "rtcReleaseGeometry", rtcReleaseGeometry) && find(library, "rtcCommitGeometry", rtcCommitGeometry) &&
                find(library, "rtcAttachGeometry", rtcAttachGeometry) && find(library, "rtcSetSharedGeometryBuffer", rtcSetSharedGeometryBuffer) &&
@@ -50,7 +52,8 @@ struct Embree {
 
 class EmbreePeer : public StressPeer {
   public:
-    EmbreePeer(const Embree& embree, const char* peer_name, RTCSceneFlags flags) : e_(embree), device_(e_.rtcNewDevice("threads=1")), flags_(flags) {
+    EmbreePeer(const Embree& embree, const char* peer_name, RTCSceneFlags flags, RTCBuildQuality quality = RTC_BUILD_QUALITY_MEDIUM)
+        : e_(embree), device_(e_.rtcNewDevice("threads=1")), flags_(flags), quality_(quality) {
         name = peer_name, accountable = false;
         e_.rtcSetDeviceMemoryMonitorFunction(device_, count_bytes, &bytes_);
     }
@@ -115,6 +118,7 @@ class EmbreePeer : public StressPeer {
     RTCScene new_scene() const {
         const RTCScene scene = e_.rtcNewScene(device_);
         e_.rtcSetSceneFlags(scene, flags_);
+        e_.rtcSetSceneBuildQuality(scene, quality_);
         return scene;
     }
     void attach(RTCScene scene, RTCGeometry geometry) const {
@@ -150,6 +154,7 @@ class EmbreePeer : public StressPeer {
     std::atomic<ssize_t> bytes_ = 0;
     RTCDevice device_;
     RTCSceneFlags flags_;
+    RTCBuildQuality quality_;   ///< high: with spatial splits
     std::vector<RTCScene> meshes_;
     RTCScene top_ = nullptr;
     std::vector<std::vector<Vec3f>> positions_;
@@ -164,6 +169,7 @@ std::vector<std::unique_ptr<StressPeer>> make_embree_peers() {
     if (!opened) return peers;
     peers.push_back(std::make_unique<EmbreePeer>(embree, "embree", RTC_SCENE_FLAG_NONE));
     peers.push_back(std::make_unique<EmbreePeer>(embree, "embree robust", RTC_SCENE_FLAG_ROBUST));
+    peers.push_back(std::make_unique<EmbreePeer>(embree, "embree high", RTC_SCENE_FLAG_NONE, RTC_BUILD_QUALITY_HIGH));
     return peers;
 }
 

@@ -119,7 +119,8 @@ class Figures(Stress):
             self.assertIn("was built without Embree 3, or the system has no", said.stderr)
             return
         self.assertEqual(said.returncode, 0, said)
-        self.assertRegex(said.stdout, r"\n  primary +embree robust +float ")
+        for peer in ("embree", "embree robust", "embree high"):
+            self.assertRegex(said.stdout, rf"\n  primary +{peer} +float ")
         size = json.loads((self.folder / "out.json").read_text())["scenes"][0]["sizes"][0]
         for one in size["structures"]:
             self.assertLess(one["rays"][0]["unlike"], 6, "of 576 rays")
