@@ -22,7 +22,8 @@ std::vector<PovPicture> flag_pictures() {
          "union { sphere { 0, .5 no_image no_shadow } sphere { x*.4, .4 } bounded_by { box { -3, 3 } } split_union on pigment { rgb y } translate <-.7,0,0> } union { P pigment { rgb <0,1,1> } translate <.7,0,0> } merge { P bounded_by { box { -3, 3 } } "
          "pigment { rgb <1,1,0> } translate <2,0,-1> } union { object { P } sphere { y*.5, .2 no_shadow } clipped_by { plane { y, .6 } } pigment { rgb 1 } translate <0,0,-2> }"},
         {"DeclaredLightGroups", usual + "#declare G = light_group { light_source { <-5,5,-5> rgb <.5,0,0> } sphere { 0, .7 pigment { rgb 1 } } } light_group { G global_lights on translate <-1.5,0,0> } light_group { G } light_group { light_group { light_source { <5,5,-5> "
-         "rgb <0,.5,0> } sphere { 0, .5 pigment { rgb 1 } } } sphere { x, .4 pigment { rgb y } } translate <1.5,0,0> }"},
+         "rgb <0,.5,0> } sphere { 0, .5 pigment { rgb 1 } } global_lights off } sphere { x, .4 pigment { rgb y } } global_lights on translate <1.5,0,0> } "
+         "light_group { object { G scale .5 } sphere { y, .3 pigment { rgb 1 } } global_lights on translate <.5,0,-2> } light_group { light_group { light_source { <5,5,-5> rgb x } sphere { 0, .3 pigment { rgb 1 } } global_lights on } box { 0, .3 } translate <-1,0,-3> }"},
     };
 }
 

@@ -33,6 +33,7 @@ struct Draft {
     bool changed = false;                 ///< a texture or interior stands around it, which takes the place of its own
     const Block* bound = nullptr;         ///< bounded_by, which clipped_by may name
     Transform bound_transform;            ///< of the object, where it stands
+    bool is_group = false, is_lit = false;   ///< a light group; global lights shine on it, since they do around it
     bool bounded = false, split = true;   ///< bounded_by and split_union, which say if a union is one object
 };
 
@@ -128,7 +129,7 @@ bool take_flag(Draft& d, Cursor& at) {
     else if (at.accept("no_reflection"_w)) f.reflection = !at.flag();
     else if (at.accept("hollow"_w)) f.hollow = at.flag();
     else if (at.accept("double_illuminate"_w)) f.double_illuminate = at.flag();
-    else if (!d.node.global_lights && at.accept("global_lights"_w)) d.node.global_lights = at.flag();
+    else if (d.is_group && at.accept("global_lights"_w)) d.node.global_lights = at.flag() || d.is_lit;
     else if (at.accept("inverse"_w)) d.node.inverse = !d.node.inverse;
     else return false;
     return true;
@@ -247,11 +248,13 @@ bool reference(Build& build, const Block& object, Draft& d) {
     return true;
 }
 
-struct Copying {
-    explicit Copying(Build& b) : build(b) { ++build.copying; }
-    Copying(const Copying&) = delete;
-    ~Copying() { --build.copying; }
-    Build& build;
+/// Counts the calls that one stands in.
+struct Within {
+    Within(int& calls, bool counts) : depth(calls), by(counts ? 1 : 0) { depth += by; }
+    Within(const Within&) = delete;
+    ~Within() { depth -= by; }
+    int& depth;
+    int by;
 };
 
 /// `object { NAME ... }`: the thing itself where its texture or interior is changed, a child that it shares with other references where not.
@@ -261,11 +264,11 @@ bool object(Build& build, Cursor& at, Draft& d) {
     at.next();
     const std::span<const Item> items = at.block().items;
     d.shows_cuts = d.shows_cuts || std::any_of(items.begin(), items.end(), shows_cuts);
-    d.changed = d.changed || std::any_of(items.begin(), items.end(), changes_surface) || undoes_flags(items) || at.block().word == "light_group"_w;
+    d.changed = d.changed || std::any_of(items.begin(), items.end(), changes_surface) || undoes_flags(items) || at.block().word == "light_group"_w || (inner->word == "light_group"_w && build.lit_globally > 0);
     if (build.shapes_alone || !(d.shows_cuts || d.changed)) return reference(build, *inner, d);
     constexpr size_t kMostCopies = 50'000;
     if (build.copying && ++build.copies_of_copies > kMostCopies) build.p.fail_limit(at.block().place, fmt::format("more than {} objects are copied in copies, because their textures or interiors change", kMostCopies));
-    const Copying copying(build);
+    const Within copying(build.copying, true);
     return draft(build, *inner, d);
 }
 
@@ -291,6 +294,14 @@ bool shape(Build& build, const Block& block, Cursor& at, Draft& d) {
     d.node.what = ShapeId{uint32_t(build.scene.shapes.size() - 1)};
     d.node.materials = std::move(built->slots);
     return true;
+}
+
+/// `light_group { ... global_lights on }`: holds for all groups in it, whatever they say.
+bool takes_global_lights(const Block& group) {
+    bool on = false;
+    for (size_t i = 0; i < group.items.size(); ++i)
+        if (group.items[i].kind == Item::Kind::word && group.items[i].word == "global_lights"_w) on = i + 1 == group.items.size() || group.items[i + 1].value.kind != Kind::number || group.items[i + 1].value.c[0] != 0;
+    return on;
 }
 
 bool is_object_at(const Block& block, size_t i) { return i < block.items.size() && block.items[i].value.kind == Kind::block && is_object(block.items[i].block().word); }
@@ -319,7 +330,8 @@ bool draft(Build& build, const Block& block, Draft& d) {
         d.node.csg = CsgKind::union_;
         d.node.children = build_text(build, at);
     } else if (block.word == "light_group"_w) {
-        d.node.global_lights = false;
+        d.is_group = true, d.is_lit = d.node.global_lights = build.lit_globally > 0;
+        const Within lit(build.lit_globally, takes_global_lights(block));
         take_children(build, d, at);
         for (const NodeId child : d.node.children) gather_lights(build.scene, child, d.node.light_group);
     } else if (!shape(build, block, at, d)) {
