@@ -40,6 +40,7 @@ Request request_of(const PovrayRequest& r, int frame) {
     request.import.include_paths.insert(request.import.include_paths.begin(), ".");   // POV-Ray's first place; the scene's folder, which is none of POV-Ray's, comes before it here
     request.import.declarations = r.declarations;
     request.import.version = r.version;
+    request.import.write_folder = r.write_folder;
     request.import.quality = r.quality;
     request.compile.threads = r.threads;
     pov::FrameSettings& f = request.import.frame;
@@ -48,7 +49,7 @@ Request request_of(const PovrayRequest& r, int frame) {
     f.clock_on = r.animated() || r.clock_given;
     if (!r.animated()) return request;
     f.initial_clock = r.initial_clock, f.final_clock = r.final_clock;
-    f.initial_frame = r.initial_frame, f.final_frame = r.final_frame, f.frame_number = frame;
+    f.initial_frame = r.initial_frame, f.final_frame = r.final_frame + (r.cyclic ? 1 : 0), f.frame_number = frame;   // what would be the first again counts
     f.clock_delta = clock_of(r, r.initial_frame + 1) - clock_of(r, r.initial_frame);
     return request;
 }
@@ -178,7 +179,7 @@ int render_frames(const PovrayRequest& r) {
 
 std::string help(const Verb& verb) {
     return fmt::format("alidade {}\n\n{}\n\nThe words are POV-Ray's: +Iscene.pov +Oout.png +W320 +H240 +A<threshold> -A +AM<method> +R<depth> -J +L<folder> +FN +UA +Q<quality> +WT<threads> +C +K<clock> +KFI1 +KFF10 +SF +EF +SC +EC +SR +ER,\n"
-                       "Key=Value, Declare=NAME=VALUE, scene.ini[section]. docs/pov-support.md lists what they do. --seed=N is ours alone: other random numbers.\n\nExit codes: {}.\n",
+                       "Key=Value, Declare=NAME=VALUE, scene.ini[section]. docs/pov-support.md lists what they do. Two are ours alone: --seed=N, other random numbers; --allow-write=DIR, where the scene may write.\n\nExit codes: {}.\n",
                        verb.usage, verb.doc, verb.exits);
 }
 

@@ -38,6 +38,7 @@ struct PovrayRequest {
     bool shows_scene_text = true;         ///< the console of the debug stream. Diagnostics always are shown
     std::array<std::string, kMessageStreams> message_files;   ///< by MessageStream; "": none
     std::optional<double> version;        ///< of the language, before the scene's first #version
+    std::optional<std::string> write_folder;   ///< --allow-write=DIR, ours alone, too: where the scene may write
     uint64_t seed = 0;                    ///< --seed=N, a word that POV-Ray does not have: other random numbers
     std::vector<std::string> notes;       ///< words that are known and change nothing here, each once
 

@@ -287,7 +287,8 @@ void PovSurface::add_texture(const CompiledScene& scene, const PovTexture& textu
             total = true;
             out.push_back({mirrored(normal, facing), p.faded * texture.share, RayKind::reflection, state.inside, importance, false});
         } else {
-            out.push_back({normalized(dir_ * p.ratio + normal * (p.ratio * c - std::sqrt(t))), weight, RayKind::refraction, p.beyond, importance, false, shows});
+            const double root = c < 0 ? -std::sqrt(t) : std::sqrt(t);   // a bent normal may face away: what passes is bent by its other side
+            out.push_back({normalized(dir_ * p.ratio + normal * (p.ratio * c - root)), weight, RayKind::refraction, p.beyond, importance, false, shows});
         }
     }
     add_reflections(scene, texture, state, 1 / p.ratio, total ? &normal : nullptr, facing, out);

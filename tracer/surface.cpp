@@ -154,7 +154,7 @@ Color Surface::scatter(const Vec3& wi, bool highlights) const {
 }
 
 void Surface::secondary(const CompiledScene& scene, const RayState& state, Secondaries& out) const {
-    if (pov_) return pov_->secondary(scene, *point_, state, dot(point_->geometric_normal, wo_) < 0 ? -point_->geometric_normal : point_->geometric_normal, out);
+    if (pov_) return pov_->secondary(scene, *point_, state, dot(point_->shading_normal, wo_) < 0 ? -point_->shading_normal : point_->shading_normal, out);   // POV-Ray knows no other normal of a smooth triangle
     if (coverage_ <= 0 || unlit_) return;
     if (is_black(transmission_)) add_mirror(state, out);
     else add_transmission(scene, state, out);

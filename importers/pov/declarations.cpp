@@ -28,11 +28,15 @@ Ref<Slot> element(Parser& p, const Token& name) {
     return parse_reference(p, name, true);
 }
 
-/// Behind floats, vectors and colours a semicolon must stand; behind all else it may.
+/// Behind floats, vectors and colours a semicolon must stand, and a second one may, as where a macro that gives the value ends with one; behind all else one may.
 void end_declaration(Parser& p, bool needs_semicolon, const Token& name) {
     // Not peek(): it would obey the next #declare inside of this one, and that the next, until nothing nests any deeper.
     const Token behind = p.peek_behind_value();
-    if (behind.is(';')) return void(p.next());
+    if (behind.is(';')) {
+        p.next();
+        if (needs_semicolon && p.peek_behind_value().is(';')) p.next();
+        return;
+    }
     if (!needs_semicolon) return;
     if (p.version >= 3.5) p.fail(behind.place(), fmt::format("; is expected behind the value of {}, not {}", p.names.text(name.id), p.describe(behind)));
     p.warn(behind.place(), fmt::format("; is expected behind the value of {}", p.names.text(name.id)));

@@ -18,6 +18,12 @@ void require_numeric(Parser& p, const Value& value, Place at) {
     if (!value.numeric()) p.fail(at, fmt::format("{} is no number to calculate with", kind_name(value)));
 }
 
+/// A float without what stands behind it.
+Value by_itself(Value value) {
+    if (value.rest > 0) std::fill(value.c.begin() + 1, value.c.end(), 0.0), value.rest = 0;
+    return value;
+}
+
 /// The component that `.word` names.
 Value component(Parser& p, const Value& value, const Token& word) {
     static constexpr std::pair<WordId, int> kComponents[] = {{"x"_w, 0}, {"u"_w, 0}, {"red"_w, 0}, {"y"_w, 1}, {"v"_w, 1}, {"green"_w, 1},
@@ -30,7 +36,9 @@ Value component(Parser& p, const Value& value, const Token& word) {
     for (const auto& [name, index] : kComponents)
         if (word.is_word(name)) {
             if (value.terms == 1 && index > 0) p.fail(word.place(), "a float has no second component");
-            return Value::number(value.c[index]);
+            Value one = value;
+            one.kind = Kind::number, one.terms = 1, one.rest = value.terms, one.c[0] = value.c[index];
+            return one;
         }
     p.fail(word.place(), fmt::format("a component (x, y, z, t, u, v, red, green, blue, filter, transmit, gray) is expected behind the dot, not {}", p.describe(word)));
 }
@@ -117,7 +125,7 @@ Value factor_of_mark(Parser& p, const Token& token, Standing standing) {
     if (token.mark == '(') {
         Value value = parse_full(p);
         p.expect(')', "behind the expression");
-        return value;
+        return by_itself(value);
     }
     if (token.mark == '<') return vector_literal(p, token.place());
     fail_no_value(p, token);
@@ -233,6 +241,7 @@ Ref<Slot> parse_reference(Parser& p, const Token& name, bool make) {
 }
 
 Value kept(Value value) {
+    value = by_itself(value);
     const bool single = value.kind == Kind::colour || (value.kind == Kind::vector && value.terms == value.c.size());
     if (single)
         for (double& x : value.c) x = in_single(x);
@@ -295,7 +304,7 @@ std::array<double, 5> parse_vector(Parser& p, uint8_t terms) {
     const Place at = p.peek().place();
     const Value value = parse_expression(p);
     if (!value.numeric()) p.fail(at, fmt::format("a vector is expected, not {}", kind_name(value)));
-    return promoted(value, terms);
+    return as_vector(value, terms);
 }
 
 std::string parse_string(Parser& p) {

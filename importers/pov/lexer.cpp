@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "importers/pov/lexer.h"
 
+#include "importers/pov/utf8.h"
+
 #include <array>
 #include <charconv>
 #include <fmt/format.h>
@@ -38,16 +40,6 @@ bool is_directive(WordId id) {
         case "statistics"_w: case "fopen"_w: case "fclose"_w: case "read"_w: case "write"_w: case "if"_w: case "ifdef"_w: case "ifndef"_w: case "else"_w: case "elseif"_w: case "end"_w: case "while"_w:
         case "for"_w: case "switch"_w: case "case"_w: case "range"_w: case "break"_w: case "max_trace_level"_w: case "max_intersections"_w: return true;
         default: return false;
-    }
-}
-
-void append_utf8(std::string& out, uint32_t code) {
-    if (code < 0x80) {
-        out += char(code);
-    } else if (code < 0x800) {
-        out += char(0xC0 | code >> 6), out += char(0x80 | (code & 0x3F));
-    } else {
-        out += char(0xE0 | code >> 12), out += char(0x80 | (code >> 6 & 0x3F)), out += char(0x80 | (code & 0x3F));
     }
 }
 

@@ -15,11 +15,13 @@ std::array<double, 5> promoted(const Value& value, uint8_t terms) {
     return all;
 }
 
+std::array<double, 5> as_vector(const Value& value, uint8_t terms) { return value.rest > 0 ? value.c : promoted(value, terms); }
+
 bool apply(char op, Value& left, const Value& right) {
     const uint8_t terms = std::max(left.terms, right.terms);
     if (terms > 1) {
         const bool colour = left.kind == Kind::colour || right.kind == Kind::colour;
-        left.c = promoted(left, terms), left.terms = terms, left.kind = colour ? Kind::colour : Kind::vector;
+        left.c = promoted(left, terms), left.terms = terms, left.rest = 0, left.kind = colour ? Kind::colour : Kind::vector;
     }
     const std::array<double, 5> all = promoted(right, terms);
     bool by_zero = false;

@@ -14,6 +14,9 @@ bool truth(double x);
 /// `value` with `terms` components.
 std::array<double, 5> promoted(const Value& value, uint8_t terms);
 
+/// The same where POV-Ray reads a vector, but not a colour: of `V.y` it is <V.y, V.y, V.z> (probed), V being a vector of three.
+std::array<double, 5> as_vector(const Value& value, uint8_t terms);
+
 /// `a op b` for + - * /; b is not 0 where it divides.
 inline double arithmetic(char op, double a, double b) { return op == '+' ? a + b : op == '-' ? a - b : op == '*' ? a * b : a / b; }
 /// The same with b in all components of `left` or in each its own; both are numeric. True if a 0 has divided.

@@ -62,6 +62,7 @@ std::string kind_name(const struct Value& value);
 struct Value {
     Kind kind = Kind::nothing;
     uint8_t terms = 0;                 ///< number 1, vector 2..5, colour 5 (red, green, blue, filter, transmit)
+    uint8_t rest = 0;                  ///< a float that a component of a vector begins (`V.y`, `V.y*2`): the other components of that, so many with it, still stand behind it in c
     std::array<double, 5> c{};
     Ref<Shared> shared;
 

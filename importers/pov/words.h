@@ -40,7 +40,7 @@ inline constexpr std::string_view kWords[] = {
     "max_gradient", "max_intersections", "max_iteration", "max_sample", "max_trace", "max_trace_level", "maximum_reuse", "media", "media_attenuation",
     "media_interaction", "merge", "mesh", "mesh2", "mesh_camera", "metallic", "method", "metric", "min", "min_extent", "minimum_reuse", "mm_per_unit",
     "mod", "mortar", "natural_spline", "nearest_count", "no", "no_bump_scale", "no_image", "no_radiosity", "no_reflection", "no_shadow",
-    "noise_generator", "normal", "normal_indices", "normal_map", "normal_vectors", "now", "number_of_waves", "object", "octaves", "off", "offset",
+    "noise_generator", "normal", "normal_indices", "normal_map", "normal_vectors", "now", "number_of_sides", "number_of_tiles", "number_of_waves", "object", "octaves", "off", "offset",
     "omega", "omnimax", "on", "once", "onion", "open", "orient", "orientation", "orthographic", "ovus", "panoramic", "parallel", "parametric",
     "pass_through", "pattern", "pavement", "perspective", "pgm", "phase", "phong", "phong_size", "photons", "pi", "pigment", "pigment_map",
     "pigment_pattern", "planar", "plane", "png", "point_at", "poly", "poly_wave", "polygon", "polynomial", "pot", "potential", "pow", "ppm",

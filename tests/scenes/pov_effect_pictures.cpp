@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Rainbows, a shifted sky, thin films, bent camera rays, powers of reflections, projected light.
+/// Rainbows, a shifted sky, thin films, bent camera rays, powers of reflections, projected light, normals that face away.
 #include "tests/scenes/pov_pictures.h"
 
 namespace alidade::test {
@@ -9,6 +9,7 @@ namespace {
 const std::string kHead = "#version 3.7; global_settings { assumed_gamma 1 } background { rgb <.3,.5,.7> }\n";
 const std::string kSun = "light_source { <10,20,-15> rgb <1,.9,.8> }\n";
 const std::string kView = "camera { location <0,2,-6> look_at <0,.5,0> angle 50 }\n";
+const std::string kFaces = kHead + "camera { location <0,1,-7> look_at <0,.4,0> angle 45 } sky_sphere { pigment { gradient y color_map { [0 rgb x] [1 rgb z] } scale 2 translate -1 } }\n";
 const std::string kFloor = "plane { y, -1 pigment { checker rgb 1 rgb <1,0,0> } }\n";
 
 /// Looks at the point opposite of the sun, above a floor with a ball that mirrors it.
@@ -61,6 +62,14 @@ std::vector<PovPicture> effect_pictures() {
         {"ShadowlessBehindCylinder", projected("<2,6,-3> rgb 1 cylinder radius .5 falloff 1 point_at 0 shadowless")},
         {"PowerOfAFilm", mirrors + "sphere { <-1.1,0,0>, 1 pigment { rgb .1 } normal { bumps .3 scale .3 } finish { reflection { .8 exponent 1.6 } irid { .4 thickness .5 } } } sphere { <1.1,0,0>, 1 pigment { rgb .1 } normal { bumps .6 scale .2 } finish { reflection .8 irid { .4 thickness .5 } } }"},
         {"NegativeFinishes", mirrors + "sphere { <-1.3,0,0>, 1 pigment { rgb <1,.5,.3> } finish { phong -.5 phong_size 3 } } sphere { <1.3,0,0>, 1 pigment { rgb <1,.5,.3> } finish { specular -.5 roughness .3 } } sphere { <0,0,-1>, .6 pigment { rgb 1 } finish { diffuse -.5 ambient .3 } }"},
+        {"MirrorsOfSmoothTriangles", kFaces + "smooth_triangle { <-2,-1,-1>, <0,1,.1>, <0,-1,-1>, <0,1,.1>, <-1,1,1>, <0,1,.1> pigment { rgb 0 } finish { reflection 1 ambient 0 } } mesh { smooth_triangle { <0,-1,-1>, <0,1,-.3>, <2,-1,-1>, <0,1,.2>, <1,1,1>, "
+         "<.3,1,-1> } pigment { rgb 0 } normal { bumps .4 scale .2 } finish { reflection 1 ambient 0 } } mesh2 { vertex_vectors { 4, <-2,1,0>, <2,1,0>, <2,2,.5>, <-2,2,.5> } normal_vectors { 4, <-1,.5,-1>, <1,.5,-1>, <1,1,1>, <-1,1,.5> } face_indices { 2, "
+         "<0,1,2>, <0,2,3> } pigment { rgbt 1 } finish { reflection .7 ambient 0 } interior { ior 1.4 } }"},
+        {"WavesThatFaceAway", kFaces + "plane { y, -.5 hollow pigment { rgbt 1 } normal { waves .4 scale .6 } finish { ambient 0 diffuse 0 } interior { ior 1.33 } } sphere { <1,.5,0>, .6 pigment { rgbt 1 } normal { bumps 1.5 scale .2 } interior { ior 1.5 } }"},
+        {"UvMappedAround", kHead + kView + kSun + "#declare T = texture { pigment { checker rgb x rgb y scale .2 } finish { ambient .4 } } #declare B = sphere { 0, .7 texture { T } } union { object { B } sphere { x, .4 texture { T } } object { B scale .5 translate y texture { T } } sphere { -1.5*x, .7 pigment { gradient x } } "
+         "uv_mapping } object { B translate 1.5*x } mesh2 { vertex_vectors { 4, <-1,1,0>, <1,1,0>, <1,2,0>, <-1,2,0> } uv_vectors { 4, <0,0>, <3,0>, <3,2>, <0,2> } texture_list { 2, texture { T } texture { pigment { gradient y } } } face_indices { 2, <0,1,2>, "
+         "0, <0,2,3>, 1 } uv_mapping } difference { box { <-.5,-1,-1>, <.5,-.3,0> texture { T } } sphere { <0,-.3,-.7>, .4 texture { T } } uv_mapping }"},
+        {"BackgroundOfAFloat", "#version 3.7; global_settings { assumed_gamma 1 } background { .5 } " + kView + kSun + "sphere { 0, 1 pigment { rgb .5 } finish { reflection .5 } }"},
         {"ClearBackground", "#version 3.7; global_settings { assumed_gamma 1 } background { rgbft <.5,.3,.7,.3,.4> } sky_sphere { pigment { gradient y color_map { [.4 rgbt 1] [.6 rgbft <.2,.9,.4,.3,.5>] } } }\n" + kSun + kFloor + "camera { location <0,2,-6> look_at <0,2,0> angle 95 }"},
         {"ProjectedShadowlessLight", projected("<2,6,-3> rgb 1 shadowless projected_through { text { ttf \"cyrvetic.ttf\" \"Ab\" .2, 0 rotate x*90 scale 1.5 translate <0,3,-1.5> } }")},
         {"ProjectedParallelLight", projected("<1,6,0> rgb 1 parallel point_at 0 projected_through { torus { 1, .3 translate y*2.5 } }")},

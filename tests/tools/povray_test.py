@@ -163,6 +163,18 @@ class Povray(InFolder):
         self.assertEqual((self.folder / "d.txt").read_text(), all_of_it + "r\nopen", "#render and #statistics are of POV-Ray's debug stream, too")
         self.assertTrue((self.folder / "a.txt").read_text().startswith(all_of_it + "r\nopen\ns.png"))
 
+    def test_a_cyclic_animation_counts_the_frame_that_is_not_made(self):
+        (self.folder / "s.pov").write_text(SCENE + '#debug concat(str(final_frame, 0, 0), ",")\n')
+        self.assertTrue(self.render("+Is.pov", "+W8", "+H6", "+KC", "+KFF2").startswith("3,\n"))
+        self.assertTrue(self.render("+Is.pov", "+W8", "+H6", "+KFF2").startswith("2,\n"))
+
+    def test_scenes_write_where_they_may(self):
+        (self.folder / "s.pov").write_text(SCENE + '#fopen F "out.txt" write #write(F, 12) #fclose F\n')
+        self.assertIn("is not written", self.render("+Is.pov", "+W8", "+H6"))
+        self.assertFalse((self.folder / "out.txt").exists())
+        self.render("+Is.pov", "+W8", "+H6", "--allow-write=.")
+        self.assertEqual((self.folder / "out.txt").read_text(), "12")
+
     def test_the_language_of_scenes_that_do_not_say_theirs(self):
         (self.folder / "s.pov").write_text('#debug concat(str(version, 0, 2), "\\n")\nobject { sphere { <0 0 0> 2 } texture { ambient 0.2 color red 1 } }\n')
         for word in ("+MV1.0", "Version=1.0"):

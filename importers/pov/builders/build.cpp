@@ -60,7 +60,7 @@ int Cursor::integer(const char* what, int low, int high) {
 
 Vec3 Cursor::vector(const char* what) {
     if (!at_numeric()) build_.p.fail(place(), fmt::format("a vector is expected as {}", what));
-    const std::array<double, 5> c = promoted(next().value, 3);
+    const std::array<double, 5> c = as_vector(next().value, 3);
     return {c[0], c[1], c[2]};
 }
 

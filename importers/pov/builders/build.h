@@ -58,6 +58,7 @@ struct Build {
 
     bool shapes_alone = false;                          ///< textures, materials and interiors are passed over: the scene is asked where its shapes are, and not drawn
     int copying = 0;                                    ///< references that are being built anew because their texture changes
+    int uv_mapped = 0;                                  ///< objects around what is built that say uv_mapping: it holds for all textures in them
     int lit_globally = 0;                               ///< light groups around what is built that take global lights
     size_t copies_of_copies = 0;                        ///< those among them that stood in another: each level can double them
 

@@ -81,7 +81,11 @@ class Slots {
     uint32_t of(const Block& texture) {
         if (build_.shapes_alone) return 0;
         const auto [at, added] = known_.try_emplace(&texture, uint32_t(materials_.size()));
-        if (added) materials_.emplace_back(add_material(build_, build_texture(build_, texture), texture.place));
+        if (added) {
+            TextureLayers layers = build_texture(build_, texture);
+            if (build_.uv_mapped > 0) set_uv_mapped(build_, layers);
+            materials_.emplace_back(add_material(build_, std::move(layers), texture.place));
+        }
         return at->second;
     }
     std::vector<std::optional<MaterialId>> take() { return materials_.size() > 1 ? std::move(materials_) : std::vector<std::optional<MaterialId>>(); }

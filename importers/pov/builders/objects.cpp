@@ -264,7 +264,7 @@ bool object(Build& build, Cursor& at, Draft& d) {
     at.next();
     const std::span<const Item> items = at.block().items;
     d.shows_cuts = d.shows_cuts || std::any_of(items.begin(), items.end(), shows_cuts);
-    d.changed = d.changed || std::any_of(items.begin(), items.end(), changes_surface) || undoes_flags(items) || at.block().word == "light_group"_w || (inner->word == "light_group"_w && build.lit_globally > 0);
+    d.changed = d.changed || std::any_of(items.begin(), items.end(), changes_surface) || undoes_flags(items) || at.block().word == "light_group"_w || (inner->word == "light_group"_w && build.lit_globally > 0) || build.uv_mapped > 0;
     if (build.shapes_alone || !(d.shows_cuts || d.changed)) return reference(build, *inner, d);
     constexpr size_t kMostCopies = 50'000;
     if (build.copying && ++build.copies_of_copies > kMostCopies) build.p.fail_limit(at.block().place, fmt::format("more than {} objects are copied in copies, because their textures or interiors change", kMostCopies));
@@ -320,6 +320,9 @@ bool draft(Build& build, const Block& block, Draft& d) {
     Cursor at(build, block);
     const bool wraps = block.word == "object"_w || block.word == "looks_like"_w || block.word == "projected_through"_w;
     const Transform placed = std::exchange(d.placed, Transform());
+    const auto says_uv_mapping = [](const Item& item) { return item.kind == Item::Kind::word && item.word == "uv_mapping"_w; };
+    const Within uv(build.uv_mapped, !wraps && std::any_of(block.items.begin(), block.items.end(), says_uv_mapping));
+    d.uv_mapped = d.uv_mapped || build.uv_mapped > 0;
     if (wraps || names_an_object(block, at)) {
         if (!object(build, at, d)) return false;
         d.transform = placed * d.transform;

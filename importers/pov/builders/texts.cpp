@@ -2,6 +2,7 @@
 #include "importers/pov/builders/texts.h"
 
 #include "importers/pov/fonts.h"
+#include "importers/pov/utf8.h"
 
 #include <bit>
 #include <filesystem>
@@ -70,22 +71,6 @@ const Font& take_font(Build& build, Cursor& at) {
     if (!at.accept("ttf"_w)) build.p.fail(place, "ttf or internal is expected in text { }");
     const Place name = at.place();
     return font_named(build, take_string(build, at, "the name of a font"), name);
-}
-
-/// UTF-8; a byte that is none stands for itself.
-std::vector<uint32_t> characters(const std::string& text) {
-    std::vector<uint32_t> out;
-    for (size_t i = 0; i < text.size();) {
-        const auto byte = [&](size_t k) { return k < text.size() ? uint32_t(static_cast<unsigned char>(text[k])) : 0; };
-        const uint32_t first = byte(i);
-        const int more = first >= 0xf0 && first < 0xf8 ? 3 : first >= 0xe0 && first < 0xf0 ? 2 : first >= 0xc0 && first < 0xe0 ? 1 : 0;
-        uint32_t value = more ? first & (0x3fu >> more) : first;
-        bool whole = true;
-        for (int k = 1; k <= more; ++k) whole = whole && (byte(i + size_t(k)) & 0xc0) == 0x80, value = value << 6 | (byte(i + size_t(k)) & 0x3f);
-        out.push_back(whole ? value : first);
-        i += whole ? size_t(more) + 1 : 1;
-    }
-    return out;
 }
 
 /// The letters of a text. Those of one scene that look the same are stored once.

@@ -12,7 +12,7 @@ namespace {
 
 Vec3 three(Parser& p, const Item& item, WordId word) {
     if (item.kind != Item::Kind::value || !item.value.numeric()) p.fail(item.place, fmt::format("a vector is expected behind {}", kWords[word]));
-    const std::array<double, 5> c = promoted(item.value, 3);
+    const std::array<double, 5> c = as_vector(item.value, 3);
     return {c[0], c[1], c[2]};
 }
 

@@ -3,6 +3,7 @@
 #include "importers/pov/builtins/builtins.h"
 #include "importers/pov/expressions.h"
 #include "importers/pov/integers.h"
+#include "importers/pov/utf8.h"
 
 #include <charconv>
 #include <cmath>
@@ -75,12 +76,14 @@ Value concat(Parser& p, Place at) {
 Value chr(Parser& p, Place at) {
     const int code = to_int(one_float(p));
     if (code < 0 || code > 0xFFFF) p.fail(at, fmt::format("there is no character {}", code));
-    return Value::string(code == 0 ? std::string() : std::string(1, char(code)));
+    std::string s;
+    if (code != 0) append_utf8(s, uint32_t(code));
+    return Value::string(std::move(s));
 }
 
 Value asc(Parser& p, Place) {
     const std::string s = one_string(p);
-    return Value::number(s.empty() ? 0 : static_cast<unsigned char>(s[0]));
+    return Value::number(s.empty() ? 0 : double(characters(s)[0]));
 }
 
 /// The number that a string begins with, decimal or after 0x hexadecimal, or 0.
@@ -95,7 +98,7 @@ Value val(Parser& p, Place) {
     return Value::number(negative ? -x : x);
 }
 
-Value strlen_(Parser& p, Place) { return Value::number(double(one_string(p).size())); }
+Value strlen_(Parser& p, Place) { return Value::number(double(characters(one_string(p)).size())); }
 
 Value strcmp_(Parser& p, Place) {
     p.expect('(', "behind strcmp");
@@ -111,13 +114,15 @@ Value strcmp_(Parser& p, Place) {
 /// substr(string, first, length), counted from 1. From 0 there is nothing, whatever the length (probed).
 Value substr(Parser& p, Place at) {
     p.expect('(', "behind substr");
-    const std::string s = parse_string(p);
+    const std::vector<uint32_t> s = characters(parse_string(p));
     const int first = to_int(next_float(p)), length = to_int(next_float(p));
     p.expect(')', "behind the arguments of substr");
     if (first == 0 && length >= 0) return Value::string("");
     if (first < 1 || length < 0 || int64_t(first) + length - 1 > int64_t(s.size()))
         p.fail(at, fmt::format("the string has {} characters, there are no {} from number {}", s.size(), length, first));
-    return Value::string(s.substr(size_t(first) - 1, size_t(length)));
+    std::string part;
+    for (int i = 0; i < length; ++i) append_utf8(part, s[size_t(first - 1 + i)]);
+    return Value::string(std::move(part));
 }
 
 template <int (*change)(int)>
