@@ -111,7 +111,7 @@ std::optional<std::string> read_whole(const std::string& path, uint64_t limit) {
 
 namespace {
 
-/// Does `#declare NAME`, `#local NAME` or `#macro NAME` stand in the text?
+/// Does `#declare NAME` or `#macro NAME` stand in the text? What is #local to an include is known nowhere else.
 bool declares(std::string_view text, std::string_view name) {
     const auto is_part = [](char c) { return std::isalnum(static_cast<unsigned char>(c)) || c == '_'; };
     for (size_t at = text.find(name); at != text.npos; at = text.find(name, at + 1)) {
@@ -119,7 +119,7 @@ bool declares(std::string_view text, std::string_view name) {
         const size_t end = at == 0 ? text.npos : text.find_last_not_of(" \t", at - 1);
         if (end == text.npos || end + 1 == at) continue;
         const std::string_view before = text.substr(0, end + 1);
-        for (const std::string_view word : {"declare", "local", "macro"})
+        for (const std::string_view word : {"declare", "macro"})
             if (before.ends_with(word)) return true;
     }
     return false;

@@ -56,6 +56,7 @@ TEST(PovIncludes, AreNamedWhereTheyAreMissing) {
     EXPECT_EQ(hint("sphere { 0, 1 finish { Shiny } }"), "finish.inc declares it: #include \"finish.inc\"");
     EXPECT_EQ(hint("#declare Diameter = 2; sphere { 0, Diametre }"), "did you mean Diameter?");
     EXPECT_EQ(hint("sphere { 0, Fo }"), "") << "short names are near to everything";
+    EXPECT_EQ(hint("sphere { 0, AA }"), "") << "which shapes.inc has for itself";
 }
 
 TEST(PovIncludes, AreAllThere) {
