@@ -38,7 +38,7 @@ class Reading {
     std::string take(const std::string& word) {
         if (word.empty()) return {};
         if (word.rfind(kSeed, 0) == 0) return take_seed(word);
-        if (word.rfind(kAllowWrite, 0) == 0) return request.write_folder = word.substr(kAllowWrite.size()), std::string();
+        if (word.rfind(kAllowWrite, 0) == 0 && word.size() > kAllowWrite.size()) return request.write_folder = word.substr(kAllowWrite.size()), std::string();
         if (word[0] == '+' || word[0] == '-') return take_switch(word);
         const size_t equals = word.find('=');
         if (equals != std::string::npos) return take_key(word, equals);

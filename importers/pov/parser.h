@@ -97,6 +97,7 @@ class Parser {
     SourceFinder finder;
     double version = 3.7;             ///< as #version has set it; what POV-Ray starts with
     bool version_given = false;
+    bool charset_utf8 = false;        ///< as global_settings has said
     bool keep_names = false;          ///< in function{}: names that nobody declared are parameters
     uint64_t loop_turns = 0;
     Ref<Meter> elements{new Meter}, items{new Meter};   ///< of all arrays, of all blocks

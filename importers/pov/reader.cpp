@@ -91,6 +91,11 @@ class Reader {
         return true;
     }
 
+    void take_charset(const Block& settings) {
+        for (size_t i = 1; i < settings.items.size(); ++i)
+            if (settings.items[i - 1].kind == Item::Kind::word && settings.items[i - 1].word == "charset"_w) p_.charset_utf8 = settings.items[i].kind == Item::Kind::word && settings.items[i].word == "utf8"_w;
+    }
+
     void statement() {
         const Token token = p_.next();
         if (token.kind == TokenKind::end) {
@@ -104,7 +109,7 @@ class Reader {
         item.kind = Item::Kind::block, item.place = token.place();
         item.value = parse_block(p_, token.id, token.place());
         item.word = item.value.as<Block>().word;
-        if (token.id == "global_settings"_w) p_.globals.push_back(std::move(item.value));
+        if (token.id == "global_settings"_w) take_charset(item.block()), p_.globals.push_back(std::move(item.value));
         else program_.items.push_back(std::move(item));
     }
 

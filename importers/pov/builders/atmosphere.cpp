@@ -72,9 +72,7 @@ void take_rainbow(Build& build, const Block& block, Rainbow& bow, std::optional<
 void read_background(Build& build, const Block& block) {
     for (Cursor at(build, block); !at.done();) {
         if (at.at_numeric()) {
-            const bool is_float = at.at_number();             // by itself, it is all five numbers of a colour
-            std::array<double, 5> c = at.colour("the background");
-            if (is_float) c[3] = c[4] = c[0];
+            const std::array<double, 5> c = at.colour("the background");
             const Color color(c[0], c[1], c[2]);
             Atmosphere& air = build.scene.atmosphere;
             const bool old = build.scene.settings.filter_dims_by_colour;

@@ -67,8 +67,7 @@ Vec3 Cursor::vector(const char* what) {
 std::array<double, 5> Cursor::colour(const char* what) {
     if (!at_numeric()) build_.p.fail(place(), fmt::format("a colour is expected as {}", what));
     const Value& value = next().value;
-    if (value.kind != Kind::number) return promoted(value, 5);
-    return {value.c[0], value.c[0], value.c[0], 0, 0};
+    return promoted(value, 5);        // a float by itself is all five
 }
 
 Color Cursor::rgb(const char* what) {

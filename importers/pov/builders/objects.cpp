@@ -322,7 +322,8 @@ bool draft(Build& build, const Block& block, Draft& d) {
     const Transform placed = std::exchange(d.placed, Transform());
     const auto says_uv_mapping = [](const Item& item) { return item.kind == Item::Kind::word && item.word == "uv_mapping"_w; };
     const Within uv(build.uv_mapped, !wraps && std::any_of(block.items.begin(), block.items.end(), says_uv_mapping));
-    d.uv_mapped = d.uv_mapped || build.uv_mapped > 0;
+    const auto has_inside = [](const Item& item) { return item.value.kind == Kind::block && item.block().word == "interior_texture"_w; };
+    d.uv_mapped = d.uv_mapped || (build.uv_mapped > 0 && std::none_of(block.items.begin(), block.items.end(), has_inside));   // POV-Ray does not map those with two sides by what is said around them
     if (wraps || names_an_object(block, at)) {
         if (!object(build, at, d)) return false;
         d.transform = placed * d.transform;

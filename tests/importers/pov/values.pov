@@ -35,6 +35,9 @@
 #debug concat(vstr(3, V.y, ",", 0, 0), " ", vstr(3, vrotate(x.x, 0), ",", 0, 0), " ", vstr(3, vrotate((V).y, 0), ",", 0, 0), " ", str(vlength(V.x), 0, 4), "\n")   // expect 3,3,5 1,0,0 3,3,5 6.1644
 #debug concat(vstr(3, vrotate((V.y), 0), ",", 0, 0), " ", vstr(3, vrotate(2*V.y, 0), ",", 0, 0), " ", vstr(3, vrotate(V.y*x, 0), ",", 0, 0), " ", vstr(3, vrotate(sqrt(V.y*3), 0), ",", 0, 0), "\n")   // expect 3,3,3 6,6,6 3,0,0 3,3,3
 #declare K = V.y; #macro Turned(What) vrotate(What, 0) #end #debug concat(vstr(3, vrotate(K, 0), ",", 0, 0), " ", vstr(3, Turned(V.y), ",", 0, 0), "\n")   // expect 3,3,3 3,3,3
+//---- with charset utf8, strings are counted by characters
+global_settings { charset utf8 }
+#debug concat(str(strlen("a\u00e9b"), 0, 0), str(asc("\u00e9"), 0, 0), substr("a\u00e9b", 3, 1), str(strlen(chr(233)), 0, 0), str(strlen("éa"), 0, 0), str(strcmp("é", "z"), 0, 0), "\n")   // expect 3233b12111
 //---- a second semicolon, which a macro brings
 #macro Three() 3; #end #declare A = Three(); #declare B = <1, 2>;; #debug concat(str(A, 0, 0), str(B.y, 0, 0), "\n")   // expect 32
 //---- strings
@@ -42,7 +45,7 @@
 #debug concat(str(strlen("abc"), 0, 0), str(strcmp("a", "b"), 0, 0), str(strcmp("abc", "a"), 0, 0), "\n")  // expect 3-198
 #debug concat(str(val("12abc"), 0, 3), str(val("x"), 0, 0), str(val(" -3.5e2"), 0, 0), "\n")   // expect 12.0000-350
 #debug concat("a\u0041\\ \"x\"\n")                          // expect aA\ "x"
-#debug concat(str(strlen("a\u00e9b"), 0, 0), str(asc("\u00e9"), 0, 0), substr("a\u00e9b", 3, 1), str(strlen(chr(233)), 0, 0), "\n")   // expect 3233b1
+#debug concat(str(strlen(chr(233)), 0, 0), str(strcmp(chr(233), chr(122)), 0, 0), str(asc(chr(233)), 0, 0), "\n")   // expect 1111233
 #debug concat(datetime(0.5), datetime(7500.25, "%Y"), "\n")   // expect 2000-01-01 12:00:00Z2020
 //---- str: width, zeros, precision
 #debug concat(str(1, 10, 3), str(-1, -10, 3), str(2.5, 0, 0), str(1/3, 0, -4), str(1/3, 8, -1), "\n")   // expect      1.000-00001.00020.3333330.333333
