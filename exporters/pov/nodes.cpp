@@ -163,6 +163,12 @@ void NodeWriter::texture(const Node& node, bool is_root) {
     }
 }
 
+bool NodeWriter::places_union(const Node& node) const {
+    const Node* at = &node;
+    while (facts_.children(*at).size() == 1) at = &c_.scene.nodes[facts_.children(*at).front().index];   // written as objects
+    return at->csg == CsgKind::union_ && facts_.children(*at).size() > 1;
+}
+
 void NodeWriter::flags(const Node& node) {
     const NodeFlags& f = node.flags;
     if (!f.shadow) c_.sdl.line("no_shadow");
@@ -171,7 +177,7 @@ void NodeWriter::flags(const Node& node) {
     if (f.hollow) c_.sdl.line("hollow");
     if (f.double_illuminate) c_.sdl.line("double_illuminate");
     if (node.inverse) c_.sdl.line("inverse");
-    if (node.whole) c_.sdl.line("split_union", "off");
+    if (node.whole && places_union(node)) c_.sdl.line("split_union", "off");
     if (node.cutaway_textures && facts_.children(node).size() > 1) c_.sdl.line("cutaway_textures");
 }
 
