@@ -327,6 +327,7 @@ bool draft(Build& build, const Block& block, Draft& d) {
     if (wraps || names_an_object(block, at)) {
         if (!object(build, at, d)) return false;
         d.transform = placed * d.transform;
+        if (block.word == "light_group"_w) d.node.global_lights = build.lit_globally > 0;   // what the named group says of itself is not kept
     } else if (const CsgKind csg = csg_of(block.word); csg != CsgKind::none) {
         d.node.csg = csg;
         take_children(build, d, at);
