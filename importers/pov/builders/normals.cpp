@@ -65,7 +65,9 @@ void read_normal(Build& build, Cursor& at, ReliefSignal& r) {
         if (const Block* base = at.block_at("normal"_w)) {
             at.next();
             const SignalId normal = build_normal(build, *base, default_texture(build, base->defaults).normal);
+            const bool uv_mapped = r.pattern.uv_mapped;
             r = std::get<ReliefSignal>(build.scene.signals[normal.index].what);
+            r.pattern.uv_mapped |= uv_mapped;   // `uv_mapping N`: stays, as nothing else does
             if (at.at_number()) r.amount = at.number("the depth of a normal");
         } else if (take_pattern(build, at, r.pattern, &r.amount)) read_behind_pattern(build, at, r);
         else if (const Block* map = at.block_at("normal_map"_w)) at.next(), read_normal_map(build, *map, r.pattern.map);

@@ -57,10 +57,16 @@ bool take_maps(Build& build, Cursor& at, PatternSignal& s) {
     return true;
 }
 
-/// False where what stands there is none of a pattern's, and nothing is read. `loose`: what a plain colour keeps for a pattern that may take its place.
+/// What modifiers change: the pattern, or what a plain colour keeps for one that may take its place.
+PatternSignal& modified(Signal& pigment, PatternSignal& loose) {
+    auto* pattern = std::get_if<PatternSignal>(&pigment.what);
+    return pattern ? *pattern : loose;
+}
+
+/// False where what stands there is none of a pattern's, and nothing is read.
 bool take_patterned(Build& build, Cursor& at, Signal& pigment, PatternSignal& loose) {
-    auto* known = std::get_if<PatternSignal>(&pigment.what);
-    PatternSignal& s = known ? *known : loose;
+    const bool known = std::holds_alternative<PatternSignal>(pigment.what);
+    PatternSignal& s = modified(pigment, loose);
     if (!take_pattern(build, at, s)) return take_maps(build, at, s) || take_pattern_modifier(build, at, s);
     read_list(build, at, s);
     if (!known) pigment.what = std::exchange(loose, {});
@@ -91,7 +97,9 @@ void read_pigment(Build& build, Cursor& at, Signal& pigment, PatternSignal& loos
         if (const Block* base = at.block_at("pigment"_w)) {
             at.next();
             const SignalId id = build_pigment(build, *base, usual_pigment(build, *base));
+            const bool uv_mapped = modified(pigment, loose).uv_mapped;
             pigment = copy_of(build, id), loose = loose_of(build, id), quick = quick_color_of(build, id);
+            modified(pigment, loose).uv_mapped |= uv_mapped;   // `uv_mapping P`: stays, as nothing else does
         } else if (at.at_numeric()) {
             const std::array<double, 5> c = at.colour("a pigment");
             if (auto* hidden = std::get_if<PatternSignal>(&pigment.what)) loose = std::move(*hidden);   // all but its name is there for another one
