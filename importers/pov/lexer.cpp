@@ -49,6 +49,7 @@ class Lexer {
         : text_(source.text()), number_(number), names_(names), tokens_(room), first_(room.size()) {}
 
     TokenList run(size_t max_tokens) {
+        while (number_ == 0 && at_ < text_.size() && static_cast<unsigned char>(text_[at_]) >= 0x80) ++at_;   // POV-Ray passes any such, as the byte order mark, where a scene begins
         while (skip_blanks() && at_ < text_.size()) {
             if (count() + list_.vectors.size() >= max_tokens) {
                 bad(at_, fmt::format("the file has more than {} tokens", max_tokens));
@@ -85,7 +86,7 @@ class Lexer {
             skip_plain_blanks();
             if (peek() != '/') return true;
             if (peek(1) == '/') {
-                at_ = std::min(text_.find('\n', at_), text_.size() - 1);
+                at_ = std::min(end_of_line(at_), text_.size() - 1);
             } else if (peek(1) == '*') {
                 if (!skip_comment()) return false;
             } else {
@@ -93,6 +94,12 @@ class Lexer {
             }
         }
         return true;
+    }
+
+    /// Where a line feed stands behind `from`, or a carriage return by itself as in files of old Macintoshes.
+    size_t end_of_line(size_t from) {
+        if (next_feed_ <= from) next_feed_ = std::min(text_.find('\n', from), text_.size());   // sought once: a large file may have none
+        return std::min(text_.substr(0, next_feed_).find('\r', from), next_feed_);
     }
 
     bool skip_comment() {
@@ -296,6 +303,7 @@ class Lexer {
     size_t first_;
     std::vector<Structure> opened_;
     size_t at_ = 0;
+    size_t next_feed_ = 0;
     TokenList list_;
 };
 

@@ -75,6 +75,19 @@ TEST_P(PovLanguage, DoesWhatItsCommentsSay) {
     }
 }
 
+/// As POV-Ray: bytes beyond ASCII are passed where the scene begins, and nowhere else; a carriage return ends a comment.
+TEST(PovText, MarksAndLineEndsOfOtherEditors) {
+    std::string printed;
+    ReadOptions options;
+    options.print = [&](TextStream stream, const std::string& text) { if (stream == TextStream::debug) printed += text; };
+    Diagnostics marked, late;
+    read_program_text("program.pov", "\xEF\xBB\xBF// of Windows\r\n// of an old Macintosh\r#debug \"one \" // \r#debug \"two\" // the end", options, marked);
+    EXPECT_EQ(printed, "one two");
+    EXPECT_TRUE(marked.list().empty()) << marked.text();
+    read_program_text("program.pov", " \xEF\xBB\xBF", options, late);
+    EXPECT_NE(late.text().find("the byte 0xEF means nothing here"), std::string::npos) << late.text();
+}
+
 INSTANTIATE_TEST_SUITE_P(Programs, PovLanguage, testing::ValuesIn(programs()), [](const testing::TestParamInfo<LanguageProgram>& info) {
     std::string name = std::to_string(info.index) + "_";
     for (char c : info.param.name) name += std::isalnum(static_cast<unsigned char>(c)) ? c : '_';
