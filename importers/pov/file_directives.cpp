@@ -3,12 +3,13 @@
 #include "importers/pov/directives.h"
 #include "importers/pov/expressions.h"
 
-#include <charconv>
 #include <fmt/format.h>
 
 namespace alidade::pov {
 
 namespace {
+
+constexpr uint16_t kDataSource = 0xffff;      // of tokens that no parser sees
 
 Ref<TextFile> open_for_writing(Parser& p, const std::string& name, bool append, Place at) {
     Ref<TextFile> file(new TextFile);
@@ -37,7 +38,9 @@ Ref<TextFile> open_for_reading(Parser& p, const std::string& name, Place at) {
         if (const std::optional<std::string> path = TextFiles::below(*p.options.write_folder, name)) text = read_whole(*path, p.options.limits.file_bytes);
     if (!text) p.fail(at, fmt::format("the file {} is not found", name));
     Ref<TextFile> file(new TextFile);
-    file->path = found ? found->path : name, file->text = std::move(*text);
+    file->path = found ? found->path : name;
+    file->source.emplace(file->path, std::move(*text), 0);
+    file->list = lex(*file->source, kDataSource, p.names, p.options.limits.tokens_in_file, file->room);
     return file;
 }
 
@@ -69,66 +72,53 @@ void close(Parser& p) {
     p.symbols.undefine(name.id);
 }
 
-bool ended(const TextFile& file) { return file.at >= file.text.size(); }
+/// What stands next in a data file; of kind `end` behind all.
+const Token& peek(const TextFile& file) { return file.list.tokens[file.at]; }
+bool ended(const TextFile& file) { return peek(file).kind == TokenKind::end; }
+void skip(TextFile& file) { file.at += !ended(file); }
 
-/// Behind the comment that stands here, if one does: as in a scene, though not nested.
-bool skip_comment(TextFile& file) {
-    const std::string_view rest = std::string_view(file.text).substr(file.at);
-    const std::string_view end = rest.substr(0, 2) == "//" ? "\n" : rest.substr(0, 2) == "/*" ? "*/" : "";
-    if (end.empty()) return false;
-    const size_t found = rest.find(end, 2);
-    file.at = found == std::string_view::npos ? file.text.size() : file.at + found + end.size();
-    return true;
+/// `expected` is what the data file should have where it stands now.
+[[noreturn]] void fail_in_data(Parser& p, Place at, const TextFile& file, std::string_view expected) {
+    const Token& token = peek(file);
+    const SourcePos where = file.source->position(token.offset);
+    p.fail(at, fmt::format("{} line {}, column {}: {}", file.path, where.line, where.column,
+                           token.kind == TokenKind::bad ? file.list.texts[token.id] : fmt::format("{} is expected here, not {}", expected, ended(file) ? "the end of the file" : "this")));
 }
 
-/// Blanks, commas and comments. Was there a comma?
-bool skip_separators(TextFile& file) {
-    bool comma = false;
-    while (!ended(file)) {
-        const char here = file.text[file.at];
-        if (std::string_view(" \t\r\n,").find(here) != std::string_view::npos) ++file.at, comma |= here == ',';
-        else if (!skip_comment(file)) break;
-    }
-    return comma;
+/// A number with a sign or without: no expressions stand in data files.
+double read_number(Parser& p, Place at, TextFile& file) {
+    const bool minus = peek(file).is('-');
+    if (minus || peek(file).is('+')) skip(file);
+    if (peek(file).kind != TokenKind::number) fail_in_data(p, at, file, "a number");
+    const double x = peek(file).number;
+    skip(file);
+    return minus ? -x : x;
 }
 
-std::optional<double> read_number(TextFile& file) {
-    skip_separators(file);
-    if (file.at < file.text.size() && file.text[file.at] == '+') ++file.at;
-    double x = 0;
-    const char *begin = file.text.data() + file.at, *end = file.text.data() + file.text.size();
-    const auto [behind, failed] = std::from_chars(begin, end, x);
-    if (behind == begin || failed != std::errc()) return std::nullopt;
-    file.at = size_t(behind - file.text.data());
-    return x;
-}
-
-/// A float, a vector <...> or a string "...", as #write leaves them.
-std::optional<Value> read_value(TextFile& file) {
-    skip_separators(file);
-    if (ended(file)) return std::nullopt;
-    if (file.text[file.at] == '"') {
-        const size_t end = file.text.find('"', file.at + 1);
-        if (end == std::string::npos) return std::nullopt;
-        Value text = Value::string(file.text.substr(file.at + 1, end - file.at - 1));
-        file.at = end + 1;
-        return text;
-    }
-    if (file.text[file.at] != '<') {
-        const std::optional<double> x = read_number(file);
-        return x ? std::optional(Value::number(*x)) : std::nullopt;
-    }
+/// Of numbers and commas between them, which may be missing.
+Value read_vector(Parser& p, Place at, TextFile& file) {
+    constexpr int kMostComponents = 5;
     Value v = Value::vector(0, {});
-    ++file.at;
-    while (v.terms < 5) {
-        const std::optional<double> x = read_number(file);
-        if (!x) break;
-        v.c[v.terms++] = *x;
+    if (peek(file).kind == TokenKind::vector) {
+        const double* const count = &file.list.vectors[peek(file).id];
+        for (int i = 0; i < int(*count); ++i) v.c[v.terms++] = count[1 + i];
+        return skip(file), v;
     }
-    skip_separators(file);
-    if (v.terms < 2 || file.at >= file.text.size() || file.text[file.at] != '>') return std::nullopt;
-    ++file.at;
-    return v;
+    for (skip(file); v.terms == 0 || !peek(file).is('>');) {
+        if (v.terms == kMostComponents) fail_in_data(p, at, file, "the > of the vector");
+        v.c[v.terms++] = read_number(p, at, file);
+        if (peek(file).is(',')) skip(file);
+    }
+    if (v.terms < 2) fail_in_data(p, at, file, "a second component");
+    return skip(file), v;
+}
+
+/// A number, a vector <...> or a string "...", as #write leaves them. POV-Ray takes one more token behind each, be it a comma or not.
+Value read_value(Parser& p, Place at, TextFile& file) {
+    const Token& first = peek(file);
+    if (first.kind == TokenKind::string) return skip(file), Value::string(file.list.texts[first.id]);
+    if (first.is('<') || first.kind == TokenKind::vector) return read_vector(p, at, file);
+    return Value::number(read_number(p, at, file));
 }
 
 /// `#read(FILE, names)`. Names for which nothing is left keep their values. With the last value the file is closed; behind a comma, which promises
@@ -138,23 +128,24 @@ void read(Parser& p) {
     const Token name = p.raw_token();
     const Ref<TextFile> file(&file_of(p, name));
     if (file->writing) p.fail(name.place(), fmt::format("the file {} is open for writing", file->path));
-    bool promised = true;
+    bool at_end = ended(*file);
     while (p.accept(',')) {
         const Token into = p.raw_token();
         if (into.kind != TokenKind::name) p.fail(into.place(), fmt::format("a name is expected, not {}", p.describe(into)));
         const bool known_array = p.symbols.find(into.id) && p.symbols.find(into.id)->value.kind == Kind::array;
-        if (skip_separators(*file); ended(*file)) {
-            promised = false;
+        if (ended(*file)) {
+            at_end = true;
             continue;
         }
         const Ref<Slot> slot = known_array ? parse_reference(p, into, true) : Ref<Slot>(&p.symbols.declare(into.id));
-        std::optional<Value> value = read_value(*file);
-        if (!value) p.fail(into.place(), fmt::format("the file {} has no further number, vector or string here (byte {})", file->path, file->at));
-        slot->value = std::move(*value);
-        promised = skip_separators(*file);
+        slot->value = read_value(p, into.place(), *file);
+        if (peek(*file).kind == TokenKind::bad) fail_in_data(p, into.place(), *file, "");
+        at_end = ended(*file);
+        if (peek(*file).kind <= TokenKind::string) p.warn(into.place(), fmt::format("{} line {}: a comma is missing, and the value behind it is lost in its place, as in POV-Ray", file->path, file->source->position(peek(*file).offset).line));
+        skip(*file);
     }
     p.expect(')', "behind the names of #read");
-    if (ended(*file) && !promised) p.symbols.undefine(name.id);
+    if (at_end) p.symbols.undefine(name.id);
 }
 
 /// Floats as "%g"; vectors as "<%g,%g,%g> ", with a blank behind.

@@ -50,6 +50,7 @@ class Lexer {
 
     TokenList run(size_t max_tokens) {
         while (number_ == 0 && at_ < text_.size() && static_cast<unsigned char>(text_[at_]) >= 0x80) ++at_;   // POV-Ray passes any such, as the byte order mark, where a scene begins
+        const bool marked = at_ > 0;
         while (skip_blanks() && at_ < text_.size()) {
             if (count() + list_.vectors.size() >= max_tokens) {
                 bad(at_, fmt::format("the file has more than {} tokens", max_tokens));
@@ -57,6 +58,7 @@ class Lexer {
             }
             lex_one();
         }
+        if (count() == 0 && (marked || text_.find('\0') != text_.npos)) bad(0, "the file is no text: nothing in it is a word, a number or a mark");
         start(TokenKind::end, text_.size());
         list_.tokens = {tokens_.data() + first_, count()};
         return std::move(list_);
@@ -80,10 +82,11 @@ class Lexer {
     }
     void bad(size_t offset, std::string message) { with_text(TokenKind::bad, offset, std::move(message)); }
 
-    /// Blanks and comments; block comments nest. False if one is not closed.
+    /// Blanks, NULs among them, and comments; block comments nest. False if one is not closed.
     bool skip_blanks() {
         for (; at_ < text_.size(); ++at_) {
             skip_plain_blanks();
+            if (peek() == '\0') continue;
             if (peek() != '/') return true;
             if (peek(1) == '/') {
                 at_ = std::min(end_of_line(at_), text_.size() - 1);
@@ -130,7 +133,9 @@ class Lexer {
 
     void lex_number() {
         const size_t begin = at_;
-        start(TokenKind::number, begin).number = take_number();
+        const double value = take_number();
+        if (peek() == '.') return bad(at_++, "the number has a second point");
+        start(TokenKind::number, begin).number = value;
     }
 
     /// Up to 15 digits and a power of ten up to 10^15 are exact as doubles, so that one division rounds as reading all at once would.
@@ -149,12 +154,10 @@ class Lexer {
         return take_long_number(begin);
     }
 
+    /// As in POV-Ray, an exponent without digits is 0.
     double take_long_number(size_t begin) {
-        if (peek() == 'e' || peek() == 'E') {
-            const size_t sign = peek(1) == '+' || peek(1) == '-' ? 1 : 0;
-            if (is_digit(peek(1 + sign)))
-                for (at_ += 1 + sign; is_digit(peek());) ++at_;
-        }
+        if (peek() == 'e' || peek() == 'E')
+            for (at_ += peek(1) == '+' || peek(1) == '-' ? 2 : 1; is_digit(peek());) ++at_;
         double value = 0;
         const auto [_, failed] = std::from_chars(text_.data() + begin, text_.data() + at_, value);
         if (failed == std::errc::result_out_of_range) value = std::strtod(std::string(text_.substr(begin, at_ - begin)).c_str(), nullptr);
@@ -214,24 +217,32 @@ class Lexer {
         std::string value;
         for (; peek() != '"'; ++at_) {
             if (at_ >= text_.size()) return bad(opened, "the string is not closed");
-            if (peek() != '\\') {
+            if (peek() == '\r' || peek() == '\n') {
+                value += take_line_end();
+            } else if (peek() != '\\') {
                 value += peek();
             } else if (++at_; !escape(value)) {
                 return bad(at_ - 1, "this escape sequence is not known in a string");
             }
         }
         ++at_;
+        value.resize(std::min(value.find('\0'), value.size()));       // which ends it in POV-Ray
         with_text(TokenKind::string, opened, std::move(value));
     }
 
-    /// The character after a backslash. "\0" ends nothing here: POV-Ray's strings hold no NUL either way, so it is left out.
+    /// Every convention's end of a line is one line feed; at_ stands on its last byte.
+    char take_line_end() {
+        if (peek(1) != peek() && (peek(1) == '\r' || peek(1) == '\n')) ++at_;
+        return '\n';
+    }
+
+    /// The character after a backslash.
     bool escape(std::string& value) {
         static constexpr std::string_view kFrom = "abfnrtv\\'\"", kTo = "\a\b\f\n\r\t\v\\'\"";
         if (const size_t known = kFrom.find(peek()); known != std::string_view::npos && at_ < text_.size()) {
             value += kTo[known];
             return true;
         }
-        if (peek() == '0') return true;
         uint32_t code = 0;
         const std::string_view digits = peek() == 'u' ? text_.substr(at_ + 1, 4) : std::string_view();
         const auto [end, failed] = std::from_chars(digits.data(), digits.data() + digits.size(), code, 16);
@@ -260,7 +271,6 @@ class Lexer {
         const size_t begin = at_++;
         char mark = text_[begin];
         if (mark == '<' && take_vector(begin)) return;
-        if (mark == '\0') return bad(begin, "a NUL byte stands in the text");
         if (kMarks.find(mark) == std::string_view::npos)
             return bad(begin, static_cast<unsigned char>(mark) < 127 && mark > 32 ? fmt::format("the character {} means nothing here", mark)
                                                                                     : fmt::format("the byte 0x{:02X} means nothing here", static_cast<unsigned char>(mark)));

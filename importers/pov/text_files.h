@@ -2,7 +2,7 @@
 /// #fopen, #read, #write, #fclose: text files that a scene reads and writes.
 #pragma once
 
-#include "importers/pov/source.h"
+#include "importers/pov/lexer.h"
 #include "importers/pov/value.h"
 
 #include <fstream>
@@ -15,8 +15,10 @@ namespace alidade::pov {
 struct TextFile : Shared {
     std::string path;
     bool writing = false;
-    std::string text;            ///< what there is to read
-    size_t at = 0;
+    std::optional<Source> source;    ///< what there is to read, and its tokens
+    TokenRoom room;
+    TokenList list;
+    size_t at = 0;               ///< in the tokens
     std::string* kept = nullptr; ///< where it is written to in memory, because nothing has allowed to write
     std::ofstream out;           ///< where else
 };

@@ -57,7 +57,7 @@ std::vector<Hostile> cases() {
         {"HugeArray", {"#declare A = array[1e9];"}, "elements"},
         {"HugeArrayOfManyDimensions", {"#declare A = array[10000][10000][10000];"}, "elements"},
         {"ManyArrays", {"#declare A = array[1000000]; #declare B = array[100]; #for (i, 0, 99) #declare B[i] = A; #end"}, "elements"},
-        {"Nul", {std::string("sphere { 0, \0 1 }", 17)}, "NUL"},
+        {"Control", {"sphere { 0, \x01 1 }"}, "the byte 0x01 means nothing here"},
         {"DeepBrackets", {"#declare A = ", "(", 1000000}, "nested too deeply"},
         {"DeepUnary", {"#declare A = ", "-", 1000000, "1;"}, "nested too deeply"},
         {"DeepBlocks", {"", "union {", 1000000}, "nested too deeply"},
@@ -183,7 +183,7 @@ TEST(PovFiles, WhatMayNotBeWrittenIsKept) {
     Diagnostics said;
     const std::string name = "alidade_kept_in_memory.txt";
     const std::string open = "#fopen F \"" + name + "\" ";
-    read_program_text("scene.pov", open + "write #write(F, 1, \"\\n\") #fclose F\n" + open + "append #write(F, 2) #fclose F\n" + open + "read #read(F, A, B) #debug str(A + B, 0, 0)", options, said);
+    read_program_text("scene.pov", open + "write #write(F, 1, \",\\n\") #fclose F\n" + open + "append #write(F, 2) #fclose F\n" + open + "read #read(F, A, B) #debug str(A + B, 0, 0)", options, said);
     EXPECT_FALSE(said.has_errors()) << said.text();
     EXPECT_EQ(printed, "3");
     EXPECT_NE(said.text().find("is not written, since --allow-write DIR has not allowed it"), std::string::npos) << said.text();
