@@ -49,9 +49,9 @@ class Walk {
     }
 
     /// Calls visit(hit) for the surfaces of the whole, in order of t; `one_place`: those of the first place that has any.
-    template <class Visit> void run(bool one_place, const Visit& visit) {
-        if (nodes_[0].box.empty()) return;
-        const LineInterval box = inside_bounds(ray_, nodes_[0].box);   // as accelerators compute it
+    template <class Visit> void run(const Bounds& bounds, bool one_place, const Visit& visit) {
+        if (bounds.empty()) return;
+        const LineInterval box = inside_bounds(ray_, bounds);   // as accelerators compute it
         range_ = {std::max(ray_.tmin, box.entry), std::min(ray_.tmax, box.exit)};
         if (box.empty() || range_.empty()) return;
         range_ = widened(range_);
@@ -279,7 +279,7 @@ bool CsgTree::inside(const Vec3& point, const CsgLeaves& leaves) const { return 
 
 bool CsgTree::first(const Ray& ray, const CsgLeaves& leaves, Hit& hit, std::span<const CsgSide> known) const {
     Hit best;
-    Walk(nodes_, known, ray, leaves).run(true, [&](const Hit& h) {
+    Walk(nodes_, known, ray, leaves).run(bounds_, true, [&](const Hit& h) {
         if (comes_before(h.t, h.instance, h.primitive, best)) best = h;
     });
     if (best.valid()) hit = best;
@@ -287,13 +287,15 @@ bool CsgTree::first(const Ray& ray, const CsgLeaves& leaves, Hit& hit, std::span
 }
 
 void CsgTree::all(const Ray& ray, const CsgLeaves& leaves, std::vector<Hit>& hits) const {
-    Walk(nodes_, {}, ray, leaves).run(false, [&](const Hit& h) { hits.push_back(h); });
+    Walk(nodes_, {}, ray, leaves).run(bounds_, false, [&](const Hit& h) { hits.push_back(h); });
 }
 
 CsgInside csg_inside(const ShapeOps* ops, const ShapeGeometry& shape) {
     if (!ops || ops->sheet) return CsgInside::nowhere;
     return ops->solid(shape) ? CsgInside::by_crossings : CsgInside::at_points;
 }
+
+bool csg_endless(const ShapeOps* ops) { return ops && ops->kind == kind_of<Disc>(); }
 
 uint8_t csg_cost(const ShapeOps& ops) { return ops.costly ? 2 : ops.kind == kind_of<Plane>() ? 0 : 1; }
 

@@ -27,13 +27,15 @@ enum class CsgInside : uint8_t {
 };
 /// How it is known where the inside of a shape is; a mesh has no ops.
 CsgInside csg_inside(const ShapeOps* ops, const ShapeGeometry& shape);
+bool csg_endless(const ShapeOps* ops);
 
 /// Leaves with equal ids are the same thing at several places.
 struct CsgLeaf {
     uint32_t id = kNoId;
     CsgInside inside = CsgInside::nowhere;
-    Bounds bounds;                  ///< of the surface and, unless it is asked at points, of what is inside
+    Bounds bounds;                  ///< of the surface and, unless that is endless, of what is inside
     uint8_t cost = 0;               ///< of siblings those that cost less are asked first, and others only if they leave the question open
+    bool endless = false;           ///< is something inside beyond `bounds`? Of a disc, all that is behind its plane
 };
 
 /// What a file says: operations on parts, any of them turned inside out. Without parts an intersection is everything, every other operation nothing.
@@ -115,8 +117,8 @@ class CsgTree {
     explicit CsgTree(const CsgExpression& expression, const CsgNarrow& narrow = nullptr);
 
     std::span<const CsgNode> nodes() const { return nodes_; }
-    /// Of the surfaces. Infinite where they are.
-    const Bounds& bounds() const { return nodes_[0].box; }
+    /// Of the surfaces, also where what is inside has no end. Infinite where they are.
+    const Bounds& bounds() const { return bounds_; }
     /// Appends the sides of the nodes in a region, one for each of nodes(), to be given to first(). The side of the root: if it does not vary, rays in the region meet no surface.
     CsgSide sides(const CsgRegion& region, std::vector<CsgSide>& out) const;
     /// The first surface with tmin <= t <= tmax that the ray's mask sees; of several at one t the one that comes before. `known`: the sides that the nodes have where the ray goes, or nothing.
@@ -128,6 +130,7 @@ class CsgTree {
 
   private:
     std::vector<CsgNode> nodes_;    ///< each before its subtree
+    Bounds bounds_;
 };
 
 /// What a leaf of that shape costs: a plane nearly nothing, most others some, roots of polynomials of a high order much.

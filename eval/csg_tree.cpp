@@ -18,7 +18,7 @@ struct Plain {
     std::vector<Plain> parts;
     bool far = false;
     uint8_t cost = 0;
-    Bounds box;
+    Bounds box, surface;
 };
 
 Bounds everywhere() { return {Vec3(-kInf), Vec3(kInf)}; }
@@ -41,7 +41,7 @@ CsgOp plain_op(CsgOp op, bool inverse) {
 void find_box(Plain& p) {
     if (p.op == CsgOp::leaf) {
         p.far = p.inverted;
-        p.box = p.leaf.inside == CsgInside::at_points ? everywhere() : p.leaf.bounds;
+        p.box = p.leaf.endless ? everywhere() : p.leaf.bounds;
         return;
     }
     const bool meets = p.op == CsgOp::intersection || p.op == CsgOp::clip;
@@ -67,6 +67,14 @@ void narrow_box(Plain& p, const CsgNarrow& narrow) {
     }
     if (p.far && !box.finite()) return;
     p.box = box.empty() ? Bounds() : box, p.far = false;
+}
+
+/// A surface of the whole is one of a part, and not beyond what decides that there is nothing else.
+void find_surface(Plain& p) {
+    if (p.op == CsgOp::leaf) return void(p.surface = p.leaf.bounds);
+    p.surface = Bounds();
+    for (size_t i = 0; i < (p.op == CsgOp::clip ? 1 : p.parts.size()); ++i) p.surface.extend(p.parts[i].surface);
+    p.surface = intersection(p.surface, p.op == CsgOp::union_ ? everywhere() : p.box);
 }
 
 /// Parts stay in order up to this many.
@@ -102,6 +110,7 @@ void finish(Plain& p, const CsgNarrow& narrow) {
     if (p.op != CsgOp::leaf && p.op != CsgOp::clip) sort_by_place(p, narrow);
     find_box(p);
     narrow_box(p, narrow);
+    find_surface(p);
     p.cost = p.leaf.cost;
     for (const Plain& part : p.parts) p.cost = std::max(p.cost, part.cost);
 }
@@ -147,6 +156,7 @@ void emit(const Plain& p, uint32_t parent, uint32_t place, std::vector<CsgNode>&
 CsgTree::CsgTree(const CsgExpression& expression, const CsgNarrow& narrow) {
     Plain p = plain(expression, false, kMaskAll);
     finish_below(p, narrow);
+    bounds_ = p.surface;
     emit(p, 0, 0, nodes_);
 }
 

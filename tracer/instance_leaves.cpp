@@ -48,7 +48,7 @@ CsgLeaf csg_leaf(const CompiledScene& scene, uint32_t id) {
     const Geometry& geometry = scene.geometries[instance.geometry];
     CsgLeaf leaf;
     leaf.id = id;
-    leaf.inside = csg_inside(geometry.ops, *geometry.source);
+    leaf.inside = csg_inside(geometry.ops, *geometry.source), leaf.endless = csg_endless(geometry.ops);
     leaf.bounds = instance.bounds;
     leaf.cost = geometry.mesh ? kCsgCostOfMesh : csg_cost(*geometry.ops);
     return leaf;

@@ -1,125 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 /// Set operations on a line, against what is inside at every point of it.
-#include "eval/csg.h"
-#include "tests/eval/shape_samples.h"
+#include "tests/eval/csg_leaves.h"
 
 #include <algorithm>
 #include <gtest/gtest.h>
 
 namespace alidade {
+
+using namespace test;
 namespace {
-
-/// Shapes as leaves, by their index; counts how many are asked.
-class ShapeLeaves final : public CsgLeaves {
-  public:
-    std::vector<ShapeGeometry> shapes;
-    mutable int asked = 0;
-
-    CsgExpression add(ShapeGeometry shape) {
-        shapes.push_back(std::move(shape));
-        return leaf(uint32_t(shapes.size() - 1));
-    }
-    CsgExpression leaf(uint32_t id) const {
-        const ShapeOps& ops = *find_shape(shapes[id]);
-        CsgExpression e;
-        e.leaf = {id, ops.solid(shapes[id]) ? CsgInside::by_crossings : CsgInside::at_points, ops.bounds(shapes[id]), csg_cost(ops)};
-        return e;
-    }
-    bool crossings(uint32_t id, const Ray& ray, std::vector<CsgCrossing>& out) const override {
-        ++asked;
-        const ShapeOps& ops = *find_shape(shapes[id]);
-        const Crossings found = ops.crossings(shapes[id], ray);
-        for (int i = 0; i < found.count; ++i) {
-            Hit hit;
-            hit.t = found.at[i].t, hit.instance = id, hit.primitive = 0, hit.part = found.at[i].part;
-            out.push_back({hit, 0});
-        }
-        return begins_inside(ops, shapes[id], ray, found);
-    }
-    CsgNarrow narrow() const {
-        return [this](uint32_t id, bool inverted, const Bounds& box) {
-            const ShapeOps& ops = *find_shape(shapes[id]);
-            return ops.narrow ? ops.narrow(shapes[id], inverted, box) : box;
-        };
-    }
-    bool inside(uint32_t id, const Vec3& p) const override { return find_shape(shapes[id])->inside(shapes[id], p); }
-    Sharpness sharpness(const Ray& ray, const Hit& hit) const override {
-        const ShapeGeometry& shape = shapes[hit.instance];
-        return {find_shape(shape)->error(shape, ray, hit.t, hit.part).along_normal, std::abs(dot(find_shape(shape)->surface(shape, ray.at(hit.t), hit.part).normal, normalized(ray.dir)))};
-    }
-};
-
-CsgExpression of(CsgOp op, std::vector<CsgExpression> parts, bool inverse = false) {
-    CsgExpression e;
-    e.op = op, e.parts = std::move(parts), e.inverse = inverse;
-    return e;
-}
-
-CsgExpression inverse(CsgExpression e) {
-    e.inverse = !e.inverse;
-    return e;
-}
-
-/// What a set operation is, at a point: the oracle.
-bool inside(const ShapeLeaves& leaves, const CsgExpression& e, const Vec3& p) {
-    std::vector<bool> parts;
-    for (const CsgExpression& part : e.parts) parts.push_back(inside(leaves, part, p));
-    const bool any = std::count(parts.begin(), parts.end(), true) > 0, all = std::count(parts.begin(), parts.end(), false) == 0;
-    const bool first = !parts.empty() && parts[0];
-    const bool others = std::count(parts.begin(), parts.end(), true) > int(first), clips = std::count(parts.begin(), parts.end(), false) == int(!first);
-    switch (e.op) {
-        case CsgOp::leaf: return leaves.inside(e.leaf.id, p) != e.inverse;
-        case CsgOp::union_:
-        case CsgOp::merge: return any != e.inverse;
-        case CsgOp::intersection: return all != e.inverse;
-        case CsgOp::difference: return (first && !others) != e.inverse;
-        case CsgOp::clip: return (first != e.inverse) && clips;
-    }
-    return false;
-}
-
-/// `endless`: of planes, quadrics and a few spheres, which bound each other.
-CsgExpression random_expression(ShapeLeaves& leaves, test::Draw& draw, int levels, bool outline, bool endless) {
-    if (levels == 0 || draw.below(4) == 0) {
-        ShapeGeometry shape;
-        const ShapeOps* ops;
-        do {
-            ops = &shapes()[draw.below(uint32_t(shapes().size()))];
-            shape = test::sample_shape(*ops, 1, draw);
-        } while (!ops->solid(shape) || (endless && !ops->narrow && draw.below(8)));
-        CsgExpression e = leaves.add(shape);
-        e.inverse = draw.below(5) == 0;
-        return e;
-    }
-    static constexpr CsgOp kOps[] = {CsgOp::merge, CsgOp::intersection, CsgOp::difference, CsgOp::union_, CsgOp::clip};
-    CsgExpression e = of(kOps[draw.below(outline ? 3 : 5)], {}, draw.below(5) == 0);
-    const uint32_t count = 2 + draw.below(3);
-    for (uint32_t i = 0; i < count; ++i) e.parts.push_back(random_expression(leaves, draw, levels - 1, outline, endless));
-    return e;
-}
-
-Ray whole_line(Ray ray) {
-    ray.tmin = -kInf;
-    return ray;
-}
-
-std::vector<Hit> surfaces(const CsgExpression& e, const ShapeLeaves& leaves, const Ray& ray) {
-    std::vector<Hit> out;
-    CsgTree(e, leaves.narrow()).all(ray, leaves, out);
-    return out;
-}
-
-/// All crossings with all leaves, in order; empty if two of them are too near to each other to have a point between them.
-std::vector<double> cuts(const ShapeLeaves& leaves, const Ray& ray) {
-    std::vector<CsgCrossing> crossings;
-    for (uint32_t id = 0; id < leaves.shapes.size(); ++id) leaves.crossings(id, ray, crossings);
-    std::vector<double> out;
-    for (const CsgCrossing& c : crossings) out.push_back(c.hit.t);
-    std::sort(out.begin(), out.end());
-    for (size_t i = 1; i < out.size(); ++i)
-        if ((out[i] - out[i - 1]) * length(ray.dir) < 1e-6) return {};
-    return out;
-}
 
 /// Between two neighbouring crossings nothing changes; at one of them either the whole does, and that is a surface of it, or it does not: then there is a
 /// surface only where a union shows its inner ones.
@@ -281,12 +170,6 @@ TEST(Csg, TheSearchForSidesIsGivenUp) {
     EXPECT_GT(found, 30);
 }
 
-std::vector<double> distances(const std::vector<Hit>& hits) {
-    std::vector<double> out;
-    for (const Hit& hit : hits) out.push_back(hit.t);
-    return out;
-}
-
 /// The same numbers by other ways: faces that coincide but for roundings.
 TEST(Csg, FacesThatCoincideAreOne) {
     test::Draw draw(6);
@@ -331,26 +214,6 @@ TEST(Csg, DeMorgan) {
 }
 
 /// An open cylinder has no caps, and is inside what it was: it drills a hole. A disc is a half space.
-TEST(Csg, WhatIsNotSolidIsAskedAtPoints) {
-    ShapeLeaves leaves;
-    const CsgExpression box = leaves.add(Box{Vec3(-5), Vec3(5)}), pipe = leaves.add(Cylinder{Vec3(-1, 0, 0), Vec3(1, 0, 0), 1, true}), disc = leaves.add(Disc{Vec3(0), Vec3(1, 0, 0), 3, 0});
-    Ray ray;
-    ray.origin = Vec3(-20, 0.01, 0.02), ray.dir = Vec3(1, 0, 0);
-    const auto at = [&](const CsgExpression& e) {
-        std::vector<double> x = distances(surfaces(e, leaves, ray));
-        for (double& t : x) t -= 20;
-        return x;
-    };
-    using List = std::vector<double>;
-    EXPECT_EQ(at(of(CsgOp::intersection, {box, disc})), (List{-5, 0}));
-    EXPECT_EQ(at(of(CsgOp::difference, {box, disc})), (List{0, 5}));
-    EXPECT_EQ(at(of(CsgOp::difference, {box, pipe})), (List{-5, 5}));
-    EXPECT_EQ(at(of(CsgOp::intersection, {box, pipe})), List());
-    ray.origin = Vec3(0, 0.01, -20), ray.dir = Vec3(0, 0, 1);
-    EXPECT_EQ(at(of(CsgOp::difference, {box, pipe})).size(), 4u);
-    EXPECT_EQ(at(of(CsgOp::clip, {box, pipe})), List());
-}
-
 /// A thousand holes: few of them are near a line, and only those are asked.
 TEST(Csg, ALineMeetsFewOfManyParts) {
     test::Draw draw(8);
