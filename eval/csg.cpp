@@ -48,7 +48,7 @@ class Walk {
         if (s_.states.size() < nodes.size()) s_.states.resize(nodes.size());
     }
 
-    /// Calls visit(hit) for the surfaces of the whole, in order of t; `one_place`: those of the first place that has any.
+    /// Calls visit(hit) for the surfaces of the whole, in order of t; `one_place`: for the one that is seen of those of the first place that has any.
     template <class Visit> void run(const Bounds& bounds, bool one_place, const Visit& visit) {
         if (bounds.empty()) return;
         const LineInterval box = inside_bounds(ray_, bounds);   // as accelerators compute it
@@ -62,10 +62,13 @@ class Walk {
             for (end = first + 1; end < all.size() && coincide(all[end - 1], all[end]); ) ++end;
             const std::span<const CsgCrossing> place(all.data() + first, end - first);
             step(place);
-            bool any = false;
-            for (const CsgCrossing& c : place)
-                if (in_range(c.hit.t) && shown(c)) visit(c.hit), any = true;
-            if (any && one_place) return;
+            const CsgCrossing* seen = nullptr;
+            for (const CsgCrossing& c : place) {
+                if (!in_range(c.hit.t) || !shown(c, one_place)) continue;
+                if (!one_place) visit(c.hit);
+                else if (!seen || nodes_[c.node].rank > nodes_[seen->node].rank) seen = &c;
+            }
+            if (seen) return visit(seen->hit);
         }
     }
 
@@ -230,14 +233,15 @@ class Walk {
         }
     }
 
-    bool shown(const CsgCrossing& c) const {
+    /// `with_equals`: also where it coincides with one that is shown for it.
+    bool shown(const CsgCrossing& c, bool with_equals) const {
         for (uint32_t n = c.node; n != 0; n = nodes_[n].parent)
-            if (!survives(n)) return false;
+            if (!survives(n, with_equals)) return false;
         return true;
     }
 
     /// Does a surface of the node survive the operation above it?
-    bool survives(uint32_t n) const {
+    bool survives(uint32_t n, bool with_equals) const {
         const CsgNode &node = nodes_[n], &above = nodes_[node.parent];
         if (above.op == CsgOp::union_) return true;
         if (above.op == CsgOp::clip && node.place > 0) return false;
@@ -249,7 +253,7 @@ class Walk {
         const uint32_t wanted = merge ? 0 : above.children - 1;
         if (before == after) return others_before == wanted && others_after == wanted;
         const bool counts_before = before != merge;
-        return (counts_before ? others_before : others_after) == wanted && (after ? all.first_in : all.first_out) == node.place;
+        return (counts_before ? others_before : others_after) == wanted && (with_equals || (after ? all.first_in : all.first_out) == node.place);
     }
 
     std::span<const CsgNode> nodes_;
@@ -278,12 +282,9 @@ bool node_inside(std::span<const CsgNode> nodes, uint32_t n, const Vec3& point, 
 bool CsgTree::inside(const Vec3& point, const CsgLeaves& leaves) const { return node_inside(nodes_, 0, point, leaves); }
 
 bool CsgTree::first(const Ray& ray, const CsgLeaves& leaves, Hit& hit, std::span<const CsgSide> known) const {
-    Hit best;
-    Walk(nodes_, known, ray, leaves).run(bounds_, true, [&](const Hit& h) {
-        if (comes_before(h.t, h.instance, h.primitive, best)) best = h;
-    });
-    if (best.valid()) hit = best;
-    return best.valid();
+    bool found = false;
+    Walk(nodes_, known, ray, leaves).run(bounds_, true, [&](const Hit& h) { hit = h, found = true; });
+    return found;
 }
 
 void CsgTree::all(const Ray& ray, const CsgLeaves& leaves, std::vector<Hit>& hits) const {

@@ -101,6 +101,7 @@ struct CsgNode {
     uint32_t parent = 0, place = 0; ///< the number among its siblings, which need not stand in that order
     uint32_t end = 0;               ///< the first node behind the subtree
     uint32_t children = 0;
+    uint32_t rank = 0;              ///< leaves alone: where surfaces coincide, the one of the highest is seen
     Mask mask = kMaskAll;
     Bounds box;                     ///< outside of it the node has no surface, and is all inside or all outside
 };
@@ -110,7 +111,8 @@ struct CsgNode {
 ///
 /// What is a surface of the whole is decided by the sides: a crossing of a part of an intersection stays if all other parts are inside on the side on
 /// which the part is; of a merge, if all others are outside on the side on which it is outside. Crossings within their error bounds of each other are
-/// one place: so A - A is nothing, A * A is A, and where faces coincide there is one of them, that of the first part.
+/// one place: so A - A is nothing, A * A is A, and where faces coincide there is one of them. Which one, a ray learns as in POV-Ray (probed): there a set
+/// makes a list of hits, part after part, an intersection or difference that of each part from its end, and of equal ones the last is seen.
 class CsgTree {
   public:
     /// `narrow` gives boxes to intersections of endless parts, asked of leaves that are inside by crossings.
@@ -121,7 +123,7 @@ class CsgTree {
     const Bounds& bounds() const { return bounds_; }
     /// Appends the sides of the nodes in a region, one for each of nodes(), to be given to first(). The side of the root: if it does not vary, rays in the region meet no surface.
     CsgSide sides(const CsgRegion& region, std::vector<CsgSide>& out) const;
-    /// The first surface with tmin <= t <= tmax that the ray's mask sees; of several at one t the one that comes before. `known`: the sides that the nodes have where the ray goes, or nothing.
+    /// The first surface with tmin <= t <= tmax that the ray's mask sees; of several at one place the one of the highest rank. `known`: the sides that the nodes have where the ray goes, or nothing.
     bool first(const Ray& ray, const CsgLeaves& leaves, Hit& hit, std::span<const CsgSide> known = {}) const;
     /// All of them, appended in order of t.
     void all(const Ray& ray, const CsgLeaves& leaves, std::vector<Hit>& hits) const;

@@ -14,6 +14,7 @@ struct Plain {
     CsgOp op = CsgOp::leaf;
     bool inverted = false;
     CsgLeaf leaf;
+    uint32_t rank = 0;
     Mask mask = kMaskAll;
     std::vector<Plain> parts;
     bool far = false;
@@ -115,17 +116,30 @@ void finish(Plain& p, const CsgNarrow& narrow) {
     for (const Plain& part : p.parts) p.cost = std::max(p.cost, part.cost);
 }
 
-Plain plain(const CsgExpression& e, bool inverse, Mask mask) {
+/// How leaves are ranked: in the order of POV-Ray's list of hits, whose end is seen.
+struct Ranking {
+    bool from_end = false;    ///< is the list of this part taken from its end?
+    bool clipped = false;     ///< a union that is clipped takes those of its parts so, as an intersection does
+};
+
+Plain plain(const CsgExpression& e, bool inverse, Mask mask, Ranking ranking, uint32_t& rank) {
     Plain out;
     inverse = inverse != e.inverse;
     out.op = plain_op(e.op, inverse);
     out.leaf = e.leaf;
     out.mask = mask & e.mask;
     out.inverted = e.op == CsgOp::leaf && inverse && (e.leaf.id == kNoId || e.leaf.inside != CsgInside::nowhere);
-    for (size_t i = 0; i < e.parts.size(); ++i) {
-        Plain made = plain(e.parts[i], turns_part(e, i, inverse), out.mask);
-        if (made.op == out.op && out.op != CsgOp::clip) std::move(made.parts.begin(), made.parts.end(), std::back_inserter(out.parts));
-        else out.parts.push_back(std::move(made));
+    if (e.op == CsgOp::leaf) out.rank = rank++;
+    const size_t count = e.parts.size();
+    const bool turns = e.op == CsgOp::intersection || e.op == CsgOp::difference || (e.op == CsgOp::union_ && ranking.clipped && count > 1);
+    std::vector<Plain> made(count);
+    for (size_t k = 0; k < count; ++k) {
+        const size_t i = ranking.from_end ? count - 1 - k : k;
+        made[i] = plain(e.parts[i], turns_part(e, i, inverse), out.mask, {ranking.from_end != turns, e.op == CsgOp::clip || (ranking.clipped && count == 1)}, rank);
+    }
+    for (Plain& part : made) {
+        if (part.op == out.op && out.op != CsgOp::clip) std::move(part.parts.begin(), part.parts.end(), std::back_inserter(out.parts));
+        else out.parts.push_back(std::move(part));
     }
     if (out.op == CsgOp::leaf) find_box(out);
     if (out.parts.size() == 1) return Plain(std::move(out.parts.front()));
@@ -142,7 +156,7 @@ void emit(const Plain& p, uint32_t parent, uint32_t place, std::vector<CsgNode>&
     CsgNode node;
     node.op = p.op, node.inside = p.leaf.inside, node.inverted = p.inverted, node.far = p.far, node.leaf = p.leaf.id;
     node.parent = parent, node.place = place, node.children = uint32_t(p.parts.size());
-    node.mask = p.mask, node.box = p.box;
+    node.mask = p.mask, node.rank = p.rank, node.box = p.box;
     out.push_back(node);
     std::vector<uint32_t> order(node.children);
     std::iota(order.begin(), order.end(), 0u);
@@ -154,7 +168,8 @@ void emit(const Plain& p, uint32_t parent, uint32_t place, std::vector<CsgNode>&
 }  // namespace
 
 CsgTree::CsgTree(const CsgExpression& expression, const CsgNarrow& narrow) {
-    Plain p = plain(expression, false, kMaskAll);
+    uint32_t rank = 0;
+    Plain p = plain(expression, false, kMaskAll, {}, rank);
     finish_below(p, narrow);
     bounds_ = p.surface;
     emit(p, 0, 0, nodes_);

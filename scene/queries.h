@@ -49,7 +49,8 @@ struct Visit {
     Transform to_world;
     std::vector<NodeId> path;   ///< from the root to the node
 };
-/// Calls `visitor` for every path from a root to a node, in document order; hidden subtrees are left out. `visitor` returns false to end the walk.
+/// Calls `visitor` for every path from a root to a node, in document order, but below a union that is a whole from the last to the first, since where
+/// surfaces coincide what is visited first is seen, and of such a union that is the last part (probed). Hidden subtrees are left out. `visitor` returns false to end the walk.
 /// The scene must have passed validate().
 void visit_paths(const Scene& scene, const std::function<bool(const Visit&)>& visitor);
 

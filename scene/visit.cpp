@@ -11,7 +11,8 @@ namespace {
 
 struct Frame {
     Transform to_world;
-    size_t next_child = 0;
+    size_t entered = 0;        ///< how many of its children
+    bool last_first = false;
 };
 
 /// The paths below one root; false if the visitor ended the walk. The stack is explicit: its depth is the file's choice.
@@ -24,20 +25,21 @@ bool visit_below(const Scene& scene, NodeId root, const std::function<bool(const
         visit.node = id;
         visit.to_world = parent_to_world * node.to_parent;
         visit.path.push_back(id);
-        frames.push_back({visit.to_world, 0});
+        frames.push_back({visit.to_world, 0, node.whole || (!frames.empty() && frames.back().last_first)});
         return visitor(visit);
     };
     if (!enter(root, Transform())) return false;
     while (!frames.empty()) {
         Frame& frame = frames.back();
         const std::vector<NodeId>& children = scene.nodes[visit.path.back().index].children;
-        if (frame.next_child == children.size()) {
+        if (frame.entered == children.size()) {
             frames.pop_back();
             visit.path.pop_back();
             continue;
         }
         const Transform to_world = frame.to_world;   // a copy: entering a child may move the frames
-        if (!enter(children[frame.next_child++], to_world)) return false;
+        const size_t i = frame.entered++;
+        if (!enter(children[frame.last_first ? children.size() - 1 - i : i], to_world)) return false;
     }
     return true;
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// no_image, no_shadow and no_reflection of what is a part of something.
+/// Parts of something: their no_image, no_shadow and no_reflection, which of them is seen where they coincide, and those without an end.
 #include "tests/scenes/pov_pictures.h"
 
 namespace alidade::test {
@@ -22,6 +22,16 @@ std::vector<PovPicture> flag_pictures() {
          "union { sphere { 0, .5 no_image no_shadow } sphere { x*.4, .4 } bounded_by { box { -3, 3 } } split_union on pigment { rgb y } translate <-.7,0,0> } union { P pigment { rgb <0,1,1> } translate <.7,0,0> } merge { P bounded_by { box { -3, 3 } } "
          "pigment { rgb <1,1,0> } translate <2,0,-1> } union { object { P } sphere { y*.5, .2 no_shadow } clipped_by { plane { y, .6 } } pigment { rgb 1 } translate <0,0,-2> } "
          "union { sphere { 0, .3 pigment { rgb z } } bounded_by { box { -1, 1 } } translate 2*y } union { union { sphere { 0, .2 pigment { rgb x } } } split_union off translate <1,2,0> }"},
+        {"CoincidentParts", "#version 3.7; global_settings { assumed_gamma 1 } camera { orthographic location -9*z look_at 0 right 8*x up 6*y } #default { finish { ambient 1 diffuse 0 } } #macro P(X,Y) translate <X*1.3-2.6,Y*1.3-1.3,0> #end "
+         "#macro R() box { -.5, .5 pigment { rgb x } } #end #macro G() box { -.5, .5 pigment { rgb y } } #end #macro B() box { -.5, .5 pigment { rgb z } } #end #macro W() box { -3, 3 } #end #declare C = union { R() G() B() clipped_by { W() } } "
+         "union { R() G() B() bounded_by { W() } P(0,0) } union { R() union { G() B() } split_union off P(1,0) } union { R() union { B() G() bounded_by { W() } } bounded_by { W() } P(2,0) } intersection { R() G() B() P(3,0) } intersection { union { R() G() B() } W() P(4,0) } "
+         "intersection { intersection { R() G() B() } W() P(0,1) } object { C P(1,1) } union { union { R() G() } B() clipped_by { W() } P(2,1) } object { union { R() G() B() } clipped_by { W() } P(3,1) } difference { R() box { -.5, <.2,.3,-.5> translate -1e-9*z pigment { rgb y } } P(4,1) } "
+         "intersection { intersection { union { R() G() B() } W() } W() P(0,2) } union { intersection { R() G() } intersection { B() W() } bounded_by { W() } P(1,2) } union { R() G() B() P(2,2) } union { union { R() G() clipped_by { W() } } sphere { 9, 1 } bounded_by { W() } P(3,2) } "
+         "union { B() intersection { R() G() } split_union off P(4,2) }"},
+        {"OpenParts", usual + "#macro Pipe() cylinder { 0, 1.2*x, .3 open } #end #macro Horn() cone { 0, .5, y, .1 open } #end merge { Pipe() sphere { 0, .5 } pigment { rgb x } translate -2*x } merge { union { Pipe() Horn() } sphere { 0, .4 } pigment { rgb y } } "
+         "difference { Horn() sphere { <0,.5,-.3>, .3 } pigment { rgb z } translate 2*x } union { disc { 0, y, 1 } Pipe() clipped_by { plane { x, .3 } } pigment { rgb <1,1,0> } translate <-2,1.5,0> } object { Pipe() clipped_by { plane { y, .1 } } "
+         "pigment { rgb <1,0,1> } translate 1.5*y } intersection { disc { 0, y+z, 3 } box { -.5, <2,.5,.5> } pigment { rgb <0,1,1> } translate <2,1.5,0> } merge { disc { 0, <0,1,-1>, .7 pigment { rgb 1 } } sphere { 0, .5 pigment { rgb .5 } } "
+         "translate <-.7,-.5,-2> } difference { box { -.4, .4 } disc { 0, <1,0,-1>, .5 } pigment { rgb <1,.5,0> } translate <1,-.5,-2> }"},
         {"LightGroupsByName", usual + "#declare G = light_group { light_source { <-5,5,-5> rgb <.2,.4,1> } sphere { 0, .7 pigment { rgb 1 } } global_lights on } light_group { G translate x } object { G translate -x }"},
         {"DeclaredLightGroups", usual + "#declare G = light_group { light_source { <-5,5,-5> rgb <.5,0,0> } sphere { 0, .7 pigment { rgb 1 } } } light_group { G global_lights on translate <-1.5,0,0> } light_group { G } light_group { light_group { light_source { <5,5,-5> "
          "rgb <0,.5,0> } sphere { 0, .5 pigment { rgb 1 } } global_lights off } sphere { x, .4 pigment { rgb y } } global_lights on translate <1.5,0,0> } "
