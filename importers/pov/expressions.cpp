@@ -304,6 +304,7 @@ std::array<double, 5> parse_vector(Parser& p, uint8_t terms) {
     const Place at = p.peek().place();
     const Value value = parse_expression(p);
     if (!value.numeric()) p.fail(at, fmt::format("a vector is expected, not {}", kind_name(value)));
+    if (!fits_vector(value, terms)) p.fail(at, fmt::format("a vector of {} is expected, not {}", terms, kind_name(value)));
     return as_vector(value, terms);
 }
 

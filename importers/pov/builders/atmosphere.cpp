@@ -70,8 +70,9 @@ void take_rainbow(Build& build, const Block& block, Rainbow& bow, std::optional<
 
 /// From version 3.7 on, what a background transmits is missing in it, and where pictures have alpha, what it filters, too. Before, it is all missing in these.
 void read_background(Build& build, const Block& block) {
+    bool coloured = false;
     for (Cursor at(build, block); !at.done();) {
-        if (at.at_numeric()) {
+        if (at.at_numeric() && !std::exchange(coloured, true)) {
             const std::array<double, 5> c = at.colour("the background");
             const Color color(c[0], c[1], c[2]);
             Atmosphere& air = build.scene.atmosphere;

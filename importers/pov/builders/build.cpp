@@ -58,9 +58,10 @@ int Cursor::integer(const char* what, int low, int high) {
     return x >= low ? x <= high ? int(x) : high : low;
 }
 
-Vec3 Cursor::vector(const char* what) {
+Vec3 Cursor::vector(const char* what, uint8_t terms) {
     if (!at_numeric()) build_.p.fail(place(), fmt::format("a vector is expected as {}", what));
-    const std::array<double, 5> c = as_vector(next().value, 3);
+    if (!fits_vector(peek().value, terms)) build_.p.fail(place(), fmt::format("a vector of {} is expected as {}, not {}", terms, what, kind_name(peek().value)));
+    const std::array<double, 5> c = as_vector(next().value, terms);
     return {c[0], c[1], c[2]};
 }
 
@@ -103,7 +104,7 @@ void Cursor::skip_unmodelled() {
     const bool named = item.kind == Item::Kind::word || block;
     const std::string_view word = named ? kWords[block ? block->word : item.word] : std::string_view("a value");
     refuse_misplaced();
-    if (!named) build_.p.tally(item.place, fmt::format("a value means nothing here in {}: it is left out", kWords[block_.word]));
+    if (!named) build_.p.fail(item.place, fmt::format("a value means nothing here in {}", kWords[block_.word]));
     else if (!block && belongs_to_objects(item.word)) build_.p.fail(item.place, fmt::format("{{ is expected behind {}", word));
     else build_.p.tally(item.place, fmt::format("{} in {} is not modelled yet: it is left out", word, kWords[block_.word]));
     skip();

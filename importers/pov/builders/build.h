@@ -97,7 +97,8 @@ class Cursor {
     double number(const char* what);
     /// A number cut to `low` .. `high`.
     int integer(const char* what, int low, int high);
-    Vec3 vector(const char* what);
+    /// Shorter ones are filled with zeros, and a float stands for all; longer ones and colours are refused.
+    Vec3 vector(const char* what, uint8_t terms = 3);
     /// red, green, blue, filter, transmit; a float stands for equal red, green and blue.
     std::array<double, 5> colour(const char* what);
     Color rgb(const char* what);

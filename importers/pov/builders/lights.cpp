@@ -24,7 +24,7 @@ struct LightWords {
     bool spot = false, cylinder = false;
     std::optional<double> radius, falloff, tightness;
     LightFade fade;
-    bool area = false;
+    bool area = false, coloured = false;
     ShadowGrid grid;             ///< of an area light: its words may stand before `area_light`
     Transform transform;
     Carried looks_like, projected_through;
@@ -73,7 +73,7 @@ bool take_light_word(LightWords& w, Cursor& at) {
     if (at.accept("fade_distance"_w)) w.fade.distance = at.number("the distance of fading");
     else if (at.accept("fade_power"_w)) w.fade.power = at.number("the power of fading");
     else if (at.accept("media_interaction"_w)) w.light.media_interaction = at.flag();
-    else if (at.at_numeric()) w.light.intensity = at.rgb("the colour of a light");
+    else if (at.at_numeric() && !std::exchange(w.coloured, true)) w.light.intensity = at.rgb("the colour of a light");
     else return false;
     return true;
 }
@@ -85,7 +85,7 @@ void move(LightWords& w, const Transform& t) {
 void read_light(Build& build, const Block& block, LightWords& w) {
     const Nested nested(build.p, block.place);
     Cursor at(build, block);
-    if (const Block* base = at.block_at("light_source"_w)) at.next(), read_light(build, *base, w);
+    if (const Block* base = at.block_at("light_source"_w)) at.next(), read_light(build, *base, w), w.coloured = false;
     else w.location = at.vector("the location of a light");
     while (!at.done()) {
         if (at.at_transform()) move(w, at.transform());

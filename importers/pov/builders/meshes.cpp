@@ -109,7 +109,7 @@ Vec2f uv_of(const Vec3& v) { return Vec2f(float(v.x), float(1 - v.y)); }
 void take_triangle_uvs(Cursor& at, Mesh& mesh) {
     if (mesh.uvs.empty()) mesh.uvs.resize(1);
     mesh.uvs[0].values.resize(mesh.positions.size() - 3, uv_of(Vec3(0)));
-    for (int corner = 0; corner < 3; ++corner) mesh.uvs[0].values.push_back(uv_of(at.vector("texture coordinates")));
+    for (int corner = 0; corner < 3; ++corner) mesh.uvs[0].values.push_back(uv_of(at.vector("texture coordinates", 2)));
 }
 
 std::vector<uint32_t> take_texture_list(Build& build, const Block& block, Slots& slots) {
@@ -146,13 +146,27 @@ void take_triangle_modifiers(Build& build, Cursor& at, Slots& slots, Mesh& mesh)
     set_slots(mesh, corners);
 }
 
+/// How many things a list says that it has, and who must have as many: a file that was cut off, or joined wrongly, is not taken for a smaller mesh.
+class Announced {
+  public:
+    explicit Announced(Cursor& at) : place_(at.place()), count_(std::trunc(at.number("how many there are"))) {}
+    void check(Build& build, const Block& block, size_t found) const {
+        if (count_ != double(found)) build.p.fail(place_, fmt::format("{} says that it has {:.0f}, and has {}", kWords[block.word], count_, found));
+    }
+
+  private:
+    Place place_;
+    double count_;
+};
+
 /// The vectors behind their number in `vertex_vectors { ... }` and the like.
-std::vector<Vec3> take_vectors(Build& build, const Block& block) {
+std::vector<Vec3> take_vectors(Build& build, const Block& block, uint8_t terms = 3) {
     Cursor at(build, block);
-    if (at.at_number()) at.next();                                   // how many there are is seen
+    const Announced announced(at);
     std::vector<Vec3> out;
     out.reserve(block.items.size());
-    while (!at.done()) out.push_back(at.vector("a vector of a mesh"));
+    while (!at.done()) out.push_back(at.vector("a vector of a mesh", terms));
+    announced.check(build, block, out.size());
     return out;
 }
 
@@ -191,7 +205,7 @@ Mesh2Parts take_parts(Cursor& at) {
 /// The triangles, and the slots of each: one texture index for the whole triangle, or three that are mixed over it.
 void take_faces(Build& build, const Block& block, const std::vector<uint32_t>& textures, Mesh& mesh) {
     Cursor at(build, block);
-    if (at.at_number()) at.next();
+    const Announced announced(at);
     while (!at.done()) {
         const Place place = at.place();
         mesh.triangles.push_back(take_indices(build, at, mesh.positions.size()));
@@ -204,17 +218,19 @@ void take_faces(Build& build, const Block& block, const std::vector<uint32_t>& t
         }
         if (!textures.empty()) set_slots(mesh, corners);
     }
+    announced.check(build, block, mesh.triangles.size());
 }
 
 /// The indices of an attribute, and whether there are as many as the mesh takes: else nothing is left of it but a warning.
 template <class T> void take_corners(Build& build, const Block* indices, const char* what, const char* instead, Mesh& mesh, Attribute<T>& out, Place place) {
     if (indices) {
         Cursor at(build, *indices);
-        if (at.at_number()) at.next();
+        const Announced announced(at);
         while (!at.done()) {
             const Index3 i = take_indices(build, at, out.values.size());
             out.corners.insert(out.corners.end(), {i.x, i.y, i.z});
         }
+        announced.check(build, *indices, out.corners.size() / 3);
     }
     const size_t values = out.values.size(), corners = out.corners.size();
     if (corners ? corners == 3 * mesh.triangles.size() : values == mesh.positions.size()) return;
@@ -232,7 +248,7 @@ void take_normals(Build& build, const Mesh2Parts& parts, Mesh& mesh, Place place
 void take_uvs(Build& build, const Mesh2Parts& parts, Mesh& mesh, Place place) {
     if (!parts.uvs) return;
     Attribute<Vec2f> uvs;
-    for (const Vec3& uv : take_vectors(build, *parts.uvs)) uvs.values.push_back(uv_of(uv));
+    for (const Vec3& uv : take_vectors(build, *parts.uvs, 2)) uvs.values.push_back(uv_of(uv));
     if (!uvs.values.empty()) take_corners(build, parts.uv_indices, "texture coordinates", "they are left out", mesh, uvs, place);
     if (uvs.present()) mesh.uvs.push_back(std::move(uvs));
 }

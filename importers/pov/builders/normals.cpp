@@ -14,7 +14,7 @@ void read_slope_map(Build& build, const Block& block, std::vector<SlopeEntry>& s
     for_each_entry(build, block, [&](const Block& entry) {
         Cursor in(build, entry);
         const double value = map_position(in);
-        const Vec3 slope = in.vector("a height and a slope");
+        const Vec3 slope = in.vector("a height and a slope", 2);
         slopes.push_back({value, slope.x, slope.y});
     });
 }

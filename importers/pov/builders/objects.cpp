@@ -124,7 +124,7 @@ bool take_surface(Build& build, Draft& d, Cursor& at) {
 
 bool take_flag(Draft& d, Cursor& at) {
     NodeFlags& f = d.node.flags;
-    if (at.accept("no_shadow"_w)) f.shadow = !at.flag();
+    if (at.accept("no_shadow"_w)) f.shadow = false;
     else if (at.accept("no_image"_w)) f.image = !at.flag();
     else if (at.accept("no_reflection"_w)) f.reflection = !at.flag();
     else if (at.accept("hollow"_w)) f.hollow = at.flag();

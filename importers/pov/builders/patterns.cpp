@@ -32,7 +32,7 @@ void set(PatternSignal& s, const std::string& name, const Vec3& v) {
 }
 
 void take_complex(Cursor& at, PatternSignal& s) {
-    const Vec3 c = at.vector("the constant of a julia set");
+    const Vec3 c = at.vector("the constant of a julia set", 2);
     set(s, "c.re", c.x), set(s, "c.im", c.y);
 }
 

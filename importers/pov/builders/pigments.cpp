@@ -21,6 +21,7 @@ void read_colour_entry(Build& build, const Block& entry, std::vector<MapEntry>& 
     const double second = two ? map_position(in) : first;
     map.push_back({first, add_colour(build, in.colour("the colour of a map"), entry.place)});
     if (two && !in.done()) map.push_back({second, add_colour(build, in.colour("the colour of a map"), entry.place)});
+    if (!in.done()) in.skip_unmodelled();
 }
 
 /// The pigment that a new one begins with.
@@ -93,6 +94,7 @@ std::optional<ConstantSignal> quick_color_of(const Build& build, SignalId pigmen
 bool is_quick_color(Cursor& at) { return at.accept("quick_color"_w) || at.accept("quick_colour"_w); }
 
 void read_pigment(Build& build, Cursor& at, Signal& pigment, PatternSignal& loose, std::optional<ConstantSignal>& quick) {
+    bool open = true;       // a colour or a pattern may stand before its modifiers alone
     while (!at.done()) {
         if (const Block* base = at.block_at("pigment"_w)) {
             at.next();
@@ -100,16 +102,22 @@ void read_pigment(Build& build, Cursor& at, Signal& pigment, PatternSignal& loos
             const bool uv_mapped = modified(pigment, loose).uv_mapped;
             pigment = copy_of(build, id), loose = loose_of(build, id), quick = quick_color_of(build, id);
             modified(pigment, loose).uv_mapped |= uv_mapped;   // `uv_mapping P`: stays, as nothing else does
-        } else if (at.at_numeric()) {
+        } else if (at.at_numeric() && std::exchange(open, false)) {
             const std::array<double, 5> c = at.colour("a pigment");
             if (auto* hidden = std::get_if<PatternSignal>(&pigment.what)) loose = std::move(*hidden);   // all but its name is there for another one
             pigment.what = ConstantSignal{Vec4(c[0], c[1], c[2], 1), c[3], c[4]};
         } else if (is_quick_color(at)) {
+            open = false;
             if (!at.at_numeric()) continue;
             const std::array<double, 5> c = at.colour("quick_color");
             quick = ConstantSignal{Vec4(c[0], c[1], c[2], 1), c[3], c[4]};
-        } else if (!take_patterned(build, at, pigment, loose)) {
+        } else if (at.at_word("uv_mapping"_w)) {
+            take_patterned(build, at, pigment, loose);
+        } else if (take_patterned(build, at, pigment, loose)) {
+            open = false;
+        } else {
             at.refuse_misplaced();
+            if (at.at_numeric()) at.skip_unmodelled();
             tally_pattern(build, at.peek(), "pigment");
             pigment.what = ConstantSignal{Vec4(0.5, 0.5, 0.5, 1)};
             return;

@@ -12,6 +12,7 @@ namespace {
 
 Vec3 three(Parser& p, const Item& item, WordId word) {
     if (item.kind != Item::Kind::value || !item.value.numeric()) p.fail(item.place, fmt::format("a vector is expected behind {}", kWords[word]));
+    if (!fits_vector(item.value, 3)) p.fail(item.place, fmt::format("a vector of 3 is expected behind {}, not {}", kWords[word], kind_name(item.value)));
     const std::array<double, 5> c = as_vector(item.value, 3);
     return {c[0], c[1], c[2]};
 }

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: Apache-2.0
+/// Values that POV-Ray refuses, refused at their place: nothing that is written is left out without a word.
+#include "tests/importers/pov_builders.h"
+
+#include <gmock/gmock.h>
+
+namespace alidade {
+namespace {
+
+using testing::HasSubstr;
+
+struct Refusal {
+    const char *scene, *message;
+};
+
+TEST_F(PovBuilders, ValuesThatMeanNothingAreErrors) {
+    for (const Refusal& r : {Refusal{"sphere { 0, 1, 2 }", "1:16: error: a value means nothing here in sphere"}, {"sphere { 0, 1 inverse 1 }", "a value means nothing here in sphere"}, {"sphere { 0, 1 no_shadow off }", "a value means nothing here in sphere"},
+                             {"box { 0, 1 rotate <1,2,3> 4 }", "a value means nothing here in box"}, {"sphere { 0, 1 pigment { rgb 1 .5 } }", "1:31: error: a value means nothing here in pigment"}, {"sphere { 0, 1 pigment { bozo rgb 1 } }", "a value means nothing here in pigment"},
+                             {"sphere { 0, 1 pigment { leopard 3 } }", "a value means nothing here in pigment"}, {"sphere { 0, 1 pigment { checker rgb 1 rgb 0 rgb 1 } }", "a value means nothing here in pigment"},
+                             {"#declare P = pigment { rgb 1 } sphere { 0, 1 pigment { P scale 2 rgb 0 } }", "a value means nothing here in pigment"}, {"sphere { 0, 1 pigment { bozo color_map { [0 rgb 1 2] } } }", "a value means nothing here"},
+                             {"sphere { 0, 1 normal { bumps .5 3 } }", "a value means nothing here in normal"}, {"sphere { 0, 1 finish { ambient 1 2 } }", "a value means nothing here in finish"}, {"background { rgb 1 3 }", "a value means nothing here in background"},
+                             {"light_source { 0 rgb 1 2 }", "a value means nothing here in light_source"}, {"camera { location 0 5 }", "a value means nothing here in camera"}, {"global_settings { adc_bailout 0,01 }", "a value means nothing here in global_settings"}})
+        EXPECT_THAT(said(r.scene), HasSubstr(r.message)) << r.scene;
+    for (const char* fine : {"#declare P = pigment { bozo } sphere { 0, 1 pigment { P rgb 1 } }", "#declare L = light_source { 0 rgb 1 } light_source { L rgb .5 }", "sphere { 0, 1 pigment { uv_mapping rgb 1 } }", "sphere { 0, 1 pigment { red 1 green 1 } hollow on }",
+                             "sphere { 0, 1 pigment { rgb 1 quick_color rgb 0 } }", "#declare P = pigment { rgb 1 } sphere { 0, 1 pigment { P bozo } }", "fog { distance 5 rgb 1 3 }"})
+        EXPECT_EQ(said(fine), "") << fine;
+}
+
+TEST_F(PovBuilders, VectorsAreNotLongerThanWhatIsAskedFor) {
+    for (const Refusal& r : {Refusal{"sphere { <1,2,3,4>, 1 }", "1:10: error: a vector of 3 is expected as the centre of a sphere, not a vector of 4"}, {"#declare C = rgb 1; sphere { C, 1 }", "not a colour"}, {"sphere { 0, 1 translate <1,2,3,4> }", "a vector of 3 is expected behind translate"},
+                             {"sphere { 0, 1 scale rgb 1 }", "not a colour"}, {"#declare L = vlength(<1,2,3,4>);", "a vector of 3 is expected, not a vector of 4"}, {"#declare C = rgb 1; #declare L = vnormalize(C);", "not a colour"},
+                             {"mesh { triangle { 0, x, y uv_vectors <0,0,0>, <1,0>, <0,1> } }", "a vector of 2 is expected as texture coordinates, not a vector of 3"}, {"sphere { 0, 1 pigment { julia x, 5 } }", "a vector of 2 is expected"},
+                             {"sphere { 0, 1 pigment { bozo turbulence <1,1,1,1> } }", "not a vector of 4"}})
+        EXPECT_THAT(said(r.scene), HasSubstr(r.message)) << r.scene;
+    for (const char* fine : {"sphere { <1,2>, 1 }", "sphere { 1, 1 translate <1,2> }", "mesh { triangle { 0, x, y uv_vectors 0, u, <0,1> } }", "#declare C = rgb 1; sphere { <C.x, C.y, C.z>, 1 }"}) EXPECT_EQ(said(fine), "") << fine;
+}
+
+/// A file that was cut off is no smaller mesh.
+TEST_F(PovBuilders, ListsOfMeshesHaveWhatTheySay) {
+    for (const Refusal& r : {Refusal{"mesh2 { vertex_vectors { 4, 0, x, y } face_indices { 1, <0,1,2> } }", "1:26: error: vertex_vectors says that it has 4, and has 3"}, {"mesh2 { vertex_vectors { 3, 0, x, y, z } face_indices { 1, <0,1,2> } }", "vertex_vectors says that it has 3, and has 4"},
+                             {"mesh2 { vertex_vectors { 3, 0, x, y } face_indices { 2, <0,1,2> } }", "face_indices says that it has 2, and has 1"}, {"mesh2 { vertex_vectors { 3, 0, x, y } uv_vectors { 2, 0, 1, u } face_indices { 1, <0,1,2> } }", "uv_vectors says that it has 2, and has 3"},
+                             {"mesh2 { vertex_vectors { 3, 0, x, y } normal_vectors { 3, x, y, z } face_indices { 1, <0,1,2> } normal_indices { 2, <0,1,2> } }", "normal_indices says that it has 2, and has 1"}, {"mesh2 { vertex_vectors { x, y, z } face_indices { 1, <0,1,2> } }", "a number is expected as how many there are"}})
+        EXPECT_THAT(said(r.scene), HasSubstr(r.message)) << r.scene;
+    EXPECT_EQ(said("mesh2 { vertex_vectors { 3.7, 0, x, y, } face_indices { 1 <0,1,2> } }"), "");
+}
+
+}  // namespace
+}  // namespace alidade
