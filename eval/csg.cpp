@@ -292,11 +292,15 @@ void CsgTree::all(const Ray& ray, const CsgLeaves& leaves, std::vector<Hit>& hit
 }
 
 CsgInside csg_inside(const ShapeOps* ops, const ShapeGeometry& shape) {
+    if (const auto* mesh = std::get_if<Mesh>(&shape)) return mesh->inside_vector ? CsgInside::at_points : CsgInside::nowhere;
     if (!ops || ops->sheet) return CsgInside::nowhere;
     return ops->solid(shape) ? CsgInside::by_crossings : CsgInside::at_points;
 }
 
-bool csg_endless(const ShapeOps* ops) { return ops && ops->kind == kind_of<Disc>(); }
+bool csg_endless(const ShapeGeometry& shape) {
+    const auto* mesh = std::get_if<Mesh>(&shape);
+    return std::holds_alternative<Disc>(shape) || (mesh && mesh->inside_vector);
+}
 
 uint8_t csg_cost(const ShapeOps& ops) { return ops.costly ? 2 : ops.kind == kind_of<Plane>() ? 0 : 1; }
 

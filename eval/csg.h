@@ -27,7 +27,8 @@ enum class CsgInside : uint8_t {
 };
 /// How it is known where the inside of a shape is; a mesh has no ops.
 CsgInside csg_inside(const ShapeOps* ops, const ShapeGeometry& shape);
-bool csg_endless(const ShapeOps* ops);
+/// Is something inside beyond its bounds? Of a mesh that is not closed, too.
+bool csg_endless(const ShapeGeometry& shape);
 
 /// Leaves with equal ids are the same thing at several places.
 struct CsgLeaf {

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "eval/solid_query.h"
 
+#include "eval/mesh_inside.h"
+
 #include "eval/csg_expression.h"
 #include "eval/mesh_points.h"
 #include "eval/placed.h"
@@ -91,7 +93,7 @@ class SolidQuery::Parts final : public CsgParts {
         PlacedShape& placed = out_.shapes_[e.leaf.id];
         placed.inverted = inverse && !(placed.ops && placed.ops->sheet);
         const ShapeGeometry& geometry = out_.scene_.shapes[placed.shape.index].geometry;
-        e.leaf.inside = csg_inside(placed.ops, geometry), e.leaf.endless = csg_endless(placed.ops);
+        e.leaf.inside = csg_inside(placed.ops, geometry), e.leaf.endless = csg_endless(geometry);
         e.leaf.bounds = placed.to_world.bounds(placed.ops ? placed.ops->bounds(geometry) : placed.triangles->bounds());
     }
 
@@ -126,7 +128,10 @@ class SolidQuery::Leaves final : public CsgLeaves {
     bool inside(uint32_t id, const Vec3& point) const override {
         ++work_;
         const PlacedShape& placed = query_.shapes_[id];
-        return placed.ops && placed.ops->inside(query_.scene_.shapes[placed.shape.index].geometry, placed.to_local.point(point));
+        const Vec3 local = placed.to_local.point(point);
+        WorkCounters unused;
+        if (placed.triangles) return inside_mesh(*as_mesh(query_.scene_, placed.shape), *placed.triangles, local, unused);
+        return placed.ops && placed.ops->inside(query_.scene_.shapes[placed.shape.index].geometry, local);
     }
 
     Sharpness sharpness(const Ray& ray, const Hit& hit) const override {

@@ -61,7 +61,7 @@ template <class T> void dump_attribute(std::string& out, const std::string& name
 }
 
 void dump_mesh(std::string& out, const std::string& head, const ShapeEntry& entry, const Mesh& mesh, MeshLists how) {
-    Line(out, head).word("mesh").field("name", entry.name).field("origin", mesh.origin).field("from", entry.from);
+    Line(out, head).word("mesh").field("name", entry.name).field("origin", mesh.origin).field("inside_vector", mesh.inside_vector).field("from", entry.from);
     Line(out, "  positions").list("values", mesh.positions, how).list("exact", mesh.exact_positions, how);
     Line(out, "  triangles").list("vertices", mesh.triangles, how).list("slots", mesh.slots, how).list("corner_slots", mesh.corner_slots, how).list("faces", mesh.faces, how);
     dump_attribute(out, "normals", mesh.normals, how);

@@ -5,6 +5,7 @@
 #include "core/bounds.h"
 #include "core/source.h"
 
+#include <optional>
 #include <string>
 #include <variant>
 #include <vector>
@@ -133,6 +134,7 @@ struct Mesh {
     std::vector<MorphTarget> morphs;
     std::vector<double> morph_weights;      ///< default weights, one a target
     std::vector<JointSet> joint_sets;       ///< linear blend skinning, where a node has a skin
+    std::optional<Vec3> inside_vector;      ///< in set operations, a point is inside if a line from it this way crosses an odd number of triangles (POV-Ray); absent: nothing is
 };
 
 using ShapeGeometry = std::variant<Sphere, Plane, Box, Disc, Cylinder, Cone, Torus, Quadric, Polynomial, Polygon, Extrusion, Mesh>;

@@ -88,6 +88,7 @@ class ShapeCheck {
 
     void operator()(const Mesh& mesh) const {
         if (!is_finite(mesh.origin)) return not_finite();
+        if (mesh.inside_vector && (!is_finite(*mesh.inside_vector) || *mesh.inside_vector == Vec3(0))) error("has an inside_vector that leads nowhere");
         if (!positions(mesh)) return;
         per_triangle(mesh.slots, mesh, "material slots");
         if (!mesh.corner_slots.empty() && mesh.corner_slots.size() != 3 * mesh.triangles.size()) error(fmt::format("has {} material slots of corners for {} triangles", mesh.corner_slots.size(), mesh.triangles.size()));

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tracer/instance_leaves.h"
 
+#include "eval/mesh_inside.h"
 #include "eval/placed.h"
 #include "tracer/shade_point.h"
 
@@ -27,7 +28,8 @@ bool InstanceLeaves::crossings(uint32_t id, const Ray& ray, std::vector<CsgCross
 bool InstanceLeaves::inside(uint32_t id, const Vec3& point) const {
     const Instance& instance = scene_.instances[id];
     const Geometry& geometry = scene_.geometries[instance.geometry];
-    return !geometry.mesh && geometry.ops->inside(*geometry.source, instance.local(point));
+    const Vec3 local = instance.local(point);
+    return geometry.mesh ? inside_mesh(*geometry.mesh, *geometry.triangles, local, work_) : geometry.ops->inside(*geometry.source, local);
 }
 
 CsgLeaves::Sharpness InstanceLeaves::sharpness(const Ray& ray, const Hit& hit) const {
@@ -48,7 +50,7 @@ CsgLeaf csg_leaf(const CompiledScene& scene, uint32_t id) {
     const Geometry& geometry = scene.geometries[instance.geometry];
     CsgLeaf leaf;
     leaf.id = id;
-    leaf.inside = csg_inside(geometry.ops, *geometry.source), leaf.endless = csg_endless(geometry.ops);
+    leaf.inside = csg_inside(geometry.ops, *geometry.source), leaf.endless = csg_endless(*geometry.source);
     leaf.bounds = instance.bounds;
     leaf.cost = geometry.mesh ? kCsgCostOfMesh : csg_cost(*geometry.ops);
     return leaf;

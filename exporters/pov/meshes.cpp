@@ -30,6 +30,7 @@ class MeshText {
         faces();
         if (!normals_.corners.empty()) indices("normal_indices", normals_);
         if (uvs_ && !uvs_->corners.empty()) indices("uv_indices", *uvs_);
+        if (mesh_.inside_vector) c_.sdl.line("inside_vector", *mesh_.inside_vector);
         if (mesh_.origin != Vec3(0)) c_.sdl.line("translate", mesh_.origin);
     }
 
@@ -84,7 +85,7 @@ class MeshText {
 
     /// One that POV-Ray would draw flat only in a mesh.
     bool stands_alone() const {
-        return mesh_.triangles.size() == 1 && finite_.size() == 1 && mesh_.normals.present() && mesh_.uvs.empty() && slots_.size() <= 1 && !colors_.present() && is_drawn_flat(corners(0), corner_normals(0));
+        return mesh_.triangles.size() == 1 && !mesh_.inside_vector && finite_.size() == 1 && mesh_.normals.present() && mesh_.uvs.empty() && slots_.size() <= 1 && !colors_.present() && is_drawn_flat(corners(0), corner_normals(0));
     }
     void lone_triangle() {
         const std::array<Vec3, 3> places = corners(0), normals = corner_normals(0);

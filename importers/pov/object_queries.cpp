@@ -25,7 +25,8 @@ bool has_patches(const Scene& scene, NodeId root) {
         seen[id.index] = true;
         const Node& node = scene.nodes[id.index];
         const auto* shape = std::get_if<ShapeId>(&node.what);
-        if (std::holds_alternative<LightId>(node.what) || (shape && std::holds_alternative<Mesh>(scene.shapes[shape->index].geometry))) return true;
+        const auto* mesh = shape ? std::get_if<Mesh>(&scene.shapes[shape->index].geometry) : nullptr;
+        if (std::holds_alternative<LightId>(node.what) || (mesh && !mesh->inside_vector)) return true;
         const bool group = !node.light_group.empty() || !node.global_lights;
         for (const NodeId child : node.children)
             if (!group || !std::holds_alternative<LightId>(scene.nodes[child.index].what)) todo.push_back(child);
@@ -126,7 +127,7 @@ Traced ObjectQueries::trace(const Value& object, const Vec3& origin, const Vec3&
 bool ObjectQueries::inside(const Value& object, const Vec3& point, Place at) {
     return asked([&] {
         const SolidQuery& query = solid(object, at);
-        if (*known(object).patches) p_.fail(at, "an object with triangles, meshes or lights in it has no inside", "ask inside() of solids");
+        if (*known(object).patches) p_.fail(at, "an object with triangles, meshes or lights in it has no inside", "ask inside() of solids, or of meshes with an inside_vector");
         if (!is_finite(point)) p_.warn(at, "the point of inside() is not finite: it is outside");
         uint64_t work = 0;
         const bool in = is_finite(point) && query.inside(point, work);

@@ -24,7 +24,7 @@ class ShapeLeaves final : public CsgLeaves {
     CsgExpression leaf(uint32_t id) const {
         const ShapeOps& ops = *find_shape(shapes[id]);
         CsgExpression e;
-        e.leaf = {id, csg_inside(&ops, shapes[id]), ops.bounds(shapes[id]), csg_cost(ops), csg_endless(&ops)};
+        e.leaf = {id, csg_inside(&ops, shapes[id]), ops.bounds(shapes[id]), csg_cost(ops), csg_endless(shapes[id])};
         return e;
     }
     bool crossings(uint32_t id, const Ray& ray, std::vector<CsgCrossing>& out) const override {

@@ -60,6 +60,10 @@ const Asked kAsked[] = {
     {"smooth triangle", "smooth_triangle { <-1,-1,0>, <0,0,-1>, <2,-.5,0>, <.5,.2,-1>, <-.7,2,1>, <-.2,.4,-1> }", false},
     {"mesh", "mesh { triangle { <0,0,0>, <1,0,0>, <0,1,0> } triangle { <0,0,0>, <1,0,0>, <0,0,1> } triangle { <0,0,0>, <0,1,0>, <0,0,1> } triangle { <1,0,0>, <0,1,0>, <0,0,1> } scale 2 rotate <10,20,30> }", false},
     {"mesh2", "mesh2 { vertex_vectors { 4, <0,0,0>, <2,0,0>, <0,2,0>, <2,2,1> } normal_vectors { 4, <1,0,-1>, <0,1,-1>, <0,0,-1>, <.3,.2,-1> } face_indices { 2, <0,1,2>, <1,3,2> } rotate 20*y }", false},
+    {"mesh with an inside", "object { Solid scale 1.5 rotate <10,20,30> }"},
+    {"mesh with an inside turned out", "object { Solid scale 1.5 rotate <10,20,30> inverse }"},
+    {"mesh that is open", "mesh2 { vertex_vectors { 3, <-1,.2,-1>, <1.5,.1,-.9>, <0,.3,1.4> } face_indices { 1, <0,1,2> } inside_vector <.1,1,.2> }"},
+    {"set of meshes", "difference { object { Solid scale 1.5 } object { Solid rotate <10,20,30> translate <.4,.5,.3> } sphere { x, .6 } }"},
     {"union", "union { sphere { 0, 1 } box { <.2,.3,.4>, <1.5,1.2,1.3> } cylinder { -2*y, y, .3 } rotate <10,20,30> }"},
     {"merge", "merge { sphere { 0, 1 } box { <.2,.3,.4>, <1.5,1.2,1.3> } cylinder { -2*y, y, .3 } rotate <10,20,30> }"},
     {"intersection", "intersection { sphere { 0, 1.2 } box { <-.7,-.6,-2>, <.8,.9,.5> } plane { <1,1,0>, .4 } }"},
@@ -82,6 +86,7 @@ const Asked kAsked[] = {
 constexpr const char* kPrelude =
     "#version 3.7;\nglobal_settings { assumed_gamma 1 }\n#declare R_ = seed(4711);\n"
     "#declare Declared = difference { sphere { 0, 1 } box { 0, 2 } };\n#declare List = array[2] { sphere { 0, 1 } torus { 1, .4 } }\n"
+    "#declare Solid = mesh2 { vertex_vectors { 6, x, -x, y, -y, z, -z } face_indices { 8, <0,2,4>, <2,0,5>, <3,0,4>, <0,3,5>, <2,1,4>, <1,2,5>, <1,3,4>, <3,1,5> } inside_vector <.1,1,.2> };\n"
     "#macro Random(S) (<rand(R_), rand(R_), rand(R_)> - .5)*2*S #end\n"
     "#macro Put(V) #debug concat(str(V.x, 0, 17), \"\\n\", str(V.y, 0, 17), \"\\n\", str(V.z, 0, 17), \"\\n\") #end\n";
 
@@ -183,6 +188,7 @@ TEST(PovQueries, WhatCannotBeAskedIsAnErrorWithItsPlace) {
         {"#declare K = inside(T, x);", "4:14: error: an object with triangles, meshes or lights in it has no inside"},
         {"#declare U = difference { sphere { 0, 1 } mesh { triangle { 0, x, y } } } #declare K = inside(U, x);", "error: an object with triangles"},
         {"#declare U = union { sphere { 0, 1 } light_source { 5, 1 } } #declare K = inside(U, x);", "error: an object with triangles"},
+        {"#declare M = mesh { triangle { 0, x, y } inside_vector 0 } #declare K = inside(M, x);", "error: an object with triangles"},
         {"#declare K = inside(S, \"a\");", "4:24: error: a vector is expected, not a string"},
         {"#declare K = min_extent(S, x);", "4:26: error: ) is expected behind the arguments of a function"},
         {"#declare B = cylinder { x, x, 1 } #declare K = max_extent(B);", "4:25: error: the cylinder has no length"},

@@ -26,6 +26,16 @@ TEST_F(PovBuilders, ValuesThatMeanNothingAreErrors) {
         EXPECT_EQ(said(fine), "") << fine;
 }
 
+TEST_F(PovBuilders, WhatStandsInAnotherKindOfBlockIsAnError) {
+    const std::string declared = "#declare T = texture { pigment { rgb x } } #declare P = pigment { rgb 1 } #declare M = material { texture { T } } #declare S = sphere { 0, 1 } #declare N = normal { bumps 1 } ";
+    for (const Refusal& r : {Refusal{"sphere { 0, 1 pigment { T } }", "the identifier of a texture cannot stand in pigment"}, {"sphere { 0, 1 finish { P } }", "the identifier of a pigment cannot stand in finish"}, {"sphere { 0, 1 pigment { N } }", "the identifier of a normal cannot stand in pigment"},
+                             {"sphere { 0, 1 normal { P } }", "the identifier of a pigment cannot stand in normal"}, {"sphere { 0, 1 texture { M } }", "the identifier of a material cannot stand in texture"}, {"sphere { 0, 1 texture { S } }", "the identifier of a sphere cannot stand in texture"},
+                             {"sphere { 0, 1 material { P } }", "the identifier of a pigment cannot stand in material"}, {"sphere { 0, 1 interior { T } }", "the identifier of a texture cannot stand in interior"}, {"sphere { 0, 1 material { pigment { rgb 1 } } }", "a pigment cannot stand in material"},
+                             {"mesh { triangle { 0, x, y pigment { rgb 1 } } }", "a pigment cannot stand in triangle"}})
+        EXPECT_THAT(said(declared + r.scene), HasSubstr(r.message)) << r.scene;
+    for (const char* fine : {"sphere { 0, 1 texture { P } }", "sphere { 0, 1 texture { N } }", "sphere { 0, 1 material { M } }", "mesh { triangle { 0, x, y texture { T } } }", "sphere { 0, 1 pigment { P } normal { N } }"}) EXPECT_EQ(said(declared + fine), "") << fine;
+}
+
 TEST_F(PovBuilders, VectorsAreNotLongerThanWhatIsAskedFor) {
     for (const Refusal& r : {Refusal{"sphere { <1,2,3,4>, 1 }", "1:10: error: a vector of 3 is expected as the centre of a sphere, not a vector of 4"}, {"#declare C = rgb 1; sphere { C, 1 }", "not a colour"}, {"sphere { 0, 1 translate <1,2,3,4> }", "a vector of 3 is expected behind translate"},
                              {"sphere { 0, 1 scale rgb 1 }", "not a colour"}, {"#declare L = vlength(<1,2,3,4>);", "a vector of 3 is expected, not a vector of 4"}, {"#declare C = rgb 1; #declare L = vnormalize(C);", "not a colour"},

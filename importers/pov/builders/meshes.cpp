@@ -179,8 +179,15 @@ Index3 take_indices(Build& build, Cursor& at, size_t count) {
     return Index3(uint32_t(v.x), uint32_t(v.y), uint32_t(v.z));
 }
 
+/// Lines in this direction tell what is inside; 0 says that nothing is.
+void take_inside(Cursor& at, std::optional<Vec3>& direction) {
+    direction = at.vector("inside_vector");
+    if (*direction == Vec3(0)) direction.reset();
+}
+
 struct Mesh2Parts {
     const Block *vertices = nullptr, *normals = nullptr, *uvs = nullptr, *textures = nullptr, *faces = nullptr, *normal_indices = nullptr, *uv_indices = nullptr;
+    std::optional<Vec3> inside_vector;
 };
 
 Mesh2Parts take_parts(Cursor& at) {
@@ -193,8 +200,8 @@ Mesh2Parts take_parts(Cursor& at) {
         else if (const Block* i = at.block_at("normal_indices"_w)) parts.normal_indices = i;
         else if (const Block* u = at.block_at("uv_vectors"_w)) parts.uvs = u;
         else if (const Block* k = at.block_at("uv_indices"_w)) parts.uv_indices = k;
-        else if (at.at_word("inside_vector"_w)) {
-            at.skip_unmodelled();
+        else if (at.accept("inside_vector"_w)) {
+            take_inside(at, parts.inside_vector);
             continue;
         } else break;
         at.next();
@@ -295,6 +302,7 @@ BuiltShape build_mesh(Build& build, Cursor& at) {
         take_triangle_modifiers(build, corners, slots, mesh);
     }
     if (mesh.triangles.empty()) build.p.fail(at.place(), "a mesh needs triangles");
+    if (at.accept("inside_vector"_w)) take_inside(at, mesh.inside_vector);
     if (!mesh.uvs.empty()) mesh.uvs[0].values.resize(mesh.positions.size(), uv_of(Vec3(0)));
     if (smooth_seen) flatten(mesh);
     drop_exact_copies(mesh);
@@ -313,6 +321,7 @@ BuiltShape build_mesh2(Build& build, Cursor& at) {
     take_faces(build, *parts.faces, textures, mesh);
     take_normals(build, parts, mesh, place);
     take_uvs(build, parts, mesh, place);
+    mesh.inside_vector = parts.inside_vector;
     drop_exact_copies(mesh);
     return {std::move(mesh), slots.take()};
 }

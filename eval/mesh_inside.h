@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: Apache-2.0
+/// What is inside of a mesh.
+#pragma once
+
+#include "accel/accelerator.h"
+#include "scene/shape.h"
+
+namespace alidade {
+
+/// Is `point`, in the mesh's own space, inside? Where the mesh has an inside_vector and a line from the point that way crosses an odd number of its
+/// triangles (POV-Ray manual, 3.4.5.2.4 "Mesh"). `triangles` is the accelerator of the mesh.
+bool inside_mesh(const Mesh& mesh, const Accelerator& triangles, const Vec3& point, WorkCounters& work);
+
+}  // namespace alidade
