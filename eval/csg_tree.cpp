@@ -75,7 +75,7 @@ void find_surface(Plain& p) {
     if (p.op == CsgOp::leaf) return void(p.surface = p.leaf.bounds);
     p.surface = Bounds();
     for (size_t i = 0; i < (p.op == CsgOp::clip ? 1 : p.parts.size()); ++i) p.surface.extend(p.parts[i].surface);
-    p.surface = intersection(p.surface, p.op == CsgOp::union_ ? everywhere() : p.box);
+    p.surface = intersection(p.surface, p.box);
 }
 
 /// Parts stay in order up to this many.
