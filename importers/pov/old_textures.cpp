@@ -35,6 +35,7 @@ std::vector<WordId> homes_in_texture(std::span<const Item> items) {
         WordId home = homes.empty() ? "finish"_w : homes.back();                  // a value goes with the word before it; in front it is that of crand
         if (!value) home = home_of(word_of(item));
         else if (item.value.kind == Kind::colour) home = "pigment"_w;
+        else if (item.value.kind == Kind::number && !homes.empty() && (&item)[-1].value.kind == Kind::colour) home = "finish"_w;   // or behind a colour
         homes.push_back(mapped && home == "pigment"_w ? WordId(0) : home);        // the pattern of textures
     }
     return homes;

@@ -22,7 +22,8 @@ TEST_F(PovBuilders, ValuesThatMeanNothingAreErrors) {
                              {"light_source { 0 rgb 1 2 }", "a value means nothing here in light_source"}, {"camera { location 0 5 }", "a value means nothing here in camera"}, {"global_settings { adc_bailout 0,01 }", "a value means nothing here in global_settings"}})
         EXPECT_THAT(said(r.scene), HasSubstr(r.message)) << r.scene;
     for (const char* fine : {"#declare P = pigment { bozo } sphere { 0, 1 pigment { P rgb 1 } }", "#declare L = light_source { 0 rgb 1 } light_source { L rgb .5 }", "sphere { 0, 1 pigment { uv_mapping rgb 1 } }", "sphere { 0, 1 pigment { red 1 green 1 } hollow on }",
-                             "sphere { 0, 1 pigment { rgb 1 quick_color rgb 0 } }", "#declare P = pigment { rgb 1 } sphere { 0, 1 pigment { P bozo } }", "fog { distance 5 rgb 1 3 }"})
+                             "sphere { 0, 1 pigment { rgb 1 quick_color rgb 0 } }", "#declare P = pigment { rgb 1 } sphere { 0, 1 pigment { P bozo } }", "fog { distance 5 rgb 1 3 }", "sphere { 0, 1 color red 1 pigment { rgb 1 } }",
+                             "#declare C = rgb x; union { sphere { 0, 1 C } color C }"})
         EXPECT_EQ(said(fine), "") << fine;
 }
 

@@ -134,6 +134,8 @@ TEST_F(PovBuilders, WordsOfOldTexturesStandForBlocks) {
     same("checker color red 1 color green 1", "pigment { checker color red 1 color green 1 }");
     same("0.3 wood turbulence .5 color_map { [0 1 color red 1 color green 1] } scale <.3 .3 .3>", "finish { crand .3 } pigment { wood ramp_wave turbulence .5 color_map { [0 1 color red 1 color green 1] } } scale <.3 .3 .3>");
     same("color red 1 waves .4 frequency 3 phase .2 ambient .3", "pigment { color red 1 } normal { waves .4 frequency 3 phase .2 } finish { ambient .3 }");
+    same("color red 1 0.05", "pigment { color red 1 } finish { crand .05 }");
+    same("color red 1 color green 1", "pigment { color green 1 }");
     same("pigment { color red 1 } bumps .4", "pigment { color red 1 } normal { bumps .4 }");
     EXPECT_THAT(said("#version 3.0; sphere { 0, 1 texture { color red 1 phong 1 } }"), HasSubstr("error: a value means nothing here in texture"));
 }

@@ -135,9 +135,10 @@ bool take_flag(Draft& d, Cursor& at) {
     return true;
 }
 
-/// Words that change how POV-Ray finds a surface, and not where it is.
+/// What changes how POV-Ray finds a surface, and not where it is; and colours, which it takes from old scenes and does not use.
 bool is_hint(const Cursor& at) {
     const Item& item = at.peek();
+    if (item.kind == Item::Kind::value && item.value.kind == Kind::colour) return true;
     if (at.at_block("photons"_w)) return true;
     if (item.kind != Item::Kind::word) return false;
     return item.word == "sturm"_w || item.word == "hierarchy"_w || item.word == "no_radiosity"_w;
