@@ -33,13 +33,14 @@ class Builder {
         const bool has_shape = std::holds_alternative<ShapeId>(node.what);
         if (!node.children.empty()) {
             CsgExpression below = operation(node, seen, inverted || node.inverse);
-            if (has_shape) below.parts.push_back(std::move(e));
+            if (!has_shape && lone_part(node) && below.parts.size() == 1) below = CsgExpression(std::move(below.parts[0]));   // what is placed, and no union of one
+            else if (has_shape) below.parts.push_back(std::move(e));
             else if (below.parts.empty()) return std::nullopt;
             e = std::move(below);
         } else if (!has_shape) {
             return std::nullopt;
         }
-        e.inverse = node.inverse;
+        e.inverse = e.inverse != node.inverse;
         return node.clips.empty() ? std::move(e) : clipped(node, std::move(e));
     }
 

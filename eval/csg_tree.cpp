@@ -131,11 +131,11 @@ Plain plain(const CsgExpression& e, bool inverse, Mask mask, Ranking ranking, ui
     out.inverted = e.op == CsgOp::leaf && inverse && (e.leaf.id == kNoId || e.leaf.inside != CsgInside::nowhere);
     if (e.op == CsgOp::leaf) out.rank = rank++;
     const size_t count = e.parts.size();
-    const bool turns = e.op == CsgOp::intersection || e.op == CsgOp::difference || (e.op == CsgOp::union_ && ranking.clipped && count > 1);
+    const bool turns = e.op == CsgOp::intersection || e.op == CsgOp::difference || (e.op == CsgOp::union_ && ranking.clipped);
     std::vector<Plain> made(count);
     for (size_t k = 0; k < count; ++k) {
         const size_t i = ranking.from_end ? count - 1 - k : k;
-        made[i] = plain(e.parts[i], turns_part(e, i, inverse), out.mask, {ranking.from_end != turns, e.op == CsgOp::clip || (ranking.clipped && count == 1)}, rank);
+        made[i] = plain(e.parts[i], turns_part(e, i, inverse), out.mask, {ranking.from_end != turns, e.op == CsgOp::clip}, rank);
     }
     for (Plain& part : made) {
         if (part.op == out.op && out.op != CsgOp::clip) std::move(part.parts.begin(), part.parts.end(), std::back_inserter(out.parts));

@@ -49,10 +49,13 @@ struct Visit {
     Transform to_world;
     std::vector<NodeId> path;   ///< from the root to the node
 };
-/// Calls `visitor` for every path from a root to a node, in document order, but below a union that is a whole from the last to the first, since where
-/// surfaces coincide what is visited first is seen, and of such a union that is the last part (probed). Hidden subtrees are left out. `visitor` returns false to end the walk.
+/// In what order siblings are visited: as the document has them, or so that of parts that coincide the one that POV-Ray shows comes first: below a union that
+/// is a whole that is the last (probed).
+enum class SiblingOrder : uint8_t { document, seen_first };
+
+/// Calls `visitor` for every path from a root to a node. Hidden subtrees are left out. `visitor` returns false to end the walk.
 /// The scene must have passed validate().
-void visit_paths(const Scene& scene, const std::function<bool(const Visit&)>& visitor);
+void visit_paths(const Scene& scene, const std::function<bool(const Visit&)>& visitor, SiblingOrder order = SiblingOrder::document);
 
 /// How many paths visit_paths() would walk, and those through what clips a node, in time linear in the graph: thirty levels of two references each are
 /// already a billion. The scene must have passed validate().

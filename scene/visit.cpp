@@ -16,7 +16,7 @@ struct Frame {
 };
 
 /// The paths below one root; false if the visitor ended the walk. The stack is explicit: its depth is the file's choice.
-bool visit_below(const Scene& scene, NodeId root, const std::function<bool(const Visit&)>& visitor) {
+bool visit_below(const Scene& scene, NodeId root, const std::function<bool(const Visit&)>& visitor, SiblingOrder order) {
     Visit visit;
     std::vector<Frame> frames;
     auto enter = [&](NodeId id, const Transform& parent_to_world) {
@@ -25,7 +25,7 @@ bool visit_below(const Scene& scene, NodeId root, const std::function<bool(const
         visit.node = id;
         visit.to_world = parent_to_world * node.to_parent;
         visit.path.push_back(id);
-        frames.push_back({visit.to_world, 0, node.whole || (!frames.empty() && frames.back().last_first)});
+        frames.push_back({visit.to_world, 0, order == SiblingOrder::seen_first && (node.whole || (!frames.empty() && frames.back().last_first))});
         return visitor(visit);
     };
     if (!enter(root, Transform())) return false;
@@ -46,9 +46,9 @@ bool visit_below(const Scene& scene, NodeId root, const std::function<bool(const
 
 }  // namespace
 
-void visit_paths(const Scene& scene, const std::function<bool(const Visit&)>& visitor) {
+void visit_paths(const Scene& scene, const std::function<bool(const Visit&)>& visitor, SiblingOrder order) {
     for (const NodeId root : scene.roots)
-        if (!visit_below(scene, root, visitor)) return;
+        if (!visit_below(scene, root, visitor, order)) return;
 }
 
 double path_count(const Scene& scene) {

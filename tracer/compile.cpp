@@ -376,7 +376,7 @@ std::shared_ptr<const CompiledScene> compile(Scene scene, const CompileOptions& 
     visit_paths(out->scene, [&](const Visit& visit) {
         placer.visit(visit);
         return true;
-    });
+    }, SiblingOrder::seen_first);
     FeatureReasons reasons;
     compile_materials(*out, options, reasons, said);
     make_missing_tangents(*out, options.threads);

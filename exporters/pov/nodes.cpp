@@ -85,15 +85,15 @@ void NodeWriter::block(NodeId id, bool is_root) {
     const bool lights_alone = !node.light_group.empty() || !node.global_lights;
     if (pieces == 1 && !lights_alone && shape) return lone_shape(node, std::get<ShapeId>(node.what), is_root);
     if (pieces == 1 && !lights_alone && light) return light_part(c_.scene.lights[std::get<LightId>(node.what).index], node.to_parent, 0);
-    group(node, is_root, pieces);
+    group(node, is_root);
 }
 
-void NodeWriter::group(const Node& node, bool is_root, size_t count) {
+void NodeWriter::group(const Node& node, bool is_root) {
     if (!node.light_group.empty() || !node.global_lights) {
         c_.sdl.begin("light_group");
         pieces(node);
         if (node.global_lights) c_.sdl.line("global_lights on");
-    } else if (count == 1) {   // POV-Ray warns of sets of one
+    } else if (is_placement(node)) {
         c_.sdl.begin("object");
         named_or_object(facts_.children(node).front());
     } else {
@@ -163,10 +163,15 @@ void NodeWriter::texture(const Node& node, bool is_root) {
     }
 }
 
+bool NodeWriter::is_placement(const Node& node) const {
+    const std::vector<NodeId> parts = facts_.children(node);
+    return parts.size() == 1 && !facts_.draws_shape(node) && !facts_.draws_light(node) && (node.csg == CsgKind::none || facts_.children(c_.scene.nodes[parts[0].index]).empty());
+}
+
 bool NodeWriter::places_union(const Node& node) const {
     const Node* at = &node;
-    while (facts_.children(*at).size() == 1) at = &c_.scene.nodes[facts_.children(*at).front().index];   // written as objects
-    return at->csg == CsgKind::union_ && facts_.children(*at).size() > 1;
+    while (is_placement(*at)) at = &c_.scene.nodes[facts_.children(*at).front().index];
+    return at->csg == CsgKind::union_ && !facts_.children(*at).empty();
 }
 
 void NodeWriter::flags(const Node& node) {

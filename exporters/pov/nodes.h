@@ -23,7 +23,7 @@ class NodeWriter {
     void object(NodeId id);
     void named_or_object(NodeId id);
     void block(NodeId id, bool is_root);
-    void group(const Node& node, bool is_root, size_t pieces);
+    void group(const Node& node, bool is_root);
     void lone_shape(const Node& node, ShapeId shape, bool is_root);
     void light_part(const Light& light, const Transform& to_parent, size_t part);
     void pieces(const Node& node);
@@ -32,6 +32,8 @@ class NodeWriter {
     bool needs_own_default(const Node& root) const;
     void flags(const Node& node);
     /// Is it written as a union, or as an object that is one?
+    /// Is it written as an `object`? A set of one set stays one: it decides which of coincident surfaces is seen.
+    bool is_placement(const Node& node) const;
     bool places_union(const Node& node) const;
     void cut(const char* word, const std::vector<NodeId>& by);
     std::string declared_name(NodeId id) const;

@@ -300,12 +300,17 @@ double parse_float(Parser& p, Standing standing) {
     return value.c[0];
 }
 
-std::array<double, 5> parse_vector(Parser& p, uint8_t terms) {
-    const Place at = p.peek().place();
-    const Value value = parse_expression(p);
-    if (!value.numeric()) p.fail(at, fmt::format("a vector is expected, not {}", kind_name(value)));
-    if (!fits_vector(value, terms)) p.fail(at, fmt::format("a vector of {} is expected, not {}", terms, kind_name(value)));
+std::array<double, 5> wanted_vector(Parser& p, const Value& value, uint8_t terms, Place at, std::string_view role, std::string_view of) {
+    if (!value.numeric() || value.terms > terms) {
+        const std::string length = value.numeric() ? fmt::format(" of {}", terms) : "", where = role.empty() ? "" : fmt::format(" {} {}", role, of);
+        p.fail(at, fmt::format("a vector{} is expected{}, not {}", length, where, kind_name(value)));
+    }
     return as_vector(value, terms);
+}
+
+std::array<double, 5> parse_vector(Parser& p) {
+    const Place at = p.peek().place();
+    return wanted_vector(p, parse_expression(p), 3, at);
 }
 
 std::string parse_string(Parser& p) {

@@ -30,7 +30,10 @@ Value continue_from_identifier(Parser& p, const Token& name);
 
 double parse_float(Parser& p, Standing standing = Standing::in_brackets);
 /// Three components; a float stands for all.
-std::array<double, 5> parse_vector(Parser& p, uint8_t terms = 3);
+std::array<double, 5> parse_vector(Parser& p);
+/// `value` where a vector of `terms` is read, `role` and `of` say for what ("as", "the centre of a sphere"): a shorter one is filled with zeros and a float
+/// stands for all; a longer one and a colour, which has five, are refused.
+std::array<double, 5> wanted_vector(Parser& p, const Value& value, uint8_t terms, Place at, std::string_view role = "", std::string_view of = "");
 std::string parse_string(Parser& p);
 /// `( condition )`
 bool parse_condition(Parser& p);

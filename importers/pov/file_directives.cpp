@@ -9,8 +9,6 @@ namespace alidade::pov {
 
 namespace {
 
-constexpr uint16_t kDataSource = 0xffff;      // of tokens that no parser sees
-
 Ref<TextFile> open_for_writing(Parser& p, const std::string& name, bool append, Place at) {
     Ref<TextFile> file(new TextFile);
     file->path = name, file->writing = true;
@@ -99,11 +97,6 @@ double read_number(Parser& p, Place at, TextFile& file) {
 Value read_vector(Parser& p, Place at, TextFile& file) {
     constexpr int kMostComponents = 5;
     Value v = Value::vector(0, {});
-    if (peek(file).kind == TokenKind::vector) {
-        const double* const count = &file.list.vectors[peek(file).id];
-        for (int i = 0; i < int(*count); ++i) v.c[v.terms++] = count[1 + i];
-        return skip(file), v;
-    }
     for (skip(file); v.terms == 0 || !peek(file).is('>');) {
         if (v.terms == kMostComponents) fail_in_data(p, at, file, "the > of the vector");
         v.c[v.terms++] = read_number(p, at, file);
@@ -117,7 +110,7 @@ Value read_vector(Parser& p, Place at, TextFile& file) {
 Value read_value(Parser& p, Place at, TextFile& file) {
     const Token& first = peek(file);
     if (first.kind == TokenKind::string) return skip(file), Value::string(file.list.texts[first.id]);
-    if (first.is('<') || first.kind == TokenKind::vector) return read_vector(p, at, file);
+    if (first.is('<')) return read_vector(p, at, file);
     return Value::number(read_number(p, at, file));
 }
 
@@ -141,7 +134,7 @@ void read(Parser& p) {
         slot->value = read_value(p, into.place(), *file);
         if (peek(*file).kind == TokenKind::bad) fail_in_data(p, into.place(), *file, "");
         at_end = ended(*file);
-        if (peek(*file).kind <= TokenKind::string) p.warn(into.place(), fmt::format("{} line {}: a comma is missing, and the value behind it is lost in its place, as in POV-Ray", file->path, file->source->position(peek(*file).offset).line));
+        if (!peek(*file).is(',') && !at_end) p.warn(into.place(), fmt::format("{} line {}: a comma is missing, and what stands there is lost in its place, as in POV-Ray", file->path, file->source->position(peek(*file).offset).line));
         skip(*file);
     }
     p.expect(')', "behind the names of #read");

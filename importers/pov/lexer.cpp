@@ -58,7 +58,7 @@ class Lexer {
             }
             lex_one();
         }
-        if (count() == 0 && (marked || text_.find('\0') != text_.npos)) bad(0, "the file is no text: nothing in it is a word, a number or a mark");
+        if (number_ == 0 && count() == 0 && (marked || text_.find('\0') != text_.npos)) bad(0, "the file is no text: nothing in it is a word, a number or a mark");
         start(TokenKind::end, text_.size());
         list_.tokens = {tokens_.data() + first_, count()};
         return std::move(list_);
@@ -86,7 +86,7 @@ class Lexer {
     bool skip_blanks() {
         for (; at_ < text_.size(); ++at_) {
             skip_plain_blanks();
-            if (peek() == '\0') continue;
+            if (peek() == '\0' && at_ < text_.size()) continue;
             if (peek() != '/') return true;
             if (peek(1) == '/') {
                 at_ = std::min(end_of_line(at_), text_.size() - 1);
@@ -270,7 +270,7 @@ class Lexer {
         static constexpr std::string_view kMarks = "{}()[]<>,;:.=+-*/?&|!@^%";
         const size_t begin = at_++;
         char mark = text_[begin];
-        if (mark == '<' && take_vector(begin)) return;
+        if (mark == '<' && number_ != kDataSource && take_vector(begin)) return;
         if (kMarks.find(mark) == std::string_view::npos)
             return bad(begin, static_cast<unsigned char>(mark) < 127 && mark > 32 ? fmt::format("the character {} means nothing here", mark)
                                                                                     : fmt::format("the byte 0x{:02X} means nothing here", static_cast<unsigned char>(mark)));

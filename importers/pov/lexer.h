@@ -63,6 +63,9 @@ class TokenRoom {
     std::deque<std::vector<Token>> parts_;
 };
 
+/// The number of data files, whose tokens no parser sees: there `<` stands by itself.
+inline constexpr uint16_t kDataSource = 0xffff;
+
 /// What is wrong with the text (an open comment or string, a byte that means nothing) becomes a token `bad`: it is an error only if it is reached.
 /// More than `max_tokens`, with the numbers in vectors: the list ends with a bad token.
 TokenList lex(const Source& source, uint16_t number, Names& names, size_t max_tokens, TokenRoom& room);

@@ -32,10 +32,9 @@ std::vector<WordId> homes_in_texture(std::span<const Item> items) {
     const bool mapped = items.size() > 1 && std::any_of(items.begin() + 1, items.end(), [](const Item& i) { return is_block(i) && (word_of(i) == "texture"_w || word_of(i) == "texture_map"_w); });
     for (const Item& item : items) {
         const bool value = !is_block(item) && item.kind != Item::Kind::word;
-        WordId home = homes.empty() ? "finish"_w : homes.back();                  // a value goes with the word before it; in front it is that of crand
+        WordId home = homes.empty() ? WordId(0) : homes.back();                   // a value goes with the word before it
         if (!value) home = home_of(word_of(item));
         else if (item.value.kind == Kind::colour) home = "pigment"_w;
-        else if (item.value.kind == Kind::number && !homes.empty() && (&item)[-1].value.kind == Kind::colour) home = "finish"_w;   // or behind a colour
         homes.push_back(mapped && home == "pigment"_w ? WordId(0) : home);        // the pattern of textures
     }
     return homes;
@@ -47,10 +46,27 @@ Item plain_word(WordId word, Place at) {
     return item;
 }
 
-/// What stands in the block in place of `run`, whose home it is; takes what they hold.
-std::vector<Item> contents(WordId home, std::span<Item> run) {
+/// Has the word of an item a value behind it? Not the names of most patterns.
+bool takes_value(const Item& item) {
+    static constexpr WordId kLeading[] = {"gradient"_w, "mandel"_w, "julia"_w, "spiral1"_w, "spiral2"_w};
+    return item.kind == Item::Kind::word && (contains(kLeading, item.word) || contains(kNormal, item.word) || !find_pattern(kWords[item.word]));
+}
+
+/// A number that nothing before it asks for is that of crand (probed: wherever it stands). Takes what the items hold.
+std::vector<Item> with_crand(std::span<Item> items) {
     std::vector<Item> out;
-    if (home == "finish"_w && run[0].kind == Item::Kind::value && run[0].value.numeric()) out.push_back(plain_word("crand"_w, run[0].place));
+    bool asked = false;
+    for (Item& item : items) {
+        if (!asked && item.kind == Item::Kind::value && item.value.kind == Kind::number) out.push_back(plain_word("crand"_w, item.place));
+        asked = takes_value(item);
+        out.push_back(std::move(item));
+    }
+    return out;
+}
+
+/// What stands in the block in place of `run`; takes what they hold.
+std::vector<Item> contents(std::span<Item> run) {
+    std::vector<Item> out;
     for (Item& item : run) {
         const bool waves = item.kind == Item::Kind::word && (item.word == "marble"_w || item.word == "wood"_w);
         const Place at = item.place;
@@ -62,7 +78,8 @@ std::vector<Item> contents(WordId home, std::span<Item> run) {
 
 }  // namespace
 
-std::vector<Item> with_blocks_for_old_words(std::span<Item> items, const Ref<Meter>& meter, uint32_t defaults, float version) {
+std::vector<Item> with_blocks_for_old_words(std::span<Item> written, const Ref<Meter>& meter, uint32_t defaults, float version) {
+    std::vector<Item> items = with_crand(written);
     const std::vector<WordId> homes = homes_in_texture(items);
     std::vector<Item> out;
     for (size_t i = 0, end; i < items.size(); i = end) {
@@ -73,7 +90,7 @@ std::vector<Item> with_blocks_for_old_words(std::span<Item> items, const Ref<Met
         }
         while (end < items.size() && homes[end] == homes[i]) ++end;
         Item part = plain_word(homes[i], items[i].place);
-        std::vector<Item> inside = contents(homes[i], items.subspan(i, end - i));
+        std::vector<Item> inside = contents(std::span(items).subspan(i, end - i));
         const Ref<Block> block = Block::of(inside, meter);
         block->word = part.word, block->place = part.place, block->defaults = defaults, block->version = version;
         part.kind = Item::Kind::block, part.value = Value::of(Kind::block, block);

@@ -16,8 +16,6 @@ std::array<double, 5> promoted(const Value& value, uint8_t terms);
 
 /// The same where POV-Ray reads a vector, but not a colour: of `V.y` it is <V.y, V.y, V.z> (probed), V being a vector of three.
 std::array<double, 5> as_vector(const Value& value, uint8_t terms);
-/// Does POV-Ray take `value`, which is numeric, where it reads a vector of `terms`? A shorter one, but neither a longer one nor a colour, which has five.
-inline bool fits_vector(const Value& value, uint8_t terms) { return value.terms <= terms; }
 
 /// `a op b` for + - * /; b is not 0 where it divides.
 inline double arithmetic(char op, double a, double b) { return op == '+' ? a + b : op == '-' ? a - b : op == '*' ? a * b : a / b; }

@@ -6,9 +6,9 @@
 #include <gtest/gtest.h>
 
 namespace alidade {
+namespace {
 
 using namespace test;
-namespace {
 
 /// Between two neighbouring crossings nothing changes; at one of them either the whole does, and that is a surface of it, or it does not: then there is a
 /// surface only where a union shows its inner ones.
@@ -68,24 +68,6 @@ TEST(Csg, TheFirstSurfaceIsTheFirstOfAll) {
         ASSERT_EQ(hit.instance, first->instance);
     }
     EXPECT_GT(found, 500);
-}
-
-/// What the boxes leave out is not missed.
-TEST(Csg, BoundsHoldAllSurfaces) {
-    test::Draw draw(3);
-    int hits = 0;
-    for (int round = 0; round < 3000; ++round) {
-        ShapeLeaves leaves;
-        const CsgExpression e = random_expression(leaves, draw, 1 + round % 3, false, round % 2 == 0);
-        const Ray ray = whole_line(test::ray_from(6, draw));
-        Bounds box = CsgTree(e, leaves.narrow()).bounds();
-        box.min -= 1e-9, box.max += 1e-9;
-        for (const Hit& hit : surfaces(e, leaves, ray)) {
-            ++hits;
-            ASSERT_TRUE(box.contains(ray.at(hit.t)));
-        }
-    }
-    EXPECT_GT(hits, 1000);
 }
 
 /// A box that rays stay in, and what its corners and the boxes of shapes tell of it.

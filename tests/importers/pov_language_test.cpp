@@ -112,11 +112,13 @@ TEST(PovText, DataFiles) {
     const std::string numbers = "#fopen F \"d.txt\" read #declare B = 9; #read(F, A, B) #debug concat(str(defined(F), 0, 0), str(A, 0, 1), \"|\", str(B, 0, 1))";
     const std::string text = "#fopen F \"d.txt\" read #read(F, A) #debug concat(str(defined(F), 0, 0), str(strlen(A), 0, 0), str(asc(substr(A, 2, 1)), 0, 0))";
     using namespace std::string_literals;
-    for (const auto& [data, expected] : {Reads{"1,2", "01.0|2.0"}, {"1,2,", "11.0|2.0"}, {"1;2", "01.0|2.0"}, {"1 2 3", "01.0|3.0"}, {"1 2 3", "a comma is missing, and the value behind it is lost"}, {"- 1 -+2", "0-1.0|2.0"},
+    for (const auto& [data, expected] : {Reads{"1,2", "01.0|2.0"}, {"1,2,", "11.0|2.0"}, {"1;2", "01.0|2.0"}, {"1 2 3", "01.0|3.0"}, {"1 2 3", "a comma is missing, and what stands there is lost"}, {"- 1 -+2", "0-1.0|2.0"},
                                         {"1\0,\0\0002\x1a"s, "01.0|2.0"}, {"1//\r,/*/* */*/2", "01.0|2.0"}, {"1,2 a", "11.0|2.0"}, {"1e,2E+", "01.0|2.0"}, {"<1 +.5>.y,2", "B"}, {"1,,2", "line 1, column 3: a number is expected"},
                                         {"1,\n2..3", "line 2, column 3: the number has a second point"}, {"1,-", "not the end of the file"}, {"<1>", "a second component"}, {"<1,2,3,4,5,6>", "the > of the vector"},
                                         {"1,2 /*", "the comment is not closed"}, {"\xEF\xBB\xBF" "1,2", "the byte 0xEF"}})
         EXPECT_NE(outcome(data, numbers).find(expected), std::string::npos) << data << ": " << outcome(data, numbers);
+    const std::string vectors = "#fopen F \"d.txt\" read #while (defined(F)) #read(F, A) #debug concat(vstr(3, A + <0,0,0>, \",\", 0, 0), \" \") #end";
+    EXPECT_NE(outcome("<1,2,3>\n<4,5,6>\n", vectors).find("1,2,3 4,4,4 5,5,5 6,6,6 6,6,6 "), std::string::npos) << outcome("<1,2,3>\n<4,5,6>\n", vectors);
     for (const auto& [data, expected] : {Reads{"\"a\r\nb\"", "0310"}, {"\"a\n\rb\",", "1310"}, {"\"a\rb\"", "0310"}, {"\"a\r\rb\"", "0410"}, {"\"a\\nb\"", "0310"}, {"\"ab\0c\""s, "0298"}, {"\"ab\" \x1a", "0298"},
                                         {"\"a\\0b\"", "this escape sequence is not known"}, {"\"ab", "the string is not closed"}})
         EXPECT_NE(outcome(data, text).find(expected), std::string::npos) << data << ": " << outcome(data, text);
@@ -126,7 +128,7 @@ TEST(PovText, DataFiles) {
 TEST(PovText, BytesOfScenes) {
     using namespace std::string_literals;
     for (const auto& [program, expected] : {Reads{"#debug\0str(3e,0,0)#debug\0\0str(strlen(\"a\r\nb\rc\"),0,0)"s, "35"}, {"#debug vstr(3,<1,2,3e->,\" \",0,1)", "1.0 2.0 3.0"}, {"#debug vstr(3,<1,2.5.5,3>,\" \",0,1)", "program.pov:1:21: error: the number has a second point"},
-                                           {std::string(9, '\0'), "the file is no text"}, {"\xEF\xBB\xBF", "the file is no text"}})
+                                           {"#declare A = 3; #debug str(A,0,0) // to the end of what is no small string\n#\n", "3"}, {std::string(9, '\0'), "the file is no text"}, {"\xEF\xBB\xBF", "the file is no text"}})
         EXPECT_NE(outcome("", program).find(expected), std::string::npos) << program << ": " << outcome("", program);
 }
 

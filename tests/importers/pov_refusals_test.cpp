@@ -8,6 +8,7 @@ namespace alidade {
 namespace {
 
 using testing::HasSubstr;
+using testing::Not;
 
 struct Refusal {
     const char *scene, *message;
@@ -19,12 +20,31 @@ TEST_F(PovBuilders, ValuesThatMeanNothingAreErrors) {
                              {"sphere { 0, 1 pigment { leopard 3 } }", "a value means nothing here in pigment"}, {"sphere { 0, 1 pigment { checker rgb 1 rgb 0 rgb 1 } }", "a value means nothing here in pigment"},
                              {"#declare P = pigment { rgb 1 } sphere { 0, 1 pigment { P scale 2 rgb 0 } }", "a value means nothing here in pigment"}, {"sphere { 0, 1 pigment { bozo color_map { [0 rgb 1 2] } } }", "a value means nothing here"},
                              {"sphere { 0, 1 normal { bumps .5 3 } }", "a value means nothing here in normal"}, {"sphere { 0, 1 finish { ambient 1 2 } }", "a value means nothing here in finish"}, {"background { rgb 1 3 }", "a value means nothing here in background"},
+                             {"#declare L = light_source { 0 rgb 1 } light_source { L .5 }", "a value means nothing here in light_source"}, {"sphere { 0, 1 function { x } }", "a value means nothing here in sphere"}, {"light_group { sphere { 0, 1 } rgb x }", "a value means nothing here in light_group"},
                              {"light_source { 0 rgb 1 2 }", "a value means nothing here in light_source"}, {"camera { location 0 5 }", "a value means nothing here in camera"}, {"global_settings { adc_bailout 0,01 }", "a value means nothing here in global_settings"}})
         EXPECT_THAT(said(r.scene), HasSubstr(r.message)) << r.scene;
-    for (const char* fine : {"#declare P = pigment { bozo } sphere { 0, 1 pigment { P rgb 1 } }", "#declare L = light_source { 0 rgb 1 } light_source { L rgb .5 }", "sphere { 0, 1 pigment { uv_mapping rgb 1 } }", "sphere { 0, 1 pigment { red 1 green 1 } hollow on }",
-                             "sphere { 0, 1 pigment { rgb 1 quick_color rgb 0 } }", "#declare P = pigment { rgb 1 } sphere { 0, 1 pigment { P bozo } }", "fog { distance 5 rgb 1 3 }", "sphere { 0, 1 color red 1 pigment { rgb 1 } }",
-                             "#declare C = rgb x; union { sphere { 0, 1 C } color C }"})
+    for (const char* fine : {"#declare P = pigment { bozo } sphere { 0, 1 pigment { P rgb 1 } }", "sphere { 0, 1 pigment { uv_mapping rgb 1 } }", "sphere { 0, 1 pigment { red 1 green 1 } hollow on }",
+                             "sphere { 0, 1 pigment { rgb 1 quick_color rgb 0 } }", "#declare P = pigment { rgb 1 } sphere { 0, 1 pigment { P bozo } }", "fog { distance 5 rgb 1 3 }", "#declare L = light_source { 0 rgb 1 } light_source { L translate x }"})
         EXPECT_EQ(said(fine), "") << fine;
+}
+
+/// What is not modelled is left out with all its values, and a warning.
+TEST_F(PovBuilders, PatternsThatAreNotModelledAreNoErrors) {
+    for (const char* text : {"sphere { 0, 1 pigment { rgb 1 } normal { function { x } .5 } }", "sphere { 0, 1 normal { function { x } } }", "sphere { 0, 1 normal { slope { y } .5 } }", "sphere { 0, 1 normal { object { sphere { 0, 1 } }, .5 } }",
+                             "sphere { 0, 1 normal { bumps normal_map { [0 function { x } .3] [1 bumps] } } }", "sphere { 0, 1 texture { function { x } texture_map { [0 pigment { rgb 1 }] [1 pigment { rgb 0 }] } } }", "#default { normal { function { x } .4 } } sphere { 0, 1 }"}) {
+        EXPECT_THAT(said(text), HasSubstr("is not modelled yet")) << text;
+        EXPECT_THAT(said(text), Not(HasSubstr("error"))) << text;
+    }
+}
+
+/// Colours where old scenes have them: POV-Ray says that it ignores them.
+TEST_F(PovBuilders, ColoursBesideObjectsAreIgnored) {
+    const std::string declared = "#declare C = rgb x; #declare L = light_source { 5 rgb 1 } ";
+    for (const char* text : {"sphere { 0, 1 color red 1 pigment { rgb 1 } }", "union { sphere { 0, 1 C } color C }", "light_source { L rgb .2 }", "light_source { L rgb .5 translate x rgb .2 }", "object { light_source { L rgb .5 } }"}) {
+        EXPECT_THAT(said(declared + text), HasSubstr("is ignored, as in POV-Ray")) << text;
+        EXPECT_THAT(said(declared + text), Not(HasSubstr("error"))) << text;
+    }
+    EXPECT_EQ(scene(declared + "light_source { L rgb .2 }").lights.at(0).intensity, Color(1));
 }
 
 TEST_F(PovBuilders, WhatStandsInAnotherKindOfBlockIsAnError) {
@@ -50,7 +70,8 @@ TEST_F(PovBuilders, VectorsAreNotLongerThanWhatIsAskedFor) {
 TEST_F(PovBuilders, ListsOfMeshesHaveWhatTheySay) {
     for (const Refusal& r : {Refusal{"mesh2 { vertex_vectors { 4, 0, x, y } face_indices { 1, <0,1,2> } }", "1:26: error: vertex_vectors says that it has 4, and has 3"}, {"mesh2 { vertex_vectors { 3, 0, x, y, z } face_indices { 1, <0,1,2> } }", "vertex_vectors says that it has 3, and has 4"},
                              {"mesh2 { vertex_vectors { 3, 0, x, y } face_indices { 2, <0,1,2> } }", "face_indices says that it has 2, and has 1"}, {"mesh2 { vertex_vectors { 3, 0, x, y } uv_vectors { 2, 0, 1, u } face_indices { 1, <0,1,2> } }", "uv_vectors says that it has 2, and has 3"},
-                             {"mesh2 { vertex_vectors { 3, 0, x, y } normal_vectors { 3, x, y, z } face_indices { 1, <0,1,2> } normal_indices { 2, <0,1,2> } }", "normal_indices says that it has 2, and has 1"}, {"mesh2 { vertex_vectors { x, y, z } face_indices { 1, <0,1,2> } }", "a number is expected as how many there are"}})
+                             {"mesh2 { vertex_vectors { 3, 0, x, y } normal_vectors { 3, x, y, z } face_indices { 1, <0,1,2> } normal_indices { 2, <0,1,2> } }", "normal_indices says that it has 2, and has 1"}, {"mesh2 { vertex_vectors { x, y, z } face_indices { 1, <0,1,2> } }", "a number is expected as how many there are"},
+                             {"mesh2 { vertex_vectors { 3, 0, x, y } texture_list { 2, texture { pigment { rgb 1 } } } face_indices { 1, <0,1,2>, 0 } }", "texture_list says that it has 2, and has 1"}, {"mesh { triangle { 0, x, y texture_list { 3, texture { pigment { rgb 1 } } } } }", "a value means nothing here in texture_list"}})
         EXPECT_THAT(said(r.scene), HasSubstr(r.message)) << r.scene;
     EXPECT_EQ(said("mesh2 { vertex_vectors { 3.7, 0, x, y, } face_indices { 1 <0,1,2> } }"), "");
 }

@@ -134,10 +134,15 @@ TEST_F(PovBuilders, WordsOfOldTexturesStandForBlocks) {
     same("checker color red 1 color green 1", "pigment { checker color red 1 color green 1 }");
     same("0.3 wood turbulence .5 color_map { [0 1 color red 1 color green 1] } scale <.3 .3 .3>", "finish { crand .3 } pigment { wood ramp_wave turbulence .5 color_map { [0 1 color red 1 color green 1] } } scale <.3 .3 .3>");
     same("color red 1 waves .4 frequency 3 phase .2 ambient .3", "pigment { color red 1 } normal { waves .4 frequency 3 phase .2 } finish { ambient .3 }");
-    same("color red 1 0.05", "pigment { color red 1 } finish { crand .05 }");
+    for (const char* crand : {"0.05 color red 1 ambient .3 scale 2", "color red 1 0.05 ambient .3 scale 2", "color red 1 ambient .3 0.05 scale 2", "color red 1 ambient .3 scale 2 0.05"})
+        same(crand, "pigment { color red 1 } finish { ambient .3 crand .05 } scale 2");
+    same("gradient <0 1 0> 0.05 color_map { [0 1 color red 1 color green 1] }", "pigment { gradient <0 1 0> } finish { crand .05 } pigment { color_map { [0 1 color red 1 color green 1] } }");
+    same("onion 0.05 turbulence .5 0.1", "pigment { onion } finish { crand .05 } pigment { turbulence .5 } finish { crand .1 }");
+    same("color red 1 bumps .3 0.1", "pigment { color red 1 } normal { bumps .3 } finish { crand .1 }");
     same("color red 1 color green 1", "pigment { color green 1 }");
     same("pigment { color red 1 } bumps .4", "pigment { color red 1 } normal { bumps .4 }");
     EXPECT_THAT(said("#version 3.0; sphere { 0, 1 texture { color red 1 phong 1 } }"), HasSubstr("error: a value means nothing here in texture"));
+    EXPECT_THAT(said("#version 3.0; sphere { 0, 1 texture { phong 1 } }"), HasSubstr("error: phong cannot stand in texture"));
 }
 
 /// POV-Ray refuses srgb before assumed_gamma, and shows .5 as 128 of 255 wherever it stands behind it.

@@ -37,6 +37,26 @@ TEST(VisitPaths, EveryPathInDocumentOrder) {
                                           ElementsAre(0, 2, 3), ElementsAre(4)));
 }
 
+/// Below a whole, and that alone, the last sibling comes first where that is asked for.
+TEST(VisitPaths, WhatIsSeenFirst) {
+    std::vector<Node> nodes(7);
+    nodes[0].children = {NodeId{1}, NodeId{4}};
+    nodes[1].children = {NodeId{2}, NodeId{3}};
+    nodes[4].children = {NodeId{5}, NodeId{6}};
+    nodes[4].whole = true;
+    const auto order = [&](SiblingOrder how) {
+        Scene scene = test::scene_of(nodes);
+        scene.roots = {NodeId{0}};
+        std::vector<uint32_t> out;
+        visit_paths(scene, [&](const Visit& v) { return out.push_back(v.node.index), true; }, how);
+        return out;
+    };
+    EXPECT_THAT(order(SiblingOrder::document), ElementsAre(0, 1, 2, 3, 4, 5, 6));
+    EXPECT_THAT(order(SiblingOrder::seen_first), ElementsAre(0, 1, 2, 3, 4, 6, 5));
+    nodes[0].whole = true;
+    EXPECT_THAT(order(SiblingOrder::seen_first), ElementsAre(0, 4, 6, 5, 1, 3, 2));
+}
+
 TEST(VisitPaths, HiddenSubtreesAreLeftOut) {
     std::vector<Node> nodes(4);
     nodes[0].children = {NodeId{1}, NodeId{2}};

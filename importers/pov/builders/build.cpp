@@ -3,6 +3,7 @@
 
 #include "importers/pov/builders/misplaced.h"
 #include "importers/pov/builders/transforms.h"
+#include "importers/pov/expressions.h"
 #include "importers/pov/operators.h"
 
 #include <fmt/format.h>
@@ -60,8 +61,8 @@ int Cursor::integer(const char* what, int low, int high) {
 
 Vec3 Cursor::vector(const char* what, uint8_t terms) {
     if (!at_numeric()) build_.p.fail(place(), fmt::format("a vector is expected as {}", what));
-    if (!fits_vector(peek().value, terms)) build_.p.fail(place(), fmt::format("a vector of {} is expected as {}, not {}", terms, what, kind_name(peek().value)));
-    const std::array<double, 5> c = as_vector(next().value, terms);
+    const Item& item = next();
+    const std::array<double, 5> c = wanted_vector(build_.p, item.value, terms, item.place, "as", what);
     return {c[0], c[1], c[2]};
 }
 
@@ -88,7 +89,16 @@ Transform Cursor::transform() { return take_transform(build_.p, block_, i_); }
 void Cursor::skip() {
     const bool takes_values = peek().kind == Item::Kind::word;
     ++i_;
-    while (takes_values && !done() && (peek().kind == Item::Kind::numbers || (peek().kind == Item::Kind::value && !any_block()))) ++i_;
+    if (takes_values) skip_values();
+}
+
+void Cursor::skip_quick_colour() {
+    build_.p.tally(place(), fmt::format("a colour in {} is ignored, as in POV-Ray: colours belong in a pigment", kWords[block_.word]));
+    skip();
+}
+
+void Cursor::skip_values() {
+    while (!done() && (peek().kind == Item::Kind::numbers || (peek().kind == Item::Kind::value && !any_block()))) ++i_;
 }
 
 void Cursor::refuse_misplaced() const {
@@ -110,6 +120,12 @@ void Cursor::skip_unmodelled() {
     else if (!block && belongs_to_objects(item.word)) build_.p.fail(item.place, fmt::format("{{ is expected behind {}", word));
     else build_.p.tally(item.place, fmt::format("{} in {} is not modelled yet: it is left out", word, kWords[block_.word]));
     skip();
+}
+
+void Cursor::skip_unmodelled_pattern() {
+    if (at_function()) build_.p.tally(place(), fmt::format("function in {} is not modelled yet: it is left out", kWords[block_.word])), skip();
+    else skip_unmodelled();
+    skip_values();
 }
 
 }  // namespace alidade::pov

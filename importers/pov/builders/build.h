@@ -86,6 +86,8 @@ class Cursor {
     bool at_word(WordId word) const { return !done() && peek().kind == Item::Kind::word && peek().word == word; }
     bool at_block(WordId word) const { return block_at(word) != nullptr; }
     bool at_number() const { return !done() && peek().kind == Item::Kind::value && peek().value.kind == Kind::number; }
+    bool at_colour() const { return !done() && peek().kind == Item::Kind::value && peek().value.kind == Kind::colour; }
+    bool at_function() const { return !done() && peek().kind == Item::Kind::value && peek().value.kind == Kind::function; }
     bool at_numeric() const { return !done() && peek().kind == Item::Kind::value && peek().value.numeric(); }
     /// Takes the word if it comes next.
     bool accept(WordId word);
@@ -111,10 +113,16 @@ class Cursor {
     /// Skips what comes next, a word with its values, and tallies it as not modelled.
     /// Fails as `refuse_misplaced`.
     void skip_unmodelled();
+    /// The same of a pattern, which may be a function, with the values behind it.
+    void skip_unmodelled_pattern();
+    /// Skips a colour beside an object or a declared light, which POV-Ray takes from old scenes and ignores, as it says.
+    void skip_quick_colour();
     /// Skips it without a word: it has no influence on a picture.
     void skip();
 
   private:
+    void skip_values();
+
     Build& build_;
     const Block& block_;
     size_t i_;

@@ -85,10 +85,13 @@ void move(LightWords& w, const Transform& t) {
 void read_light(Build& build, const Block& block, LightWords& w) {
     const Nested nested(build.p, block.place);
     Cursor at(build, block);
-    if (const Block* base = at.block_at("light_source"_w)) at.next(), read_light(build, *base, w), w.coloured = false;
+    bool declared = false;
+    if (const Block* base = at.block_at("light_source"_w)) at.next(), read_light(build, *base, w), declared = true;
     else w.location = at.vector("the location of a light");
     while (!at.done()) {
         if (at.at_transform()) move(w, at.transform());
+        else if (declared && at.at_colour()) at.skip_quick_colour();
+        else if (declared && at.at_numeric()) at.skip_unmodelled();
         else if (const Block* like = at.block_at("looks_like"_w)) at.next(), w.looks_like = {like, Transform::translate(w.transform.point(w.location)), {}};
         else if (const Block* through = at.block_at("projected_through"_w)) {
             if (w.projected_through.block) build.p.fail(through->place, "a light has one projected_through alone");

@@ -112,12 +112,23 @@ void take_triangle_uvs(Cursor& at, Mesh& mesh) {
     for (int corner = 0; corner < 3; ++corner) mesh.uvs[0].values.push_back(uv_of(at.vector("texture coordinates", 2)));
 }
 
-std::vector<uint32_t> take_texture_list(Build& build, const Block& block, Slots& slots) {
-    std::vector<uint32_t> out;
-    for (Cursor at(build, block); !at.done(); ) {
-        if (const Block* texture = at.block_at("texture"_w)) out.push_back(slots.of(named(*texture)));
-        at.next();
+/// How many things a list says that it has, and who must have as many: a file that was cut off, or joined wrongly, is not taken for a smaller mesh.
+class Announced {
+  public:
+    explicit Announced(Cursor& at) : place_(at.place()), count_(std::trunc(at.number("how many there are"))) {}
+    void check(Build& build, const Block& block, size_t found) const {
+        if (count_ != double(found)) build.p.fail(place_, fmt::format("{} says that it has {:.0f}, and has {}", kWords[block.word], count_, found));
     }
+
+  private:
+    Place place_;
+    double count_;
+};
+
+std::vector<uint32_t> take_textures(Cursor& at, Slots& slots) {
+    std::vector<uint32_t> out;
+    while (const Block* texture = at.block_at("texture"_w)) at.next(), out.push_back(slots.of(named(*texture)));
+    if (!at.done()) at.skip_unmodelled();
     return out;
 }
 
@@ -137,7 +148,8 @@ void take_triangle_modifiers(Build& build, Cursor& at, Slots& slots, Mesh& mesh)
     while (!at.done()) {
         if (const Block* texture = at.block_at("texture"_w)) at.next(), corners = Index3(slots.of(named(*texture)));
         else if (const Block* list = at.block_at("texture_list"_w)) {
-            const std::vector<uint32_t> three = take_texture_list(build, *list, slots);
+            Cursor textures(build, *list);
+            const std::vector<uint32_t> three = take_textures(textures, slots);
             if (three.size() != 3) build.p.fail(list->place, "the texture_list of a triangle has three textures");
             at.next(), corners = Index3(three[0], three[1], three[2]);
         } else if (at.accept("uv_vectors"_w)) take_triangle_uvs(at, mesh);
@@ -145,19 +157,6 @@ void take_triangle_modifiers(Build& build, Cursor& at, Slots& slots, Mesh& mesh)
     }
     set_slots(mesh, corners);
 }
-
-/// How many things a list says that it has, and who must have as many: a file that was cut off, or joined wrongly, is not taken for a smaller mesh.
-class Announced {
-  public:
-    explicit Announced(Cursor& at) : place_(at.place()), count_(std::trunc(at.number("how many there are"))) {}
-    void check(Build& build, const Block& block, size_t found) const {
-        if (count_ != double(found)) build.p.fail(place_, fmt::format("{} says that it has {:.0f}, and has {}", kWords[block.word], count_, found));
-    }
-
-  private:
-    Place place_;
-    double count_;
-};
 
 /// The vectors behind their number in `vertex_vectors { ... }` and the like.
 std::vector<Vec3> take_vectors(Build& build, const Block& block, uint8_t terms = 3) {
@@ -317,7 +316,12 @@ BuiltShape build_mesh2(Build& build, Cursor& at) {
     Slots slots(build);
     for (const Vec3& v : take_vectors(build, *parts.vertices)) add_vertex(mesh, v);
     std::vector<uint32_t> textures;
-    if (parts.textures) textures = take_texture_list(build, *parts.textures, slots);
+    if (parts.textures) {
+        Cursor list(build, *parts.textures);
+        const Announced announced(list);
+        textures = take_textures(list, slots);
+        announced.check(build, *parts.textures, textures.size());
+    }
     take_faces(build, *parts.faces, textures, mesh);
     take_normals(build, parts, mesh, place);
     take_uvs(build, parts, mesh, place);

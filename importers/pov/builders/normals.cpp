@@ -76,7 +76,7 @@ void read_normal(Build& build, Cursor& at, ReliefSignal& r) {
         else if (at.accept("accuracy"_w)) r.accuracy = at.number("the accuracy of a normal");
         else if (at.accept("no_bump_scale"_w)) r.scaled = !at.flag();
         else if (take_pattern_modifier(build, at, r.pattern)) continue;
-        else at.skip_unmodelled();
+        else at.skip_unmodelled_pattern();
     }
 }
 

@@ -6,6 +6,7 @@
 #include "core/transform.h"
 #include "importers/pov/builders/interiors.h"
 #include "importers/pov/builders/lights.h"
+#include "importers/pov/builders/misplaced.h"
 #include "importers/pov/builders/shapes.h"
 #include "importers/pov/builders/texts.h"
 #include "importers/pov/builders/textures.h"
@@ -48,15 +49,13 @@ CsgKind csg_of(WordId word) {
 }
 
 bool changes_surface(const Item& item) {
-    if (item.value.kind != Kind::block) return false;
-    const WordId word = item.block().word;
-    return word == "interior"_w || word == "texture"_w || word == "pigment"_w || word == "finish"_w || word == "normal"_w || word == "material"_w;
+    return item.value.kind == Kind::block && belongs_to_objects(item.block().word);
 }
 
 /// `no_image off` takes back what the declared object says.
 bool undoes_flags(std::span<const Item> items) {
     for (size_t i = 0; i + 1 < items.size(); ++i) {
-        const bool is_flag = items[i].kind == Item::Kind::word && (items[i].word == "no_shadow"_w || items[i].word == "no_image"_w || items[i].word == "no_reflection"_w);
+        const bool is_flag = items[i].kind == Item::Kind::word && (items[i].word == "no_image"_w || items[i].word == "no_reflection"_w);
         if (is_flag && items[i + 1].value.kind == Kind::number && items[i + 1].value.c[0] == 0) return true;
     }
     return false;
@@ -135,10 +134,9 @@ bool take_flag(Draft& d, Cursor& at) {
     return true;
 }
 
-/// What changes how POV-Ray finds a surface, and not where it is; and colours, which it takes from old scenes and does not use.
+/// Words that change how POV-Ray finds a surface, and not where it is.
 bool is_hint(const Cursor& at) {
     const Item& item = at.peek();
-    if (item.kind == Item::Kind::value && item.value.kind == Kind::colour) return true;
     if (at.at_block("photons"_w)) return true;
     if (item.kind != Item::Kind::word) return false;
     return item.word == "sturm"_w || item.word == "hierarchy"_w || item.word == "no_radiosity"_w;
@@ -212,6 +210,7 @@ void take_modifiers(Build& build, Draft& d, Cursor& at) {
         else if (at.at_word("cutaway_textures"_w)) take_cutaway(build, d, at.place()), at.next();
         else if (at.accept("split_union"_w)) d.split = at.flag();
         else if (is_hint(at)) at.skip();
+        else if (at.at_colour() && !d.is_group) at.skip_quick_colour();
         else at.skip_unmodelled();
     }
 }

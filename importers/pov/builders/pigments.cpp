@@ -102,7 +102,7 @@ void read_pigment(Build& build, Cursor& at, Signal& pigment, PatternSignal& loos
             const bool uv_mapped = modified(pigment, loose).uv_mapped;
             pigment = copy_of(build, id), loose = loose_of(build, id), quick = quick_color_of(build, id);
             modified(pigment, loose).uv_mapped |= uv_mapped;   // `uv_mapping P`: stays, as nothing else does
-        } else if (at.at_numeric() && (std::exchange(open, false) || at.block().version < 3)) {
+        } else if (at.at_numeric() && (std::exchange(open, false) || (at.at_colour() && at.block().version < 3))) {
             const std::array<double, 5> c = at.colour("a pigment");
             if (auto* hidden = std::get_if<PatternSignal>(&pigment.what)) loose = std::move(*hidden);   // all but its name is there for another one
             pigment.what = ConstantSignal{Vec4(c[0], c[1], c[2], 1), c[3], c[4]};

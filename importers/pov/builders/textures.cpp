@@ -155,7 +155,7 @@ void read_texture(Build& build, Cursor& at, Draft& d) {
         else if (take_layer_part(build, at, d.layers) || take_map(build, at, d)) continue;
         else if (at.at_transform()) move_layers(build, d.layers, at.transform());
         else if (at.accept("uv_mapping"_w)) d.uv_mapped = true;
-        else if (at.peek().kind == Item::Kind::word || at.any_block()) return at.refuse_misplaced(), stand_in(build, at.peek(), d);
+        else if (at.peek().kind == Item::Kind::word || at.any_block() || at.at_function()) return at.refuse_misplaced(), stand_in(build, at.peek(), d);
         else at.skip_unmodelled();
     }
     if (!d.textures.empty()) d.layers = {PovTextureMap{build.add_signal(std::move(d.pattern), at.place()), std::move(d.textures)}};

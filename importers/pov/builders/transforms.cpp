@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "importers/pov/builders/transforms.h"
 
-#include "importers/pov/operators.h"
+#include "importers/pov/expressions.h"
 #include "importers/pov/rotation.h"
 
 #include <fmt/format.h>
@@ -12,8 +12,7 @@ namespace {
 
 Vec3 three(Parser& p, const Item& item, WordId word) {
     if (item.kind != Item::Kind::value || !item.value.numeric()) p.fail(item.place, fmt::format("a vector is expected behind {}", kWords[word]));
-    if (!fits_vector(item.value, 3)) p.fail(item.place, fmt::format("a vector of 3 is expected behind {}, not {}", kWords[word], kind_name(item.value)));
-    const std::array<double, 5> c = as_vector(item.value, 3);
+    const std::array<double, 5> c = wanted_vector(p, item.value, 3, item.place, "behind", kWords[word]);
     return {c[0], c[1], c[2]};
 }
 
