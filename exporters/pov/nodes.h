@@ -31,9 +31,9 @@ class NodeWriter {
     void texture(const Node& node, bool is_root);
     bool needs_own_default(const Node& root) const;
     void flags(const Node& node);
-    /// Is it written as a union, or as an object that is one?
     /// Is it written as an `object`? A set of one set stays one: it decides which of coincident surfaces is seen.
     bool is_placement(const Node& node) const;
+    /// Is it written as a union, or as an object that is one?
     bool places_union(const Node& node) const;
     void cut(const char* word, const std::vector<NodeId>& by);
     std::string declared_name(NodeId id) const;
