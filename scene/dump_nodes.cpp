@@ -34,7 +34,7 @@ void dump_nodes(std::string& out, const Scene& scene) {
         dump_what(line, node);
         line.field("to_parent", node.to_parent);
         dump_trs(line, node.trs);
-        line.field("materials", node.materials).field("inside_materials", node.inside_materials).field("interior", node.interior);
+        line.field("materials", node.materials).field("inside_material", node.inside_material).field("interior", node.interior);
         line.field("csg", node.csg).field("inverse", node.inverse).field("whole", node.whole).field("cutaway_textures", node.cutaway_textures).field("usual_material", node.usual_material);
         line.field("children", node.children).field("clips", node.clips).field("bounds", node.bounds);
         dump_flags(line, node.flags);

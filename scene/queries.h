@@ -80,5 +80,7 @@ struct CarriedMaterial {
     size_t carrier = 0;
 };
 std::optional<CarriedMaterial> carried_material(const Scene& scene, const std::vector<NodeId>& path, uint32_t slot);
+/// That of the inside, of all slots; without one that of the outside is seen from inside, too.
+std::optional<CarriedMaterial> carried_inside_material(const Scene& scene, const std::vector<NodeId>& path);
 
 }  // namespace alidade

@@ -88,9 +88,9 @@ class Collector {
             if (const auto* l = std::get_if<LightId>(&n.what)) reached_.lights[l->index] = true;
             if (const auto* c = std::get_if<CameraId>(&n.what)) reached_.cameras[c->index] = true;
             if (n.interior) reached_.interiors[n.interior->index] = true;
-            for (const auto* slots : {&n.materials, &n.inside_materials})
-                for (const std::optional<MaterialId>& m : *slots)
-                    if (m) reached_.materials[m->index] = true;
+            if (n.inside_material) reached_.materials[n.inside_material->index] = true;
+            for (const std::optional<MaterialId>& m : n.materials)
+                if (m) reached_.materials[m->index] = true;
         }
     }
 

@@ -32,7 +32,8 @@ struct Node {
     Transform to_parent;
     std::optional<Trs> trs;                   ///< where the file gives it: to_parent is made from it, and animations change it
     std::variant<Nothing, ShapeId, LightId, CameraId> what;
-    std::vector<std::optional<MaterialId>> materials, inside_materials;   ///< by the shape's material slot; a slot without one takes the default
+    std::vector<std::optional<MaterialId>> materials;   ///< by the shape's material slot; a slot without one takes the default
+    std::optional<MaterialId> inside_material;   ///< of all slots, where they are seen from inside; inherited by itself
     std::optional<InteriorId> interior;
     CsgKind csg = CsgKind::none;
     bool inverse = false;

@@ -15,9 +15,9 @@ void check_node(Validation& v, size_t i) {
     if (const auto* id = std::get_if<ShapeId>(&node.what)) v.in_range(*id, s.shapes, node.from, who, "shape");
     if (const auto* id = std::get_if<LightId>(&node.what)) v.in_range(*id, s.lights, node.from, who, "light");
     if (const auto* id = std::get_if<CameraId>(&node.what)) v.in_range(*id, s.cameras, node.from, who, "camera");
-    for (const auto* slots : {&node.materials, &node.inside_materials})
-        for (const std::optional<MaterialId>& id : *slots)
-            if (id) v.in_range(*id, s.materials, node.from, who, "material");
+    for (const std::optional<MaterialId>& id : node.materials)
+        if (id) v.in_range(*id, s.materials, node.from, who, "material");
+    if (node.inside_material) v.in_range(*node.inside_material, s.materials, node.from, who, "material");
     if (node.interior) v.in_range(*node.interior, s.interiors, node.from, who, "interior");
     for (const LightId id : node.light_group) v.in_range(id, s.lights, node.from, who, "light");
     if (node.skin) v.in_range(*node.skin, s.skins, node.from, who, "skin");

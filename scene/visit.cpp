@@ -102,6 +102,12 @@ std::optional<CarriedMaterial> carried_material(const Scene& scene, const std::v
     return std::nullopt;
 }
 
+std::optional<CarriedMaterial> carried_inside_material(const Scene& scene, const std::vector<NodeId>& path) {
+    for (size_t i = path.size(); i-- > 0;)
+        if (const auto& inside = scene.nodes[path[i].index].inside_material) return CarriedMaterial{*inside, i};
+    return std::nullopt;
+}
+
 std::optional<MaterialId> inherited_material(const Scene& scene, const std::vector<NodeId>& path, uint32_t slot) {
     const auto carried = carried_material(scene, path, slot);
     return carried ? std::optional(carried->material) : std::nullopt;

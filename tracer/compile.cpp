@@ -122,7 +122,9 @@ class Placer : private CsgParts {
     uint32_t place(const Visit& visit) override {
         const size_t before = out_.instances.size();
         place(visit, out_.scene.nodes[visit.node.index]);
-        return out_.instances.size() > before ? uint32_t(before) : kNoId;
+        if (out_.instances.size() == before) return kNoId;
+        out_.instances[before].turned = false;
+        return uint32_t(before);
     }
 
     void place_shape(const Visit& visit, const Node& node, ShapeId shape) {
@@ -139,7 +141,11 @@ class Placer : private CsgParts {
         instance.geometry = geometry(shape);
         instance.first_slot = uint32_t(out_.slots.size());
         instance.mask = mask_of_path(out_.scene, visit.path);
-        for (const NodeId above : visit.path) instance.double_illuminate = instance.double_illuminate || out_.scene.nodes[above.index].flags.double_illuminate;
+        for (const NodeId id : visit.path) {
+            const Node& above = out_.scene.nodes[id.index];
+            instance.double_illuminate = instance.double_illuminate || above.flags.double_illuminate;
+            instance.turned = instance.turned != above.inverse;
+        }
         instance.node = visit.node;
         instance.light_set = groups_.set_of(visit.path);
         const uint32_t slots = slot_count(out_.scene.shapes[shape.index].geometry);
@@ -148,13 +154,17 @@ class Placer : private CsgParts {
         instance.carrier = carrier ? carrier_at({visit.path.begin(), visit.path.begin() + std::ptrdiff_t(carrier)}) : carriers_++;
         instance.of_whole = carrier <= levels_to_solid_;
         const bool hollow = is_hollow(out_.scene, visit.path, carrier);
-        for (uint32_t slot = 0; slot < slots; ++slot) {
-            const auto carried = carried_material(out_.scene, visit.path, slot);
+        const auto add_slot = [&](const std::optional<CarriedMaterial>& carried) {
             SlotMaterial material = materials_.slot(carried ? std::optional(carried->material) : std::nullopt, interior, hollow);
             if (carried) material.space = materials_.space(*carried, visit.path);
-            instance.usual_material = (slot == 0 || instance.usual_material) && (!carried || out_.scene.nodes[visit.path[carried->carrier].index].usual_material);
             out_.slots.push_back(material);
+        };
+        for (uint32_t slot = 0; slot < slots; ++slot) {
+            const auto carried = carried_material(out_.scene, visit.path, slot);
+            instance.usual_material = (slot == 0 || instance.usual_material) && (!carried || out_.scene.nodes[visit.path[carried->carrier].index].usual_material);
+            add_slot(carried);
         }
+        if (const auto inside = carried_inside_material(out_.scene, visit.path)) instance.inside_slot = uint32_t(out_.slots.size()), add_slot(inside);
         out_.instances.push_back(instance);
     }
 
@@ -322,7 +332,7 @@ void tell_opaque_from_clear(CompiledScene& out) {
     };
     const auto is_clear = [&](const Instance& i) {
         const auto first = out.slots.begin() + i.first_slot, end = first + slot_count(out.scene.shapes[out.geometries[i.geometry].shape.index].geometry);
-        return std::any_of(first, end, [&](const SlotMaterial& slot) { return lets_through(slot.material); });
+        return std::any_of(first, end + (i.inside_slot != kNoId), [&](const SlotMaterial& slot) { return lets_through(slot.material); });
     };
     for (Instance& i : out.instances) i.mask &= ~(is_clear(i) ? kMaskOpaque : kMaskFilter);
     for (Solid& solid : out.solids) {

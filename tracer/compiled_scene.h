@@ -55,10 +55,12 @@ struct Instance {
     Bounds bounds;                 ///< in world space; empty for parts of a solid, which are not met by themselves
     uint32_t geometry = 0;
     uint32_t first_slot = 0;       ///< into CompiledScene::slots, as many as the shape has
+    uint32_t inside_slot = kNoId;  ///< of all that is seen from inside, behind those; without one the others hold there, too
     Mask mask = kMaskAll;
     bool double_illuminate = false;   ///< POV: lit from both sides
     bool usual_material = false;   ///< of its slots: no node on the path says what they are
     bool inverted = false;         ///< taken away from a solid: its normals point inwards
+    bool turned = false;           ///< inverse, and no part of a solid: its inside is where its normals point
     uint32_t carrier = 0;          ///< of its interior: parts of one object that carries it have the same
     bool of_whole = true;          ///< its interior is not its own alone, if it is part of a solid, but the solid's
     NodeId node;

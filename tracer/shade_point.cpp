@@ -42,6 +42,13 @@ void place(const CompiledScene& scene, const Instance& instance, const Ray& ray,
     if (instance.inverted) p.geometric_normal = -p.geometric_normal, p.shading_normal = -p.shading_normal;
 }
 
+/// Does the ray come from the side that POV-Ray shows interior_texture on? Of triangles that is the side on which their corners go around counterclockwise
+/// in a right-handed space, whatever normals they are given (probed).
+bool sees_inside(const Instance& instance, const Ray& ray, const ShadePoint& p) {
+    const bool behind = p.mesh ? dot(ray.dir, instance.to_local.transposed(triangle_normal(*p.mesh, p.triangle))) <= 0 : !p.front;
+    return (behind != instance.turned) != (p.mesh && instance.inverted);
+}
+
 }  // namespace
 
 double world_error(const CompiledScene& scene, const Ray& ray, const Hit& hit, const Vec3& position) {
@@ -96,6 +103,7 @@ ShadePoint shade_point(const CompiledScene& scene, const Ray& ray, const Hit& hi
     p.error = world_error(scene, ray, hit, p.position);
     place(scene, instance, ray, hit, p);
     p.front = dot(ray.dir, p.geometric_normal) <= 0;
+    if (instance.inside_slot != kNoId && sees_inside(instance, ray, p)) p.slot = instance.inside_slot;
     p.space = pattern_space(scene, p);
     return p;
 }

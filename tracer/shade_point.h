@@ -56,6 +56,7 @@ template <class F> void for_each_mixed_slot(const CompiledScene& scene, const Sh
         f(own, share);
     };
     const Instance& instance = scene.instances[point.instance];
+    if (point.slot == instance.inside_slot) return f(point, 1.0);
     if (instance.cutaway != kNoId) {
         const std::vector<uint32_t> open = slots_laid_open(scene, point);
         for (const uint32_t slot : open) take(slot, 1 / double(open.size()));

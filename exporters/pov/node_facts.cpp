@@ -131,7 +131,7 @@ std::vector<bool> NodeFacts::used_materials() const {
         const Node& node = scene_.nodes[i];
         if (facts_[i].empty) continue;
         if (material_counts(node)) used[node.materials[0]->index] = true;
-        if (!node.inside_materials.empty() && node.inside_materials[0]) used[node.inside_materials[0]->index] = true;
+        if (node.inside_material) used[node.inside_material->index] = true;
         if (!draws_shape(node)) continue;
         for (const auto& slot : key_of(node, std::get<ShapeId>(node.what)).slots)
             if (slot) used[slot->index] = true;

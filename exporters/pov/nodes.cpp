@@ -155,7 +155,7 @@ void NodeWriter::pieces(const Node& node) {
 
 void NodeWriter::texture(const Node& node, bool is_root) {
     if (facts_.material_counts(node)) {
-        if (is_root && (is_default(c_.scene, *node.materials[0]) || needs_own_default(node))) return;
+        if (is_root && !node.inside_material && (is_default(c_.scene, *node.materials[0]) || needs_own_default(node))) return;
         c_.textures.use(node.materials[0]);
         c_.losses.add("faces that show what they lay open", node.usual_material && facts_.lays_open(node), "the texture of #default");
     } else if (facts_.defaults_at_shapes() ? facts_.draws_shape(node) : is_root && facts_.is_bare({uint32_t(&node - c_.scene.nodes.data())})) {
@@ -198,9 +198,9 @@ void NodeWriter::cut(const char* word, const std::vector<NodeId>& by) {
 /// The transformation comes last: all before it lies in the node's own space.
 void NodeWriter::modifiers(const Node& node, bool is_root, bool textured) {
     if (textured) texture(node, is_root);
-    if (!node.inside_materials.empty() && node.inside_materials[0]) {
+    if (node.inside_material) {
         c_.sdl.begin("interior_texture");
-        c_.sdl.line(fmt::format("Texture_{}", node.inside_materials[0]->index));
+        c_.sdl.line(fmt::format("Texture_{}", node.inside_material->index));
         c_.sdl.end();
     }
     c_.textures.interior(facts_.material_counts(node) ? node.materials[0] : std::nullopt, node.interior);

@@ -47,6 +47,13 @@ TEST_F(PovBuilders, ColoursBesideObjectsAreIgnored) {
     EXPECT_EQ(scene(declared + "light_source { L rgb .2 }").lights.at(0).intensity, Color(1));
 }
 
+TEST_F(PovBuilders, AnInsideNeedsAnOutside) {
+    for (const char* text : {"sphere { 0, 1 interior_texture { pigment { rgb 1 } } }", "union { sphere { 0, 1 } box { 2, 3 } interior_texture { pigment { rgb 1 } } pigment { rgb 0 } } mesh { triangle { 0, x, y } interior_texture { } }"})
+        EXPECT_THAT(said(text), HasSubstr("an interior_texture needs a texture beside it")) << text;
+    const Scene s = scene("#declare S = sphere { 0, 1 pigment { rgb x } } union { object { S interior_texture { pigment { rgb y } } } box { 2, 3 } pigment { rgb z } interior_texture { pigment { rgb 1 } } }");
+    EXPECT_EQ(std::count_if(s.nodes.begin(), s.nodes.end(), [](const Node& n) { return n.inside_material.has_value(); }), 2);
+}
+
 TEST_F(PovBuilders, WhatStandsInAnotherKindOfBlockIsAnError) {
     const std::string declared = "#declare T = texture { pigment { rgb x } } #declare P = pigment { rgb 1 } #declare M = material { texture { T } } #declare S = sphere { 0, 1 } #declare N = normal { bumps 1 } ";
     for (const Refusal& r : {Refusal{"sphere { 0, 1 pigment { T } }", "the identifier of a texture cannot stand in pigment"}, {"sphere { 0, 1 finish { P } }", "the identifier of a pigment cannot stand in finish"}, {"sphere { 0, 1 pigment { N } }", "the identifier of a normal cannot stand in pigment"},

@@ -51,7 +51,7 @@ const Change kNodeChanges[] = {
     [](Scene& s) { s.nodes[1].what = CameraId{0}; },
     [](Scene& s) { s.nodes[1].materials.pop_back(); },
     [](Scene& s) { s.nodes[1].materials[1] = MaterialId{0}; },
-    [](Scene& s) { s.nodes[1].inside_materials = {MaterialId{0}}; },
+    [](Scene& s) { s.nodes[1].inside_material = MaterialId{0}; },
     [](Scene& s) { s.nodes[1].interior = InteriorId{0}; },
     [](Scene& s) { s.nodes[3].csg = CsgKind::merge; },
     [](Scene& s) { s.nodes[3].inverse = true; }, [](Scene& s) { s.nodes[3].whole = true; },

@@ -20,7 +20,7 @@ roots nodes=[0]
 node 0 name="root" to_parent=<1 0 0><0 1 0><0 0 1><0 0 1> children=[1 3 4 5 8]
 node 1 shape=3 trs translation=<0 0 0> rotation=<0 0 0 1> scale=<1 1 1> materials=[0 none] children=[2] skin=0 morph_weights=[0.25] from=0:0:0:"/nodes/1"
 node 2
-node 3 shape=0 inside_materials=[1] interior=0 csg=difference clips=[6]
+node 3 shape=0 inside_material=1 interior=0 csg=difference clips=[6]
 node 4 shape=1
 node 5 light=0
 node 6 shape=2

@@ -42,7 +42,7 @@ void add_nodes(Scene& s) {
     s.nodes[1].from = {0, 0, 0, "/nodes/1"};
     s.nodes[3].what = ShapeId{0};
     s.nodes[3].csg = CsgKind::difference;
-    s.nodes[3].inside_materials = {MaterialId{1}};
+    s.nodes[3].inside_material = MaterialId{1};
     s.nodes[3].interior = InteriorId{0};
     s.nodes[3].clips = {NodeId{6}};
     s.nodes[4].what = ShapeId{1};

@@ -12,6 +12,21 @@ constexpr const char* kGlass = " pigment { rgbt <.5,.9,.4,.95> } interior { ior 
 
 std::string seen(const std::string& objects, const char* camera = "camera { location <0,3,-4> look_at 0 }") { return std::string(kHead) + camera + "\n" + kFloor + objects; }
 
+/// Every kind of thing with interior_texture: sides of sheets and triangles, what is taken away, inverse, clipped, moved behind a texture, shadows, materials, layers.
+std::string two_sided() {
+    return "#declare O = texture { pigment { rgb <1,.3,.2> } } #declare I = texture { pigment { gradient x color_map { [.5 rgb y] [.5 rgb <1,1,0>] } scale .3 } finish { specular .6 } }\n"
+           "#declare Cup = difference { sphere { 0, .8 } plane { -y, -.2 } sphere { 0, .7 texture { O } interior_texture { pigment { rgb <0,1,1> } } } texture { O } interior_texture { I } }\n"
+           "#declare Shell = sphere { 0, .6 clipped_by { plane { y, .1 } } texture { O } rotate 30*z interior_texture { I } translate .2*y }\n"
+           "object { Cup translate <-2,0,0> } object { Shell rotate -40*x translate <-.6,0,0> } object { Shell interior_texture { pigment { checker rgbt 1 rgb z } scale .2 } rotate -40*x translate <.8,0,0> }\n"
+           "cylinder { 0, 1.5*z, .5 open material { texture { pigment { rgbf <1,.2,.2,.8> } } interior_texture { pigment { rgbf <.2,1,.2,.8> } } interior { ior 1 } rotate 20*z } rotate 30*y translate <2,-.4,0> }\n"
+           "mesh { triangle { <-1,0,0>, <1,0,0>, <0,1,0> } triangle { <-1,.2,-.5>, <0,1.2,-.5>, <1,.2,-.5> } texture { O } interior_texture { pigment { checker rgb 1 rgb 0 scale .1 } } scale .7 rotate 30*y translate <-1,1.6,0> }\n"
+           "mesh { smooth_triangle { <-1,0,0>, z, <0,1,0>, z, <1,0,0>, z } texture { O } interior_texture { I } inverse translate <2,1.2,1> }\n"
+           "plane { z, 4 texture { O } interior_texture { pigment { bozo color_map { [0 rgb .3] [1 rgb .8] } } normal { bumps .5 } } }\n"
+           "union { sphere { 0, .4 pigment { rgbt <1,1,1,.7> } } disc { <.8,0,0>, <0,0,1>, .4 } texture { O } interior_texture { pigment { rgb <1,0,1> } } translate <1,1.8,0> }\n"
+           "sphere { <-2.5,1.8,0>, .5 inverse hollow texture { pigment { rgbf 1 } } interior_texture { pigment { checker rgbf <1,.5,.5,1> rgb <.5,1,.5> scale .25 } } interior { ior 1.3 } }\n"
+           "difference { box { -.4, .4 texture { O } interior_texture { I } } sphere { <0,.3,-.4>, .4 } cutaway_textures rotate 30*y translate <.4,-.5,-2> }\n";
+}
+
 std::string sheets() {
     const std::string triangle = "triangle { <-1,-.2,-1>, <1,.3,-.6>, <0,.5,.8> }", white = " pigment { rgb .9 } ";
     return "difference { sphere { 0, .9 } " + triangle + white + "translate -2*x }\n"
@@ -27,6 +42,7 @@ std::string sheets() {
 std::vector<PovPicture> inside_pictures() {
     const std::string glass = kGlass;
     return {
+        {"InteriorTextures", seen(two_sided(), "camera { location <0,2,-6> look_at <0,.5,0> angle 50 }")},
         {"SheetsTakenAway", seen(sheets())},
         {"ClippedGlassFromBehind", seen("plane { -y, 0 clipped_by { sphere { 0, 1.2 } }" + glass + "translate -1.5*x } quadric { 1, 0, 0, -1 clipped_by { plane { y, 0 } }" + glass + "translate 1.5*x }")},
         {"CameraInGlass", seen("sphere { <0,3,-4>, 2 pigment { rgbt <.8,.9,1,.9> } interior { ior 1.2 fade_distance 3 fade_power 1 } } box { <-1,-1,-1>, <1,0,1>" + glass + "rotate y*30 }")},

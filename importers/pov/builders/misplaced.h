@@ -15,7 +15,7 @@ std::optional<std::string_view> belongs_elsewhere(WordId word, WordId block);
 
 /// Is the word one of a block that stands in objects, and nowhere by itself?
 inline bool belongs_to_objects(WordId word) {
-    return word == "texture"_w || word == "pigment"_w || word == "normal"_w || word == "finish"_w || word == "material"_w || word == "interior"_w;
+    return word == "texture"_w || word == "interior_texture"_w || word == "pigment"_w || word == "normal"_w || word == "finish"_w || word == "material"_w || word == "interior"_w;
 }
 
 }  // namespace alidade::pov

@@ -26,7 +26,7 @@ struct Draft {
     Transform placed;                     ///< of what is wrapped
     Transform before;                     ///< of the object alone
     Transform transform;                  ///< behind the texture; of all, if there is none
-    TextureLayers layers;
+    TextureLayers layers, inside;         ///< of the inside: those of interior_texture
     Place texture_place;
     bool uv_mapped = false;               ///< of the texture that follows
     bool parts_textured = false;          ///< a referenced object brings its own
@@ -64,7 +64,7 @@ bool undoes_flags(std::span<const Item> items) {
 bool shows_cuts(const Item& item) { return item.kind == Item::Kind::word && item.word == "cutaway_textures"_w; }
 
 void begin_texture(Draft& d, Place at) {
-    if (!d.layers.empty()) return;
+    if (!d.layers.empty() || !d.inside.empty()) return;
     d.before = d.transform * d.before, d.transform = Transform();
     d.texture_place = at;
 }
@@ -80,31 +80,46 @@ bool take_layer(Build& build, Draft& d, Cursor& at) {
     return taken;
 }
 
-/// Of the texture or material `block`.
-void add_textures(Build& build, Draft& d, TextureLayers more, const Block& block) {
+/// `more` over what `layers`, which are the draft's, has: of the texture or material `block`.
+void add_textures(Build& build, Draft& d, TextureLayers& layers, TextureLayers more, const Block& block) {
+    if (more.empty()) return;
     begin_texture(d, block.place);
     if (d.uv_mapped) set_uv_mapped(build, more);
     move_in_space(build, more, inverse(d.transform).value_or(Transform()));   // what stood between the layers moves those before it alone
-    add_layers(build, d.layers, std::move(more), block.version);
+    add_layers(build, layers, std::move(more), block.version);
 }
 
-/// The layers of `material { ... }`, moved by what stands behind them in it.
-TextureLayers read_material(Build& build, const Block& block, std::optional<InteriorId>& interior) {
+/// `material { ... }`: layers are moved by what stands behind them in it.
+struct MaterialParts {
+    TextureLayers layers, inside;
+    std::optional<InteriorId> interior;
+};
+
+MaterialParts read_material(Build& build, const Block& block, std::optional<InteriorId> interior) {
     const Nested nested(build.p, block.place);
-    TextureLayers layers;
+    MaterialParts parts{{}, {}, interior};
     for (Cursor at(build, block); !at.done();) {
-        if (const Block* base = at.block_at("material"_w)) at.next(), layers.clear(), interior.reset(), add_layers(build, layers, read_material(build, *base, interior), block.version);
-        else if (const Block* texture = at.block_at("texture"_w)) at.next(), add_layers(build, layers, build_texture(build, *texture), texture->version);
-        else if (const Block* inside = at.block_at("interior"_w)) at.next(), interior = add_interior(build, *inside, interior);
-        else if (at.at_transform()) move_layers(build, layers, at.transform());
-        else at.skip_unmodelled();
+        if (const Block* base = at.block_at("material"_w)) {
+            at.next();
+            MaterialParts named = read_material(build, *base, {});
+            parts = {{}, {}, named.interior};
+            add_layers(build, parts.layers, std::move(named.layers), block.version), add_layers(build, parts.inside, std::move(named.inside), block.version);
+        } else if (const Block* texture = at.block_at("texture"_w)) at.next(), add_layers(build, parts.layers, build_texture(build, *texture), texture->version);
+        else if (const Block* inside = at.block_at("interior_texture"_w)) at.next(), add_layers(build, parts.inside, build_texture(build, *inside), inside->version);
+        else if (const Block* within = at.block_at("interior"_w)) at.next(), parts.interior = add_interior(build, *within, parts.interior);
+        else if (at.at_transform()) {
+            const Transform t = at.transform();
+            move_layers(build, parts.layers, t), move_layers(build, parts.inside, t);
+        } else at.skip_unmodelled();
     }
-    return layers;
+    return parts;
 }
 
 void add_material(Build& build, Draft& d, const Block& block) {
-    TextureLayers layers = read_material(build, block, d.node.interior);
-    if (!layers.empty()) add_textures(build, d, std::move(layers), block);
+    MaterialParts parts = read_material(build, block, d.node.interior);
+    d.node.interior = parts.interior;
+    add_textures(build, d, d.layers, std::move(parts.layers), block);
+    add_textures(build, d, d.inside, std::move(parts.inside), block);
 }
 
 bool take_surface(Build& build, Draft& d, Cursor& at) {
@@ -113,7 +128,8 @@ bool take_surface(Build& build, Draft& d, Cursor& at) {
     if (at.at_word("uv_mapping"_w)) {
         if (!d.layers.empty()) build.p.fail(at.place(), "uv_mapping must stand before the texture");
         d.uv_mapped = true;
-    } else if (const Block* texture = at.block_at("texture"_w)) add_textures(build, d, build_texture(build, *texture), *texture);
+    } else if (const Block* texture = at.block_at("texture"_w)) add_textures(build, d, d.layers, build_texture(build, *texture), *texture);
+    else if (const Block* inside = at.block_at("interior_texture"_w)) add_textures(build, d, d.inside, build_texture(build, *inside), *inside);
     else if (const Block* material = at.block_at("material"_w)) add_material(build, d, *material);
     else if (const Block* interior = at.block_at("interior"_w)) d.node.interior = add_interior(build, *interior, d.node.interior);
     else return false;
@@ -350,8 +366,8 @@ bool draft(Build& build, const Block& block, Draft& d) {
 
 /// One node, or two where transformations stand on both sides of the texture.
 BuiltObject finish(Build& build, Draft& d) {
-    const bool textured = !d.layers.empty();
-    if (!textured) {
+    if (d.layers.empty() && !d.inside.empty()) build.p.fail(d.texture_place, "an interior_texture needs a texture beside it, for the outside");
+    if (d.layers.empty()) {
         d.node.to_parent = d.transform;
         return {build.add_node(std::move(d.node)), d.parts_textured};
     }
@@ -366,6 +382,7 @@ BuiltObject finish(Build& build, Draft& d) {
     }
     if (carrier->materials.empty()) carrier->materials.resize(1);
     carrier->materials[0] = material;
+    if (!d.inside.empty()) carrier->inside_material = add_material(build, std::move(d.inside), d.texture_place);
     if (moved) {
         const NodeId inner = build.add_node(std::move(d.node));
         outer.children.push_back(inner);
