@@ -32,6 +32,7 @@ struct Camera {
     double aperture = 0;         ///< diameter of the lens; 0: pinhole
     Vec3 focal_point{0, 0, -1};  ///< in focus
     int blur_samples = 0;
+    double clearance = 0;        ///< what is nearer to the beginning of a ray is not seen (POV-Ray: 0.0001); world units
     std::optional<SignalId> normal;   ///< a ReliefSignal that bends the rays (POV-Ray)
     SourcePos from;
 };

@@ -38,7 +38,7 @@ void dump_camera(std::string& out, size_t i, const Camera& c) {
     Line(out, fmt::format("camera {}", i)).always("projection", c.projection).field("name", c.name).field("location", c.location)
         .field("direction", c.direction, usual.direction).field("right", c.right, usual.right).field("up", c.up, usual.up).field("fit", c.fit)
         .field("angle", c.angle).field("vertical_angle", c.vertical_angle).field("cylinder", c.cylinder, usual.cylinder).field("aperture", c.aperture).field("focal_point", c.focal_point, usual.focal_point)
-        .field("blur_samples", c.blur_samples).field("normal", c.normal).field("from", c.from);
+        .field("blur_samples", c.blur_samples).field("clearance", c.clearance).field("normal", c.normal).field("from", c.from);
 }
 
 void dump_animation(std::string& out, size_t i, const Animation& animation) {

@@ -48,7 +48,7 @@ void check_light(Validation& v, const Light& light, const Label& who) {
 
 void check_camera(Validation& v, const Camera& c, const Label& who) {
     if (!is_finite(c.location) || !is_finite(c.direction) || !is_finite(c.right) || !is_finite(c.up) || !is_finite(c.focal_point) ||
-        !is_finite(Vec3(c.angle, c.vertical_angle, c.aperture)))
+        !is_finite(Vec3(c.angle, c.vertical_angle, c.aperture)) || !std::isfinite(c.clearance))
         return v.error(c.from, who.text() + " has a number that is not finite");
     if (c.aperture < 0) v.error(c.from, fmt::format("{} has the aperture {}: it cannot be negative", who.text(), c.aperture));
     if (c.cylinder < 1 || c.cylinder > 4) v.error(c.from, fmt::format("{} has the cylinder {}: there are 1 to 4", who.text(), c.cylinder));

@@ -117,11 +117,11 @@ class Reading {
         return {};
     }
 
-    /// `[section]`, `Key=Value`, or switches; `;` begins a comment. What stands before all sections always holds.
+    /// `[section]`, `Key=Value`, or switches; `;` begins a comment, and `#` does where a line begins. What stands before all sections always holds.
     std::string take_line(std::string line, std::string& section, const std::string& wanted) {
         line = line.substr(0, line.find(';'));
         const size_t first = line.find_first_not_of(" \t\r"), last = line.find_last_not_of(" \t\r");
-        if (first == std::string::npos) return {};
+        if (first == std::string::npos || line[first] == '#') return {};
         line = line.substr(first, last - first + 1);
         if (line[0] == '[') return section = lower(line.substr(1, line.find(']') - 1)), std::string();
         if (!section.empty() && section != wanted) return {};

@@ -49,7 +49,13 @@ CameraRays::CameraRays(const Camera& camera, int width, int height) : camera_(fi
 Vec2 CameraRays::bent_at(double x, double y) const { return alidade::bent_at(camera_, x / width_ - 0.5, 0.5 - y / height_); }
 
 Ray CameraRays::at(double x, double y, const Vec2& lens) const {
-    if (camera_.projection != Projection::perspective && camera_.projection != Projection::orthographic) return curved_ray(camera_, x / width_ - 0.5, 0.5 - y / height_);
+    const bool plane = camera_.projection == Projection::perspective || camera_.projection == Projection::orthographic;
+    Ray ray = plane ? plane_ray(x, y, lens) : curved_ray(camera_, x / width_ - 0.5, 0.5 - y / height_);
+    ray.tmin = camera_.clearance;
+    return ray;
+}
+
+Ray CameraRays::plane_ray(double x, double y, const Vec2& lens) const {
     const Vec3 offset = (x / width_ - 0.5) * camera_.right + (0.5 - y / height_) * camera_.up;
     Ray ray;
     ray.mask = kMaskCamera;

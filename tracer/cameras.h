@@ -29,6 +29,8 @@ class CameraRays {
     bool has_lens() const { return camera_.aperture > 0 && camera_.projection == Projection::perspective; }
 
   private:
+    Ray plane_ray(double x, double y, const Vec2& lens) const;
+
     Camera camera_;   // right and up as the picture's size makes them
     double width_, height_;
     Vec3 unit_right_, unit_up_, unit_normal_;   // of the picture's plane

@@ -139,7 +139,6 @@ class Placer : private CsgParts {
         instance.norms = {to_world, *to_local};
         instance.inexact = instance.norms.cost_digits();
         instance.geometry = geometry(shape);
-        instance.first_slot = uint32_t(out_.slots.size());
         instance.mask = mask_of_path(out_.scene, visit.path);
         for (const NodeId id : visit.path) {
             const Node& above = out_.scene.nodes[id.index];
@@ -154,17 +153,7 @@ class Placer : private CsgParts {
         instance.carrier = carrier ? carrier_at({visit.path.begin(), visit.path.begin() + std::ptrdiff_t(carrier)}) : carriers_++;
         instance.of_whole = carrier <= levels_to_solid_;
         const bool hollow = is_hollow(out_.scene, visit.path, carrier);
-        const auto add_slot = [&](const std::optional<CarriedMaterial>& carried) {
-            SlotMaterial material = materials_.slot(carried ? std::optional(carried->material) : std::nullopt, interior, hollow);
-            if (carried) material.space = materials_.space(*carried, visit.path);
-            out_.slots.push_back(material);
-        };
-        for (uint32_t slot = 0; slot < slots; ++slot) {
-            const auto carried = carried_material(out_.scene, visit.path, slot);
-            instance.usual_material = (slot == 0 || instance.usual_material) && (!carried || out_.scene.nodes[visit.path[carried->carrier].index].usual_material);
-            add_slot(carried);
-        }
-        if (const auto inside = carried_inside_material(out_.scene, visit.path)) instance.inside_slot = uint32_t(out_.slots.size()), add_slot(inside);
+        materials_.add_slots(visit.path, slots, interior, hollow, instance);
         out_.instances.push_back(instance);
     }
 

@@ -107,12 +107,10 @@ bool check_supported(const Scene& scene, uint32_t material, const std::vector<Si
     return true;
 }
 
-/// Does the interior that POV-Ray gives to all objects tell how the surface mirrors?
-bool has_fresnel_mirror(const Scene& scene, uint32_t material) {
-    const std::vector<uint32_t> parts = with_parts(scene, {material});
-    return std::any_of(parts.begin(), parts.end(), [&](uint32_t part) {
-        const auto& layers = scene.materials[part].layers;
-        return std::any_of(layers.begin(), layers.end(), [](const auto& layer) {
+/// Does anything mirror by the interiors that POV-Ray gives to all objects, opaque ones too?
+bool has_fresnel_mirrors(const Scene& scene) {
+    return std::any_of(scene.materials.begin(), scene.materials.end(), [](const Material& material) {
+        return std::any_of(material.layers.begin(), material.layers.end(), [](const auto& layer) {
             const auto* f = std::get_if<PovFinish>(&layer);
             return f && f->reflection_fresnel;
         });
@@ -120,6 +118,8 @@ bool has_fresnel_mirror(const Scene& scene, uint32_t material) {
 }
 
 }  // namespace
+
+MaterialTable::MaterialTable(CompiledScene& out) : out_(out), interiors_count_(out.scene.atmosphere.is_hazy() || has_fresnel_mirrors(out.scene)) {}
 
 bool lets_light_through(const Scene& scene, uint32_t material) {
     const std::vector<uint32_t> parts = with_parts(scene, {material});
@@ -185,13 +185,27 @@ SlotMaterial MaterialTable::slot(std::optional<MaterialId> material, std::option
     const Material& m = out_.scene.materials[out.material];
     const auto* pbr = m.layers.empty() ? nullptr : std::get_if<GltfPbr>(&m.layers[0]);
     const auto* top = m.layers.empty() ? nullptr : std::get_if<PovFinish>(&m.layers.back());
-    // POV-Ray's interiors tell how an opaque surface mirrors, too; and a camera may stand in one that keeps fog out.
-    const auto filled = [&] { return interior || (top && top->ior) || out_.scene.atmosphere.is_hazy() || has_fresnel_mirror(out_.scene, out.material); };
-    if (pbr ? is_zero(out_.scene, pbr->transmission) : !filled() && !lets_light_through(out_.scene, out.material)) return out;
+    const bool filled = interior || (top && top->ior) || interiors_count_;
+    if (pbr ? is_zero(out_.scene, pbr->transmission) : !filled && !lets_light_through(out_.scene, out.material)) return out;
     const auto [at, added] = interior_of_.try_emplace({out.material, interior ? interior->index : kNoId, hollow}, 0);
     if (added) at->second = add_interior(m, interior, hollow);
     out.interior = at->second;
     return out;
+}
+
+void MaterialTable::add_slots(const std::vector<NodeId>& path, uint32_t count, std::optional<InteriorId> interior, bool hollow, Instance& instance) {
+    const auto add = [&](const std::optional<CarriedMaterial>& carried) {
+        SlotMaterial material = slot(carried ? std::optional(carried->material) : std::nullopt, interior, hollow);
+        if (carried) material.space = space(*carried, path);
+        out_.slots.push_back(material);
+    };
+    instance.first_slot = uint32_t(out_.slots.size());
+    for (uint32_t i = 0; i < count; ++i) {
+        const auto carried = carried_material(out_.scene, path, i);
+        instance.usual_material = (i == 0 || instance.usual_material) && (!carried || out_.scene.nodes[path[carried->carrier].index].usual_material);
+        add(carried);
+    }
+    if (const auto inside = carried_inside_material(out_.scene, path)) instance.inside_slot = uint32_t(out_.slots.size()), add(inside);
 }
 
 bool MaterialTable::has_patterns(uint32_t material) {

@@ -13,15 +13,16 @@ namespace alidade {
 /// Gives instances' slots their materials and interiors, each stored once.
 class MaterialTable {
   public:
-    explicit MaterialTable(CompiledScene& out) : out_(out) {}
+    explicit MaterialTable(CompiledScene& out);
+    /// Those of a shape at the end of `path`, which has `count` slots, and that of its inside.
+    void add_slots(const std::vector<NodeId>& path, uint32_t count, std::optional<InteriorId> interior, bool hollow, Instance& instance);
+
+  private:
     /// Without a material the slot takes glTF's default one (specification 3.9: white, metallic 1, roughness 1), added to the scene.
     SlotMaterial slot(std::optional<MaterialId> material, std::optional<InteriorId> interior, bool hollow);
-
     /// The space in which the patterns of `carried` are looked up on this path: an index into CompiledScene::pattern_spaces,
     /// or kNoId if it has no patterns, or if the space is flat, so that nothing in it is seen.
     uint32_t space(const CarriedMaterial& carried, const std::vector<NodeId>& path);
-
-  private:
     uint32_t default_material();
     uint32_t add_interior(const Material& material, std::optional<InteriorId> interior, bool hollow);
     bool has_patterns(uint32_t material);
@@ -30,6 +31,7 @@ class MaterialTable {
     std::map<std::tuple<uint32_t, uint32_t, bool>, uint32_t> interior_of_;   // (material, interior or kNoId, hollow) -> CompiledScene::interiors
     std::optional<uint32_t> default_;
     std::map<uint32_t, bool> has_patterns_;   // by material
+    const bool interiors_count_;              // of opaque surfaces, too: they tell how others mirror, and a camera may stand in one that keeps fog out
 };
 
 /// May light pass through all layers of the material, or of one of its parts?

@@ -55,11 +55,16 @@ bool is_mirror(const PovFinish& f) { return f.reflection_fresnel || !is_black(f.
 /// Is what passes bright enough to be followed?
 bool passes(const Color& through, const RenderSettings& settings) { return std::min(1.0, std::abs(pov_grey(through))) > settings.adc_bailout; }
 
-/// Of what lies behind the surface, over that in front: as if the object stood in air.
-double relative_ior(const CompiledScene& scene, const ShadePoint& point) {
-    const uint32_t interior = slot_at(scene, point).interior;
-    const double own = interior == kNoId ? 1 : scene.interiors[interior].ior;
-    return point.front ? own : 1 / own;
+/// The index of refraction behind the surface over that in front, as POV-Ray's mirrors have it (probed): a ray that leaves a solid, whatever side it hits,
+/// comes to what it has entered last, be that the solid itself, if it is in others, too.
+double mirror_ior(const CompiledScene& scene, const ShadePoint& point, const InteriorStack& inside) {
+    const uint32_t interior = slot_at(scene, point).interior, carrier = scene.instances[point.instance].carrier;
+    if (interior == kNoId) return 1;
+    const auto entries = inside.entries();
+    const double own = scene.interiors[interior].ior, here = ior_in(scene, inside);
+    const bool leaves = std::any_of(entries.begin(), entries.end(), [&](const InteriorStack::Entry& e) { return e.carrier == carrier; });
+    if (!leaves) return own / here;
+    return (entries.size() > 1 ? here : 1) / own;
 }
 
 /// Does one ray serve both?
@@ -93,8 +98,8 @@ PovSurface::Passage PovSurface::passage(const CompiledScene& scene, const ShadeP
     return out;
 }
 
-PovSurface::PovSurface(const CompiledScene& scene, const ShadePoint& point, const Vec3& dir, const Vec3& normal)
-    : dir_(dir), normal_(normal), position_(point.position), irid_wavelength_(scene.scene.settings.irid_wavelength), noise_(scene.scene.settings.noise) {
+PovSurface::PovSurface(const CompiledScene& scene, const ShadePoint& point, const Vec3& dir, const Vec3& normal, const InteriorStack& inside)
+    : dir_(dir), normal_(normal), position_(point.position), mirror_ior_(mirror_ior(scene, point, inside)), irid_wavelength_(scene.scene.settings.irid_wavelength), noise_(scene.scene.settings.noise) {
     double_illuminate_ = scene.instances[point.instance].double_illuminate;
     for_each_mixed_slot(scene, point, [&](const ShadePoint& own, double share) { add(scene, own, material_at(scene, own), share, pattern_frame(own)); });
 }
@@ -122,7 +127,7 @@ void PovSurface::add_layers(const CompiledScene& scene, const ShadePoint& point,
         layer.normal = layer.finish->normal ? scene.textures->bent(*layer.finish->normal, frame, normal_) : normal_;
         texture.through *= filter_of(*layer.finish, pigment);
         if (layer.finish->conserve_energy) {
-            const Color left = Color(1) - reflectivity(layer, -dot(dir_, layer.normal), relative_ior(scene, point));
+            const Color left = Color(1) - reflectivity(layer, -dot(dir_, layer.normal), mirror_ior_);
             texture.through *= glm::min(left, Color(1));
         }
         layers_.push_back(layer);
@@ -242,7 +247,7 @@ Vec3 PovSurface::mirrored(const Vec3& normal, const Vec3& facing) const {
 }
 
 /// One ray for all layers of a texture that have the normal and the exponent of the layer `first`. A layer's share is not dimmed by those above it, but whether it is followed depends on them.
-void PovSurface::add_reflection(const CompiledScene& scene, const PovTexture& texture, size_t first, const RayState& state, double relative_ior, const Vec3& facing, Secondaries& out) const {
+void PovSurface::add_reflection(const CompiledScene& scene, const PovTexture& texture, size_t first, const RayState& state, const Vec3& facing, Secondaries& out) const {
     const Vec3 &normal = layers_[first].normal, out_dir = mirrored(normal, facing);
     const double cosine = -dot(dir_, normal);
     Color weight(0);
@@ -250,7 +255,7 @@ void PovSurface::add_reflection(const CompiledScene& scene, const PovTexture& te
     for (size_t i = first; i < texture.end; ++i) {
         const PovLayer& l = layers_[i];
         if (!is_mirror(*l.finish) || !reflect_alike(l, layers_[first])) continue;
-        const Color plain = reflectivity(l, cosine, relative_ior), r = l.finish->irid != 0 ? plain * mirroring_film(*l.finish, dot(out_dir, normal), cosine) : plain;
+        const Color plain = reflectivity(l, cosine, mirror_ior_), r = l.finish->irid != 0 ? plain * mirroring_film(*l.finish, dot(out_dir, normal), cosine) : plain;
         const Color most = l.finish->reflection_fresnel ? plain : glm::max(l.finish->reflection_max, l.finish->reflection_min);
         const double own = std::min(1.0, std::abs(pov_grey(l.above))) * max_component(most);
         if (is_black(r) || state.importance * own < scene.scene.settings.adc_bailout) continue;
@@ -262,13 +267,13 @@ void PovSurface::add_reflection(const CompiledScene& scene, const PovTexture& te
 }
 
 /// `totally`: the normal by which light is mirrored already, whatever the layers say; null: none.
-void PovSurface::add_reflections(const CompiledScene& scene, const PovTexture& texture, const RayState& state, double relative_ior, const Vec3* totally, const Vec3& facing, Secondaries& out) const {
+void PovSurface::add_reflections(const CompiledScene& scene, const PovTexture& texture, const RayState& state, const Vec3* totally, const Vec3& facing, Secondaries& out) const {
     if (!scene.scene.settings.follows_mirrors) return;
     for (size_t i = texture.begin; i < texture.end; ++i) {
         const Vec3& normal = layers_[i].normal;
         const auto begin = layers_.begin() + std::ptrdiff_t(texture.begin), here = layers_.begin() + std::ptrdiff_t(i);
         const bool seen = std::any_of(begin, here, [&](const PovLayer& l) { return reflect_alike(l, layers_[i]); });
-        if (!seen && !(totally && *totally == normal)) add_reflection(scene, texture, i, state, relative_ior, facing, out);
+        if (!seen && !(totally && *totally == normal)) add_reflection(scene, texture, i, state, facing, out);
     }
 }
 
@@ -285,13 +290,16 @@ void PovSurface::add_texture(const CompiledScene& scene, const PovTexture& textu
             out.push_back({dir_, weight, RayKind::refraction, p.beyond, importance, true, shows});
         } else if (t < 0) {
             total = true;
-            out.push_back({mirrored(normal, facing), p.faded * texture.share, RayKind::reflection, state.inside, importance, false});
+            const Vec3 back = mirrored(normal, facing);
+            const PovFinish& film = *layers_[texture.begin].finish;
+            const Color colored = film.irid != 0 ? mirroring_film(film, dot(back, normal), c) : Color(1);
+            out.push_back({back, p.faded * colored * texture.share, RayKind::reflection, state.inside, importance, false});
         } else {
             const double root = c < 0 ? -std::sqrt(t) : std::sqrt(t);   // a bent normal may face away: what passes is bent by its other side
             out.push_back({normalized(dir_ * p.ratio + normal * (p.ratio * c - root)), weight, RayKind::refraction, p.beyond, importance, false, shows});
         }
     }
-    add_reflections(scene, texture, state, 1 / p.ratio, total ? &normal : nullptr, facing, out);
+    add_reflections(scene, texture, state, total ? &normal : nullptr, facing, out);
 }
 
 void PovSurface::secondary(const CompiledScene& scene, const ShadePoint& point, const RayState& state, const Vec3& facing, Secondaries& out) const {

@@ -27,8 +27,8 @@ struct PovTexture {
 
 class PovSurface {
   public:
-    /// `dir` is the unit direction of the ray, `normal` the shading normal on the side of the eye.
-    PovSurface(const CompiledScene& scene, const ShadePoint& point, const Vec3& dir, const Vec3& normal);
+    /// `dir` is the unit direction of the ray, which is in `inside`, `normal` the shading normal on the side of the eye.
+    PovSurface(const CompiledScene& scene, const ShadePoint& point, const Vec3& dir, const Vec3& normal, const InteriorStack& inside);
 
     Color emitted(const Color& ambient_light) const;
     /// Light from the unit direction `wi`, diffuse and in highlights.
@@ -54,14 +54,15 @@ class PovSurface {
     Vec3 mirrored(const Vec3& normal, const Vec3& facing) const;
     Passage passage(const CompiledScene& scene, const ShadePoint& point, const RayState& state) const;
     void add_texture(const CompiledScene& scene, const PovTexture& texture, const Passage& passage, const RayState& state, const Vec3& facing, Secondaries& out) const;
-    void add_reflections(const CompiledScene& scene, const PovTexture& texture, const RayState& state, double relative_ior, const Vec3* totally, const Vec3& facing, Secondaries& out) const;
-    void add_reflection(const CompiledScene& scene, const PovTexture& texture, size_t first, const RayState& state, double relative_ior, const Vec3& facing, Secondaries& out) const;
+    void add_reflections(const CompiledScene& scene, const PovTexture& texture, const RayState& state, const Vec3* totally, const Vec3& facing, Secondaries& out) const;
+    void add_reflection(const CompiledScene& scene, const PovTexture& texture, size_t first, const RayState& state, const Vec3& facing, Secondaries& out) const;
 
     ShortList<PovTexture, 2> textures_;
     ShortList<PovLayer, 4> layers_;   ///< of all textures, from the top
     double grain(const Vec3& wi) const;
 
     Vec3 dir_, normal_, position_;
+    double mirror_ior_ = 1;     ///< the index of refraction behind the surface over that in front, as Fresnel's mirrors have it
     Color irid_wavelength_{1};
     NoiseGenerator noise_ = NoiseGenerator::range_corrected;
     bool double_illuminate_ = false, sends_on_ = false;

@@ -11,7 +11,7 @@ namespace alidade {
 const GltfPbr* pbr(const CompiledScene& scene, const ShadePoint& p);
 
 /// The surface of one of POV-Ray's materials.
-Surface shade_pov(const CompiledScene& scene, const ShadePoint& point, const Vec3& dir);
+Surface shade_pov(const CompiledScene& scene, const ShadePoint& point, const Vec3& dir, const InteriorStack& inside);
 
 /// The first channel of a signal, or `absent`.
 double scalar(const CompiledScene& scene, const std::optional<SignalId>& signal, const ShadePoint& p, double absent);
@@ -80,9 +80,9 @@ template <unsigned F> [[gnu::always_inline]] inline Surface shade_metal_rough(co
     return s;
 }
 
-template <unsigned F> Surface shade(const CompiledScene& scene, const ShadePoint& point, const Vec3& dir) {
+template <unsigned F> Surface shade(const CompiledScene& scene, const ShadePoint& point, const Vec3& dir, const InteriorStack& inside) {
     const GltfPbr* m = pbr(scene, point);
-    return m ? shade_metal_rough<F>(scene, *m, point, dir) : shade_pov(scene, point, dir);
+    return m ? shade_metal_rough<F>(scene, *m, point, dir) : shade_pov(scene, point, dir, inside);
 }
 
 }  // namespace alidade

@@ -22,12 +22,12 @@ const GltfPbr* pbr(const CompiledScene& scene, const ShadePoint& p) {
     return std::get_if<GltfPbr>(&material_at(scene, p).layers[0]);
 }
 
-Surface shade_pov(const CompiledScene& scene, const ShadePoint& point, const Vec3& dir) {
+Surface shade_pov(const CompiledScene& scene, const ShadePoint& point, const Vec3& dir, const InteriorStack& inside) {
     Surface s;
     s.point_ = &point;
     s.wo_ = -dir;
     s.normal_ = dot(point.shading_normal, dir) > 0 ? -point.shading_normal : point.shading_normal;
-    s.pov_.emplace(scene, point, dir, s.normal_);
+    s.pov_.emplace(scene, point, dir, s.normal_, inside);
     s.mirrors_or_refracts_ = s.pov_->sends_on();
     s.normal_ = s.pov_->normal();
     s.emitted_ = s.pov_->emitted(scene.scene.settings.ambient_light);

@@ -50,7 +50,7 @@ class Surface {
 
   private:
     template <unsigned F> friend Surface shade_metal_rough(const CompiledScene&, const GltfPbr&, const ShadePoint&, const Vec3&);
-    friend Surface shade_pov(const CompiledScene&, const ShadePoint&, const Vec3&);
+    friend Surface shade_pov(const CompiledScene&, const ShadePoint&, const Vec3&, const InteriorStack&);
     Color scatter_base(const Vec3& wi) const;
     void add_mirror(const RayState& state, Secondaries& out) const;
     void add_coat(const RayState& state, Secondaries& out) const;
@@ -73,8 +73,8 @@ class Surface {
     std::optional<PovSurface> pov_;   ///< takes the place of all the rest but the normal
 };
 
-/// The surface at `point`, seen along the unit direction `dir`; defined in tracer/shade.h, which callers include. `point` must outlive it.
-template <unsigned F> Surface shade(const CompiledScene& scene, const ShadePoint& point, const Vec3& dir);
+/// The surface at `point`, seen along the unit direction `dir` by a ray that is in `inside`; defined in tracer/shade.h, which callers include. `point` must outlive it.
+template <unsigned F> Surface shade(const CompiledScene& scene, const ShadePoint& point, const Vec3& dir, const InteriorStack& inside = {});
 
 /// The share of light that passes straight through the surface at `point`: what shadow rays in the unit direction `dir` multiply by. 0 for opaque surfaces.
 Color transmitted(const CompiledScene& scene, const ShadePoint& point, const Vec3& dir);

@@ -97,6 +97,8 @@ class Parser {
     SourceFinder finder;
     double version = 3.7;             ///< as #version has set it; what POV-Ray starts with
     bool version_given = false;
+    /// Version 3.7 that is told from outside (`+MV3.7`) goes before the scene's own in that colours are corrected without an assumed_gamma, too.
+    bool told_of_gamma() const { return options.version && *options.version >= 3.7 - 1e-9; }
     bool charset_utf8 = false;        ///< as global_settings has said
     bool keep_names = false;          ///< in function{}: names that nobody declared are parameters
     uint64_t loop_turns = 0;

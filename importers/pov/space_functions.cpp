@@ -45,7 +45,7 @@ namespace {
 
 /// What the colours of pictures become: as the last global_settings has it.
 void set_usual_gamma(const Parser& p, Build& build) {
-    build.uncorrected = !p.version_given || p.version < 3.7 - 1e-9;
+    build.uncorrected = (!p.version_given || p.version < 3.7 - 1e-9) && !p.told_of_gamma();
     for (const Value& settings : p.globals) {
         const std::span<const Item> items = settings.as<Block>().items;
         for (size_t i = 0; i + 1 < items.size(); ++i) {

@@ -176,6 +176,15 @@ const Declared kDeclared[] = {
     {'A', "cone{<1,1,1>,0,<1.5,.2,.7>,.5}"},
     {'A', "cylinder{<1,1,1>,<1.5,.2,.7>,.5}"},
     {'A', "cone{<1,1,1>,.50000001,<1.5,.2,.7>,.5}"},
+    {'A', "text{ttf \"timrom.ttf\" \" \" 1,0}"},
+    {'A', "text{ttf \"timrom.ttf\" \"  \" 1,.1*x+.1*y}"},
+    {'A', "text{ttf \"timrom.ttf\" \"A \" 1,0}"},
+    {'A', "text{ttf \"timrom.ttf\" \" A\" 1,0}"},
+    {'A', "text{ttf \"timrom.ttf\" \"Hj\" 1,0}"},
+    {'A', "text{ttf \"timrom.ttf\" \"jjA\" 1,<.1,.2,0>}"},
+    {'A', "text{ttf \"timrom.ttf\" \"AV b \" 1,y*.1}"},
+    {'A', "text{ttf \"timrom.ttf\" \"j\" 1,0}"},
+    {'A', "text{ttf \"timrom.ttf\" \"To gj\" 1,.1*x}"},
     {'A', "cone{<1,1,1>,.5,<1.5,.2,.7>,.50000001}"},
 };
 

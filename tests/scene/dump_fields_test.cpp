@@ -321,7 +321,7 @@ const Change kOtherChanges[] = {
     [](Scene& s) { s.cameras[0].aperture = 1; },
     [](Scene& s) { s.cameras[0].focal_point.x = 1; },
     [](Scene& s) { s.cameras[0].blur_samples = 1; },
-    [](Scene& s) { s.cameras[0].normal = SignalId{6}; },
+    [](Scene& s) { s.cameras[0].clearance = 1; }, [](Scene& s) { s.cameras[0].normal = SignalId{6}; },
     [](Scene& s) { s.cameras[0].from.line = 4; },
     [](Scene& s) { s.skins[0].name = "x"; },
     [](Scene& s) { s.skins[0].joints.push_back(NodeId{1}); },

@@ -43,6 +43,13 @@ std::vector<PovPicture> inside_pictures() {
     const std::string glass = kGlass;
     return {
         {"InteriorTextures", seen(two_sided(), "camera { location <0,2,-6> look_at <0,.5,0> angle 50 }")},
+        {"FresnelGlassInAHalfSpace", seen("plane { z, 5 pigment { rgb <.8,.8,.7> } } sphere { -1.2*x, .9 pigment { rgbf <.98,1,.98,.9> } finish { reflection { 0, 1 fresnel } } interior { ior 1.5 } } "
+                                     "sphere { x, .9 pigment { rgbf .9 } finish { reflection { .03, .5 fresnel } conserve_energy } interior { ior 1.5 } } sphere { <1.2,.3,0>, .5 pigment { rgbt .9 } finish { diffuse 0 reflection { 0, 1 fresnel } conserve_energy } interior { ior 1.2 } }")},
+        {"FresnelPanesFromBehind", seen("disc { 0, -y, 1.5 pigment { rgbft <.9,.95,1,.8,.1> } finish { ambient 0 diffuse .1 reflection { .05, 1 fresnel } conserve_energy } interior { ior 1.3 } rotate -5*x } "
+                                     "sphere { <0,-.5,0>, .8 pigment { rgbt 1 } interior { ior 1.3 } } sphere { <0,-.5,0>, .4 pigment { rgbt .9 } finish { diffuse 0 reflection { 0, 1 fresnel } } interior { ior 1.6 } }")},
+        {"FilmsThatMirrorTotally", seen("sphere { 0, 1 scale <.9,.8,.76> pigment { rgbft <.66,.6,.5,.24,.45> } finish { irid { .467 thickness .193 } } interior { ior 1.62 } } "
+                                     "box { -.5, .5 rotate 30 translate 1.6*x pigment { rgbt <.9,.8,.8,.9> } finish { irid { .4 thickness .3 } reflection .1 } interior { ior 1.5 } }")},
+        {"CameraOnASurface", seen("plane { y, 0 pigment { rgb x } } sphere { 0, 2 pigment { rgb 1 } }", "camera { location <0,0,-6> look_at 0 }")},
         {"SheetsTakenAway", seen(sheets())},
         {"ClippedGlassFromBehind", seen("plane { -y, 0 clipped_by { sphere { 0, 1.2 } }" + glass + "translate -1.5*x } quadric { 1, 0, 0, -1 clipped_by { plane { y, 0 } }" + glass + "translate 1.5*x }")},
         {"CameraInGlass", seen("sphere { <0,3,-4>, 2 pigment { rgbt <.8,.9,1,.9> } interior { ior 1.2 fade_distance 3 fade_power 1 } } box { <-1,-1,-1>, <1,0,1>" + glass + "rotate y*30 }")},

@@ -45,7 +45,7 @@ class Povray(InFolder):
         self.assertEqual(set(self.picture("s.ppm")[2]), {255}, "the sphere is larger than the window")
 
     def test_the_clock_moves_and_frames_are_numbered(self):
-        (self.folder / "a.ini").write_text("; frames\nWidth = 20\nHeight=20\n+FP +KFF10\n[large]\nWidth=30\n")
+        (self.folder / "a.ini").write_text("; frames\n # of all sizes\nWidth = 20\nHeight=20\n+FP +KFF10\n[large]\nWidth=30\n")
         self.render("a.ini", "+Is.pov", "+SF9", "+EF10")
         self.assertEqual(sorted(p.name for p in self.folder.glob("*.ppm")), ["s09.ppm", "s10.ppm"])
         self.assertNotEqual(self.picture("s09.ppm")[2], self.picture("s10.ppm")[2])
@@ -181,6 +181,12 @@ class Povray(InFolder):
             self.assertTrue(self.render("+Is.pov", "+W8", "+H6", word).startswith("1.00\n"), word)
         self.assertIn("error", self.render("+Is.pov", "+W8", "+H6", code=1), "a texture has no ambient any more")
         self.assertIn("+MVx", self.render("+Is.pov", "+MVx", code=1))
+
+    def test_version_3_7_goes_before_the_scenes_own_in_gamma(self):
+        (self.folder / "s.pov").write_text("#version 3.5; background { rgb .5 } camera { location -z look_at 0 }\n")
+        for words, code in (((), 128), (("+MV3.62",), 128), (("+MV3.7",), 188)):       # POV-Ray's codes
+            self.render("+Is.pov", "+W4", "+H4", "+FP", *words)
+            self.assertEqual(set(self.picture("s.ppm")[2]), {code}, words)
 
     def test_the_ini_file_of_all_renders_is_read_first(self):
         (self.folder / "povray.ini").write_text("Width=12\nHeight=9\nOutput_File_Type=P\n")

@@ -15,7 +15,7 @@ template <unsigned F> struct Cast {
             Hit hit;
             if (!scene.top->intersect(next, hit, tracing.stats.work)) break;
             const ShadePoint point = shade_point(scene, next, hit);
-            const Surface surface = shade<F>(scene, point, ray.dir);
+            const Surface surface = shade<F>(scene, point, ray.dir, state.inside);
             if (tracing.describes && surface.coverage() > 0 && !first.hit) describe(point, surface, length(point.position - ray.origin), first);
             sum += local_light<F>(tracing, point, surface, state, Shadows::ignored) * through;
             through *= 1 - surface.coverage();

@@ -30,6 +30,7 @@ void take_fog(Build& build, const Block& block, Fog& fog) {
         else if (at.accept("fog_alt"_w)) fog.altitude = at.number("the altitude of a fog");
         else if (at.accept("turb_depth"_w)) fog.turbulence_depth = at.number("the depth of turbulence");
         else if (at.accept("up"_w)) fog.up = at.vector("the direction of up");
+        else if (at.at_transform()) fog.up = at.transform().vector(fog.up);
         else if (take_turbulence(at, fog.turbulence)) continue;
         else if (at.at_number()) fog.distance = at.number("the distance of a fog");   // as version 1 had it: `fog { color White 200 }`
         else if (at.at_numeric()) {
@@ -106,7 +107,10 @@ void read_rainbow(Build& build, const Block& block) {
 void read_fog(Build& build, const Block& block) {
     Fog fog;
     take_fog(build, block, fog);
-    if (fog.ground && fog.altitude == 0) build.p.fail(block.place, "a ground fog needs a fog_alt that is not 0");
+    if (fog.ground && fog.altitude == 0) {
+        build.p.warn(block.place, "a ground fog without fog_alt ends at its fog_offset");
+        fog.altitude = 1e-6;   // so POV-Ray draws it for a camera above it; for one below, all is black
+    }
     if (fog.distance != 0) build.scene.atmosphere.fogs.push_back(fog);
 }
 

@@ -202,7 +202,8 @@ class Extents::Reader {
         if (set) {
             e.box = of_parts(block.word, parts(at));
         } else if (block.word == "text"_w) {
-            e.box = of_text(at);
+            const Bounds box = build_text(build_, at).box;
+            e.box = box.empty() ? kAllSpace : box;
         } else if (block.word == "light_source"_w) {
             e.box = kAllSpace;
         } else if (const auto shape = build_shape(build_, block.word, at)) {
@@ -225,16 +226,6 @@ class Extents::Reader {
     static Bounds of_parts(WordId word, const std::vector<Extent>& parts) {
         if (word == "intersection"_w || word == "difference"_w) return common_box(parts, word == "difference"_w);
         return joined_box(parts);
-    }
-
-    /// Of its letters, which stand where their nodes move them.
-    Bounds of_text(Cursor& at) {
-        Bounds box;
-        for (const NodeId id : build_text(build_, at)) {
-            const Node& node = build_.scene.nodes[id.index];
-            if (const auto* shape = std::get_if<ShapeId>(&node.what)) box.extend(node.to_parent.bounds(bounds(build_.scene.shapes[shape->index].geometry)));
-        }
-        return box.empty() ? kAllSpace : box;
     }
 
     void modifier(Extent& e, Cursor& at) {

@@ -35,8 +35,8 @@ void begin_settings(Build& build, const Program& program) {
     s.max_depth = 4;
     s.adc_bailout = 1.0 / 255;
     const bool old = !program.version_given || program.version < 3.7 - 1e-9;
-    s.srgb_coded = old;               // without assumed_gamma an old scene's numbers are what the file holds: no correction at all
-    build.uncorrected = old;
+    s.srgb_coded = old && !build.p.told_of_gamma();   // without assumed_gamma an old scene's numbers are what the file holds: no correction at all
+    build.uncorrected = s.srgb_coded;
     s.filter_dims_by_colour = old;
     if (program.version_given && program.version < 3.5 - 1e-9) s.noise = NoiseGenerator::original;
     s.generator = "POV-Ray";

@@ -5,13 +5,20 @@ namespace alidade::pov {
 
 namespace {
 
+void take_dispersion(Build& build, Cursor& at, Interior& in) {
+    const Place place = at.place();
+    at.next();
+    in.dispersion = at.number("the dispersion");
+    if (in.dispersion != 1) build.p.tally(place, "dispersion in interior is not modelled yet: light of all colours is bent alike");
+}
+
 void read_interior(Build& build, const Block& block, Interior& in) {
     const Nested nested(build.p, block.place);
     for (Cursor at(build, block); !at.done();) {
         if (const Block* base = at.block_at("interior"_w)) at.next(), in = Interior(), read_interior(build, *base, in);
         else if (at.accept("ior"_w)) in.ior = at.number("the index of refraction");
         else if (at.accept("caustics"_w)) in.caustics = at.number("the caustics");
-        else if (at.accept("dispersion"_w)) in.dispersion = at.number("the dispersion");
+        else if (at.at_word("dispersion"_w)) take_dispersion(build, at, in);
         else if (at.accept("dispersion_samples"_w)) in.dispersion_samples = at.integer("the number of samples", 2, 1000);
         else if (at.accept("fade_distance"_w)) in.fade_distance = at.number("the distance of fading");
         else if (at.accept("fade_power"_w)) in.fade_power = at.number("the power of fading");

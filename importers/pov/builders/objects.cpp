@@ -6,6 +6,7 @@
 #include "core/transform.h"
 #include "importers/pov/builders/interiors.h"
 #include "importers/pov/builders/lights.h"
+#include "importers/pov/builders/materials.h"
 #include "importers/pov/builders/misplaced.h"
 #include "importers/pov/builders/shapes.h"
 #include "importers/pov/builders/texts.h"
@@ -85,34 +86,8 @@ void add_textures(Build& build, Draft& d, TextureLayers& layers, TextureLayers m
     if (more.empty()) return;
     begin_texture(d, block.place);
     if (d.uv_mapped) set_uv_mapped(build, more);
-    move_in_space(build, more, inverse(d.transform).value_or(Transform()));   // what stood between the layers moves those before it alone
+    move_layers(build, more, inverse(d.transform).value_or(Transform()));   // what stood between the layers moves those before it alone
     add_layers(build, layers, std::move(more), block.version);
-}
-
-/// `material { ... }`: layers are moved by what stands behind them in it.
-struct MaterialParts {
-    TextureLayers layers, inside;
-    std::optional<InteriorId> interior;
-};
-
-MaterialParts read_material(Build& build, const Block& block, std::optional<InteriorId> interior) {
-    const Nested nested(build.p, block.place);
-    MaterialParts parts{{}, {}, interior};
-    for (Cursor at(build, block); !at.done();) {
-        if (const Block* base = at.block_at("material"_w)) {
-            at.next();
-            MaterialParts named = read_material(build, *base, {});
-            parts = {{}, {}, named.interior};
-            add_layers(build, parts.layers, std::move(named.layers), block.version), add_layers(build, parts.inside, std::move(named.inside), block.version);
-        } else if (const Block* texture = at.block_at("texture"_w)) at.next(), add_layers(build, parts.layers, build_texture(build, *texture), texture->version);
-        else if (const Block* inside = at.block_at("interior_texture"_w)) at.next(), add_layers(build, parts.inside, build_texture(build, *inside), inside->version);
-        else if (const Block* within = at.block_at("interior"_w)) at.next(), parts.interior = add_interior(build, *within, parts.interior);
-        else if (at.at_transform()) {
-            const Transform t = at.transform();
-            move_layers(build, parts.layers, t), move_layers(build, parts.inside, t);
-        } else at.skip_unmodelled();
-    }
-    return parts;
 }
 
 void add_material(Build& build, Draft& d, const Block& block) {
@@ -349,7 +324,7 @@ bool draft(Build& build, const Block& block, Draft& d) {
         take_children(build, d, at);
     } else if (block.word == "text"_w) {
         d.node.csg = CsgKind::union_;
-        d.node.children = build_text(build, at);
+        d.node.children = build_text(build, at).letters;
     } else if (block.word == "light_group"_w) {
         d.is_group = true, d.is_lit = d.node.global_lights = build.lit_globally > 0;
         const Within lit(build.lit_globally, takes_global_lights(block));

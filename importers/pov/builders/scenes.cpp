@@ -61,6 +61,7 @@ void add_camera(Build& build, const std::optional<Camera>& camera) {
     Camera usual;
     usual.direction = {0, 0, 1}, usual.right = {1.33, 0, 0}, usual.up = {0, 1, 0};
     build.scene.cameras.push_back(camera.value_or(usual));
+    build.scene.cameras[0].clearance = 1e-4;
     const Camera& lens = build.scene.cameras[0];
     if (lens.aperture > 0 && lens.blur_samples > 0) build.scene.settings.default_spp = lens.blur_samples;
     Node node;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "importers/pov/builders/texts.h"
 
+#include "eval/shapes/shape_ops.h"
+
 #include "importers/pov/fonts.h"
 #include "importers/pov/utf8.h"
 
@@ -96,6 +98,12 @@ class Letters {
         return build_.add_node(std::move(node));
     }
 
+    /// Of a letter that has been placed.
+    Bounds box(uint32_t index) const {
+        const ShapeGeometry& letter = build_.scene.shapes[build_.letters.at({&font_, index, std::bit_cast<uint64_t>(depth_)}).index].geometry;
+        return find_shape(letter)->bounds(letter);
+    }
+
   private:
     ShapeId add_shape(const Glyph& glyph) {
         ShapeEntry entry;
@@ -113,14 +121,14 @@ class Letters {
 
 }  // namespace
 
-std::vector<NodeId> build_text(Build& build, Cursor& at) {
+BuiltText build_text(Build& build, Cursor& at) {
     const Place place = at.place();
     const Font& font = take_font(build, at);
     const std::vector<uint32_t> text = characters(take_string(build, at, "the letters of a text"));
     const double depth = at.number("the depth of a text");
     const Vec3 offset = at.vector("the offset of a text's letters");
     Letters letters(build, font, depth, build.position(place));
-    std::vector<NodeId> nodes;
+    BuiltText out;
     double along = 0, left = 0;
     for (size_t i = 0; i < text.size(); ++i) {
         const uint32_t index = font.glyph_of(text[i]);
@@ -130,11 +138,17 @@ std::vector<NodeId> build_text(Build& build, Cursor& at) {
             continue;
         }
         if (i == 0) left = glyph->left;
-        if (!glyph->outlines.empty()) nodes.push_back(letters.node(index, Vec2(along - left + double(i) * offset.x, double(i) * offset.y)));
+        const Vec3 pen(along - left + double(i) * offset.x, double(i) * offset.y, 0);
+        Bounds own{Vec3(0, 0, std::min(depth, 0.0)), Vec3(0, 0, std::max(depth, 0.0))};
+        if (!glyph->outlines.empty()) {
+            out.letters.push_back(letters.node(index, Vec2(pen.x, pen.y)));
+            own = letters.box(index), own.max.x -= std::min(own.min.x, 0.0);
+        }
+        out.box.extend(Bounds{own.min + pen, own.max + pen});
         along += glyph->advance;
         if (i + 1 < text.size()) along += font.kerning(index, font.glyph_of(text[i + 1]));
     }
-    return nodes;
+    return out;
 }
 
 }  // namespace alidade::pov

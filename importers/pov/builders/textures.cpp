@@ -196,10 +196,6 @@ void add_layers(const Build& build, TextureLayers& layers, TextureLayers more, f
 }
 
 void move_layers(Build& build, TextureLayers& layers, const Transform& t) {
-    if (!t.is_identity()) replace_signals(layers, [&](SignalId id) { return moved(build, id, t); });
-}
-
-void move_in_space(Build& build, TextureLayers& layers, const Transform& t) {
     if (!t.is_identity()) replace_signals(layers, [&](SignalId id) { return moved_in_space(build, id, t); });
 }
 

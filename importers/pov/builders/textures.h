@@ -18,10 +18,8 @@ TextureLayers build_texture(Build& build, const Block& block, size_t skipped = 0
 bool take_layer_part(Build& build, Cursor& at, TextureLayers& layers, const Transform& since = {});
 /// Puts `more` over `layers`, where the language is that of `version`: up to 3.1 what passes the new ones, but the lowest of all and those of pictures, is not coloured.
 void add_layers(const Build& build, TextureLayers& layers, TextureLayers more, float version);
-/// Moves layers behind all that they have.
+/// Moves layers behind all that they have; what is uv_mapped already stays with its surface.
 void move_layers(Build& build, TextureLayers& layers, const Transform& t);
-/// The same where the object is moved: what is uv_mapped stays with its surface.
-void move_in_space(Build& build, TextureLayers& layers, const Transform& t);
 /// `uv_mapping` before a texture, or in it.
 void set_uv_mapped(Build& build, TextureLayers& layers);
 /// `finish { ... }` over what `layer` has. Source   POV-Ray 3.7 reference, 3.4.3.3 "Finish".

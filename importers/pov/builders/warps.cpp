@@ -69,7 +69,7 @@ Warp mapping(Cursor& at, WarpKind kind) {
     }
     Warp warp{kind, {}, {}};
     if (kind == WarpKind::cubic) return warp;
-    append(warp.parameters, orientation);
+    append(warp.parameters, length(orientation) > 0 ? normalized(orientation) : orientation);
     warp.parameters.push_back(exponent);
     if (kind == WarpKind::toroidal) warp.parameters.push_back(radius);
     return warp;
