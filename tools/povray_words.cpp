@@ -117,11 +117,15 @@ class Reading {
         return {};
     }
 
-    /// `[section]`, `Key=Value`, or switches; `;` begins a comment, and `#` does where a line begins. What stands before all sections always holds.
+    /// `[section]`, `Key=Value`, or switches; `;` and `#` begin a comment where nothing is quoted. What stands before all sections always holds.
     std::string take_line(std::string line, std::string& section, const std::string& wanted) {
-        line = line.substr(0, line.find(';'));
+        char quote = 0;
+        for (size_t i = 0; i < line.size(); ++i) {
+            if (quote == 0 && (line[i] == ';' || line[i] == '#')) line.resize(i);
+            else if (line[i] == '"' || line[i] == '\'') quote = quote == 0 ? line[i] : quote == line[i] ? 0 : quote;
+        }
         const size_t first = line.find_first_not_of(" \t\r"), last = line.find_last_not_of(" \t\r");
-        if (first == std::string::npos || line[first] == '#') return {};
+        if (first == std::string::npos) return {};
         line = line.substr(first, last - first + 1);
         if (line[0] == '[') return section = lower(line.substr(1, line.find(']') - 1)), std::string();
         if (!section.empty() && section != wanted) return {};

@@ -122,9 +122,7 @@ class Placer : private CsgParts {
     uint32_t place(const Visit& visit) override {
         const size_t before = out_.instances.size();
         place(visit, out_.scene.nodes[visit.node.index]);
-        if (out_.instances.size() == before) return kNoId;
-        out_.instances[before].turned = false;
-        return uint32_t(before);
+        return out_.instances.size() > before ? uint32_t(before) : kNoId;
     }
 
     void place_shape(const Visit& visit, const Node& node, ShapeId shape) {
@@ -230,6 +228,7 @@ void build_solids(CompiledScene& out, std::vector<CsgExpression> solids) {
             if (node.op != CsgOp::leaf || node.leaf == kNoId) continue;
             out.instances[node.leaf].bounds = Bounds();
             out.instances[node.leaf].inverted = node.inverted != solid.tree.nodes()[0].far;
+            out.instances[node.leaf].turned = solid.tree.nodes()[0].far;
         }
 }
 

@@ -60,7 +60,7 @@ struct Instance {
     bool double_illuminate = false;   ///< POV: lit from both sides
     bool usual_material = false;   ///< of its slots: no node on the path says what they are
     bool inverted = false;         ///< taken away from a solid: its normals point inwards
-    bool turned = false;           ///< inverse, and no part of a solid: its inside is where its normals point
+    bool turned = false;           ///< inverse, or a part of a solid that goes on for ever: its inside is where its normals point
     uint32_t carrier = 0;          ///< of its interior: parts of one object that carries it have the same
     bool of_whole = true;          ///< its interior is not its own alone, if it is part of a solid, but the solid's
     NodeId node;

@@ -206,6 +206,8 @@ void MaterialTable::add_slots(const std::vector<NodeId>& path, uint32_t count, s
         add(carried);
     }
     if (const auto inside = carried_inside_material(out_.scene, path)) instance.inside_slot = uint32_t(out_.slots.size()), add(inside);
+    const uint32_t filling = out_.slots[instance.first_slot].interior;   // a solid has one, though old finishes have an ior of their own
+    if (instance.inside_slot != kNoId && filling != kNoId) out_.slots.back().interior = filling;
 }
 
 bool MaterialTable::has_patterns(uint32_t material) {

@@ -94,7 +94,7 @@ void NodeFacts::study(uint32_t index) {
 
 bool NodeFacts::material_counts(const Node& node) const {
     if (node.materials.empty() || !node.materials[0]) return false;
-    return draws_shape(node) || std::any_of(node.children.begin(), node.children.end(), [&](NodeId id) { return facts_[id.index].bare; });
+    return draws_shape(node) || node.inside_material || std::any_of(node.children.begin(), node.children.end(), [&](NodeId id) { return facts_[id.index].bare; });
 }
 
 std::vector<NodeId> NodeFacts::roots() const {

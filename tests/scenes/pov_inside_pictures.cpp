@@ -24,7 +24,9 @@ std::string two_sided() {
            "plane { z, 4 texture { O } interior_texture { pigment { bozo color_map { [0 rgb .3] [1 rgb .8] } } normal { bumps .5 } } }\n"
            "union { sphere { 0, .4 pigment { rgbt <1,1,1,.7> } } disc { <.8,0,0>, <0,0,1>, .4 } texture { O } interior_texture { pigment { rgb <1,0,1> } } translate <1,1.8,0> }\n"
            "sphere { <-2.5,1.8,0>, .5 inverse hollow texture { pigment { rgbf 1 } } interior_texture { pigment { checker rgbf <1,.5,.5,1> rgb <.5,1,.5> scale .25 } } interior { ior 1.3 } }\n"
-           "difference { box { -.4, .4 texture { O } interior_texture { I } } sphere { <0,.3,-.4>, .4 } cutaway_textures rotate 30*y translate <.4,-.5,-2> }\n";
+           "difference { box { -.4, .4 texture { O } interior_texture { I } } sphere { <0,.3,-.4>, .4 } cutaway_textures rotate 30*y translate <.4,-.5,-2> }\n"
+           "intersection { sphere { <0,2.6,0>, .4 } box { -5, 5 } inverse texture { O } interior_texture { I } } union { object { Shell scale .4 } object { Shell scale .4 translate .6*x } texture { pigment { rgb z } } interior_texture { I } rotate -60*x translate <-1.6,-.5,-2> }\n"
+           "sphere { 0, .5 clipped_by { plane { y, .1 } } material { texture { I } interior_texture { I } scale 2 } rotate -50*x translate <1.4,-.6,-1.6> }\n";
 }
 
 std::string sheets() {

@@ -45,7 +45,7 @@ class Povray(InFolder):
         self.assertEqual(set(self.picture("s.ppm")[2]), {255}, "the sphere is larger than the window")
 
     def test_the_clock_moves_and_frames_are_numbered(self):
-        (self.folder / "a.ini").write_text("; frames\n # of all sizes\nWidth = 20\nHeight=20\n+FP +KFF10\n[large]\nWidth=30\n")
+        (self.folder / "a.ini").write_text("; frames\n # of all sizes\nWidth = 20\nHeight=20\n+FP +KFF10\n[large] # of frames\nWidth=30# pixels\n")
         self.render("a.ini", "+Is.pov", "+SF9", "+EF10")
         self.assertEqual(sorted(p.name for p in self.folder.glob("*.ppm")), ["s09.ppm", "s10.ppm"])
         self.assertNotEqual(self.picture("s09.ppm")[2], self.picture("s10.ppm")[2])

@@ -106,7 +106,7 @@ void Cursor::refuse_misplaced() const {
     if (!block && peek().kind != Item::Kind::word) return;
     const WordId word = block ? block->word : peek().word;
     if (block && (belongs_to_objects(word) || (at_declared() && belongs_to_objects(block_.word))))
-        build_.p.fail(peek().place, fmt::format("{} {} cannot stand in {}", at_declared() ? "the identifier of a" : "a", kWords[word], kWords[block_.word]));
+        build_.p.fail(peek().place, fmt::format("{}{} {} cannot stand in {}", at_declared() ? "the identifier of a" : "a", kWords[word][0] == 'i' ? "n" : "", kWords[word], kWords[block_.word]));
     if (const auto home = belongs_elsewhere(word, block_.word)) build_.p.fail(peek().place, fmt::format("{} cannot stand in {}", kWords[word], kWords[block_.word]), fmt::format("it is a word of {}", *home));
 }
 

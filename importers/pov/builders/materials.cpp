@@ -17,10 +17,8 @@ MaterialParts read_material(Build& build, const Block& block, std::optional<Inte
         } else if (const Block* texture = at.block_at("texture"_w)) at.next(), add_layers(build, parts.layers, build_texture(build, *texture), texture->version);
         else if (const Block* inside = at.block_at("interior_texture"_w)) at.next(), add_layers(build, parts.inside, build_texture(build, *inside), inside->version);
         else if (const Block* within = at.block_at("interior"_w)) at.next(), parts.interior = add_interior(build, *within, parts.interior);
-        else if (at.at_transform()) {
-            const Transform t = at.transform();
-            move_layers(build, parts.layers, t), move_layers(build, parts.inside, t);
-        } else at.skip_unmodelled();
+        else if (at.at_transform()) move_layers(build, parts.layers, at.transform());   // and not those of the inside (probed)
+        else at.skip_unmodelled();
     }
     return parts;
 }

@@ -6,7 +6,7 @@
 
 namespace alidade::pov {
 
-/// `material { ... }`: layers are moved by what stands behind them in it.
+/// `material { ... }`: layers are moved by what stands behind them in it, those of the inside are not.
 struct MaterialParts {
     TextureLayers layers, inside;
     std::optional<InteriorId> interior;

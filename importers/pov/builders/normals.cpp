@@ -61,15 +61,14 @@ void read_behind_pattern(Build& build, Cursor& at, ReliefSignal& r) {
 }
 
 void read_normal(Build& build, Cursor& at, ReliefSignal& r) {
-    bool settled = false;   // a declared normal that is uv_mapped is moved no more
+    std::optional<ReliefSignal> settled;   // a declared normal that is uv_mapped stays as it is, whatever follows (probed)
     while (!at.done()) {
-        if (settled && at.at_transform()) at.transform();
-        else if (const Block* base = at.block_at("normal"_w)) {
+        if (const Block* base = at.block_at("normal"_w)) {
             at.next();
             const SignalId normal = build_normal(build, *base, default_texture(build, base->defaults).normal);
             const bool uv_mapped = r.pattern.uv_mapped;
             r = std::get<ReliefSignal>(build.scene.signals[normal.index].what);
-            settled = r.pattern.uv_mapped;
+            settled = r.pattern.uv_mapped ? std::optional(r) : std::nullopt;
             r.pattern.uv_mapped |= uv_mapped;   // `uv_mapping N`: stays, as nothing else does
             if (at.at_number()) r.amount = at.number("the depth of a normal");
         } else if (take_pattern(build, at, r.pattern, &r.amount)) read_behind_pattern(build, at, r);
@@ -81,6 +80,7 @@ void read_normal(Build& build, Cursor& at, ReliefSignal& r) {
         else if (take_pattern_modifier(build, at, r.pattern)) continue;
         else at.skip_unmodelled_pattern();
     }
+    if (settled) r = std::move(*settled);
 }
 
 }  // namespace

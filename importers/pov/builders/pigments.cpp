@@ -95,18 +95,14 @@ bool is_quick_color(Cursor& at) { return at.accept("quick_color"_w) || at.accept
 
 void read_pigment(Build& build, Cursor& at, Signal& pigment, PatternSignal& loose, std::optional<ConstantSignal>& quick) {
     bool open = true;       // a colour or a pattern may stand before its modifiers alone
-    bool settled = false;   // a declared pigment that is uv_mapped is moved no more
+    std::optional<std::pair<Signal, PatternSignal>> settled;   // a declared pigment that is uv_mapped stays as it is, whatever follows (probed)
     while (!at.done()) {
-        if (settled && at.at_transform()) {
-            at.transform();
-            continue;
-        }
         if (const Block* base = at.block_at("pigment"_w)) {
             at.next();
             const SignalId id = build_pigment(build, *base, usual_pigment(build, *base));
             const bool uv_mapped = modified(pigment, loose).uv_mapped;
             pigment = copy_of(build, id), loose = loose_of(build, id), quick = quick_color_of(build, id);
-            settled = modified(pigment, loose).uv_mapped;
+            settled = modified(pigment, loose).uv_mapped ? std::optional(std::pair(pigment, loose)) : std::nullopt;
             modified(pigment, loose).uv_mapped |= uv_mapped;   // `uv_mapping P`: stays, as nothing else does
         } else if (at.at_numeric() && (std::exchange(open, false) || (at.at_colour() && at.block().version < 3))) {
             const std::array<double, 5> c = at.colour("a pigment");
@@ -129,6 +125,7 @@ void read_pigment(Build& build, Cursor& at, Signal& pigment, PatternSignal& loos
             return;
         }
     }
+    if (settled) std::tie(pigment, loose) = std::move(*settled);
 }
 
 }  // namespace
