@@ -31,7 +31,7 @@ void spotlight(Sdl& sdl, double radius, double falloff, double tightness) {
 
 }  // namespace
 
-LightWriter::LightWriter(const Scene& scene, Sdl& sdl, Losses& losses) : scene_(scene), sdl_(sdl), losses_(losses) {
+LightWriter::LightWriter(const Scene& scene, Sdl& sdl, Losses& losses) : sdl_(sdl), losses_(losses) {
     const Bounds bounds = world_bounds(scene);
     if (!bounds.empty() && bounds.finite() && length(bounds.extent()) > 0) size_ = length(bounds.extent()), centre_ = bounds.center();
     near_ = std::max(size_ * kNear, 1e-9);   // POV-Ray takes less than 1e-10 for no fading

@@ -29,7 +29,6 @@ class LightWriter {
     Expression colour(const Light& light, size_t part) const;
     void tell_losses(const Light& light);
 
-    const Scene& scene_;
     Sdl& sdl_;
     Losses& losses_;
     double near_ = 1e-4, size_ = 10;
