@@ -109,7 +109,7 @@ void read_fog(Build& build, const Block& block) {
     take_fog(build, block, fog);
     if (fog.ground && fog.altitude == 0) {
         build.p.warn(block.place, "a ground fog without fog_alt ends at its fog_offset");
-        fog.altitude = 1e-6;   // so POV-Ray draws it for a camera above it; for one below, all is black
+        fog.altitude = 1e-6;   // nearly none: in POV-Ray what is below the offset is black
     }
     if (fog.distance != 0) build.scene.atmosphere.fogs.push_back(fog);
 }

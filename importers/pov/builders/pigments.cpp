@@ -7,6 +7,7 @@
 #include "scene/graph.h"
 
 #include <fmt/format.h>
+#include <tuple>
 #include <utility>
 
 namespace alidade::pov {
