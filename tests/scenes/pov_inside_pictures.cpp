@@ -25,7 +25,7 @@ std::string two_sided() {
            "union { sphere { 0, .4 pigment { rgbt <1,1,1,.7> } } disc { <.8,0,0>, <0,0,1>, .4 } texture { O } interior_texture { pigment { rgb <1,0,1> } } translate <1,1.8,0> }\n"
            "sphere { <-2.5,1.8,0>, .5 inverse hollow texture { pigment { rgbf 1 } } interior_texture { pigment { checker rgbf <1,.5,.5,1> rgb <.5,1,.5> scale .25 } } interior { ior 1.3 } }\n"
            "difference { box { -.4, .4 texture { O } interior_texture { I } } sphere { <0,.3,-.4>, .4 } cutaway_textures rotate 30*y translate <.4,-.5,-2> }\n"
-           "intersection { sphere { <0,2.6,0>, .4 } box { -5, 5 } inverse texture { O } interior_texture { I } } union { object { Shell scale .4 } object { Shell scale .4 translate .6*x } texture { pigment { rgb z } } interior_texture { I } rotate -60*x translate <-1.6,-.5,-2> }\n"
+           "union { object { Shell scale .4 } object { Shell scale .4 translate .6*x } texture { pigment { rgb z } } interior_texture { I } rotate -60*x translate <-1.6,-.5,-2> }\n"
            "sphere { 0, .5 clipped_by { plane { y, .1 } } material { texture { I } interior_texture { I } scale 2 } rotate -50*x translate <1.4,-.6,-1.6> }\n";
 }
 
@@ -52,6 +52,11 @@ std::vector<PovPicture> inside_pictures() {
         {"FilmsThatMirrorTotally", seen("sphere { 0, 1 scale <.9,.8,.76> pigment { rgbft <.66,.6,.5,.24,.45> } finish { irid { .467 thickness .193 } } interior { ior 1.62 } } "
                                      "box { -.5, .5 rotate 30 translate 1.6*x pigment { rgbt <.9,.8,.8,.9> } finish { irid { .4 thickness .3 } reflection .1 } interior { ior 1.5 } }")},
         {"CameraOnASurface", seen("plane { y, 0 pigment { rgb x } } sphere { 0, 2 pigment { rgb 1 } }", "camera { location <0,0,-6> look_at 0 }")},
+        {"InteriorTexturesOfInverseSets", seen("#declare T = texture { pigment { rgb x } } #declare I = texture { pigment { rgb y } } intersection { sphere { 0, .7 } box { -2, 2 } inverse texture { T } interior_texture { I } translate -1.6*x } "
+                                     "difference { box { -.5, .5 } sphere { <0,.5,-.5>, .4 } inverse texture { T } interior_texture { I } } merge { sphere { 0, .5 } box { <.2,.2,-.2>, .7 } inverse texture { T } interior_texture { I } translate 1.6*x } "
+                                     "intersection { box { -.5, .5 } sphere { <0,.5,-.5>, .4 inverse } texture { T } interior_texture { I } translate <-.9,0,1.6> } merge { sphere { 0, .5 inverse } box { <.3,.3,-.3>, .7 } texture { T } interior_texture { I } translate <.9,0,1.6> }")},
+        {"InteriorTextureOfOldGlass", "#version 3.0; global_settings { assumed_gamma 1 } background { rgb <.7,.8,1> } light_source { <-7,8,-6> 1 } camera { location <0,3,-4> look_at 0 } plane { y, -1.6 pigment { checker rgb 1 rgb <1,.2,.2> scale .5 } } "
+                                     "sphere { 0, 1.2 texture { pigment { rgbt .9 } finish { refraction 1 ior 1.5 } } interior_texture { pigment { rgbt <.9,.2,.2,.9> } } }"},
         {"SheetsTakenAway", seen(sheets())},
         {"ClippedGlassFromBehind", seen("plane { -y, 0 clipped_by { sphere { 0, 1.2 } }" + glass + "translate -1.5*x } quadric { 1, 0, 0, -1 clipped_by { plane { y, 0 } }" + glass + "translate 1.5*x }")},
         {"CameraInGlass", seen("sphere { <0,3,-4>, 2 pigment { rgbt <.8,.9,1,.9> } interior { ior 1.2 fade_distance 3 fade_power 1 } } box { <-1,-1,-1>, <1,0,1>" + glass + "rotate y*30 }")},
