@@ -23,10 +23,10 @@ class OpenBlock {
         p_.open_items.erase(p_.open_items.begin() + std::ptrdiff_t(begin_), p_.open_items.end());
     }
 
-    std::span<Item> items() const { return std::span(p_.open_items).subspan(begin_); }
-    void add(Item item) { p_.open_items.push_back(std::move(item)), ++p_.items->used; }
+    std::span<OpenItem> items() const { return std::span(p_.open_items).subspan(begin_); }
+    void add(OpenItem item) { p_.open_items.push_back(std::move(item)), ++p_.items->used; }
     Ref<Block> finished(uint32_t defaults, float version) {
-        std::vector<Item> grouped;
+        std::vector<OpenItem> grouped;
         if (word == "texture"_w && version < 3) grouped = with_blocks_for_old_words(items(), p_.items, defaults, version);
         Ref<Block> block = Block::of(grouped.empty() ? items() : std::span(grouped), p_.items);
         block->word = word, block->defaults = defaults, block->version = version;
@@ -42,8 +42,8 @@ class OpenBlock {
 
 void read_items(Parser& p, OpenBlock& block, char close, Place at);
 
-Item item_of(Item::Kind kind, Place at) {
-    Item item;
+OpenItem item_of(Item::Kind kind, Place at) {
+    OpenItem item;
     item.kind = kind, item.place = at;
     return item;
 }
@@ -55,7 +55,7 @@ WordId word_of_today(Parser& p, WordId word, Place at) {
     return "union"_w;
 }
 
-Item block_item(Parser& p, Item::Kind kind, WordId given, char close, Place at) {
+OpenItem block_item(Parser& p, Item::Kind kind, WordId given, char close, Place at) {
     const Nested nested(p, at);
     const WordId word = word_of_today(p, given, at);
     const uint32_t defaults = uint32_t(p.defaults.size());
@@ -64,36 +64,36 @@ Item block_item(Parser& p, Item::Kind kind, WordId given, char close, Place at) 
     read_items(p, open, close, at);
     const Ref<Block> block = open.finished(defaults, version);
     block->place = at;
-    Item item = item_of(kind, at);
+    OpenItem item = item_of(kind, at);
     item.word = word, item.value = Value::of(Kind::block, block);
     return item;
 }
 
 /// `<...>`: up to five numbers begin an expression, more are a list (a matrix, the terms of a polynomial).
-Item vector_item(Parser& p, Place at) {
+OpenItem vector_item(Parser& p, Place at) {
     std::vector<double> numbers;
     Value v = parse_vector(p, at, numbers);
     if (!numbers.empty()) {
-        Item item = item_of(Item::Kind::numbers, at);
+        OpenItem item = item_of(Item::Kind::numbers, at);
         Ref<NumberList> list(new NumberList);
         list->numbers = std::move(numbers);
         item.value.shared = Ref<Shared>(list.get());
         return item;
     }
-    Item item = item_of(Item::Kind::value, at);
+    OpenItem item = item_of(Item::Kind::value, at);
     item.value = continue_from_value(p, std::move(v));
     return item;
 }
 
 /// Words that begin a colour elsewhere mean something else here.
 bool colours_are_words(const OpenBlock& block) {
-    const std::span<const Item> items = block.items();
+    const std::span<const OpenItem> items = block.items();
     const WordId last = items.empty() || items.back().kind != Item::Kind::word ? block.word : items.back().word;
     return block.word == "image_map"_w || last == "assumed_gamma"_w || last == "gamma"_w;
 }
 
-Item word_item(Parser& p, const Token& word) {
-    Item item = item_of(Item::Kind::value, word.place());
+OpenItem word_item(Parser& p, const Token& word) {
+    OpenItem item = item_of(Item::Kind::value, word.place());
     if (word.id == "function"_w) return item.value = parse_function(p, word.place()), item;
     if (word.id == "spline"_w) return item.value = parse_spline(p, word.place()), item;
     if (p.accept('{')) return block_item(p, Item::Kind::block, word.id, '}', word.place());
@@ -101,12 +101,12 @@ Item word_item(Parser& p, const Token& word) {
     return item;
 }
 
-Item read_item(Parser& p, const OpenBlock& block, const Token& token) {
+OpenItem read_item(Parser& p, const OpenBlock& block, const Token& token) {
     if (token.is('[')) return block_item(p, Item::Kind::entry, block.word, ']', token.place());
     if (token.is('<')) return vector_item(p, token.place());
     if (token.is('{')) {                     // behind the sizes of `pattern W, H { ... }`
         WordId word = block.word;
-        for (const Item& item : block.items())
+        for (const OpenItem& item : block.items())
             if (item.kind == Item::Kind::word) word = item.word;
         return block_item(p, Item::Kind::block, word, '}', token.place());
     }
@@ -114,14 +114,14 @@ Item read_item(Parser& p, const OpenBlock& block, const Token& token) {
     const bool plain = token.kind == TokenKind::word && ((begins_colour(token) && colour_words) || (!begins_colour(token) && !find_builtin(token.id)));
     if (plain) return word_item(p, token);
     p.put_back(token);
-    Item item = item_of(Item::Kind::value, token.place());
+    OpenItem item = item_of(Item::Kind::value, token.place());
     item.value = begins_colour(token) ? parse_colour(p) : parse_expression(p);
     if (item.value.kind == Kind::colour && !colour_words) item.value = parse_colour_components(p, std::move(item.value));
     return item;
 }
 
 /// Blocks hold numbers, strings, blocks and functions; and those not too deep in one another.
-void check_part(Parser& p, const Item& item) {
+void check_part(Parser& p, const OpenItem& item) {
     const Kind kind = item.value.kind;
     if (kind == Kind::array || kind == Kind::file || kind == Kind::macro) p.fail(item.place, fmt::format("{} cannot stand in a block", kind_name(item.value)));
     p.check_depth(item.value, item.place);
@@ -134,7 +134,7 @@ void read_items(Parser& p, OpenBlock& block, char close, Place at) {
         if (token.is(',')) continue;
         if (token.kind == TokenKind::end) p.fail_limit(at, fmt::format("{} is not closed", kWords[block.word]), fmt::format("{} is missing", close));
         p.check_items(token.place());
-        Item item = read_item(p, block, token);
+        OpenItem item = read_item(p, block, token);
         check_part(p, item);
         block.add(std::move(item));
     }
@@ -152,7 +152,9 @@ Value parse_declared_block(Parser& p, const Token& word) {
     while (word.id == "texture"_w && p.peek_behind_value().is_word("texture"_w)) {
         const Token next = p.next();
         const Value layer = parse_block(p, next.id, next.place());
-        value.as<Block>().layers.emplace_back(&layer.as<Block>());
+        auto& layers = value.as<Block>().layers;
+        if (!layers) layers = std::make_unique<std::vector<Ref<Block>>>();
+        layers->emplace_back(&layer.as<Block>());
     }
     return value;
 }

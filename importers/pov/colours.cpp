@@ -45,11 +45,11 @@ int component_of(const Token& token) {
 constexpr double kSrgb = 0;
 
 /// What `assumed_gamma` says among items of global_settings: powers of light, or kSrgb.
-std::optional<double> given_gamma(std::span<const Item> items) {
+template <class I> std::optional<double> given_gamma(std::span<const I> items) {
     for (size_t i = 0; i + 1 < items.size(); ++i) {
         if (items[i].kind != Item::Kind::word || items[i].word != "assumed_gamma"_w) continue;
-        const Item& given = items[i + 1];
-        return given.kind == Item::Kind::value && given.value.kind == Kind::number ? given.value.c[0] : kSrgb;
+        const I& given = items[i + 1];
+        return given.kind == Item::Kind::value && given.value_kind() == Kind::number ? given.number() : kSrgb;
     }
     return std::nullopt;
 }
@@ -57,8 +57,8 @@ std::optional<double> given_gamma(std::span<const Item> items) {
 /// What the scene's numbers mean, by the first `assumed_gamma` so far, which may stand in the same block.
 double working_gamma(Parser& p, Place at) {
     for (const Value& settings : p.globals)
-        if (const std::optional<double> gamma = given_gamma(settings.as<Block>().items)) return *gamma;
-    if (const std::optional<double> gamma = given_gamma(p.open_items)) return *gamma;
+        if (const std::optional<double> gamma = given_gamma(settings.as<Block>().items())) return *gamma;
+    if (const std::optional<double> gamma = given_gamma(std::span<const OpenItem>(p.open_items))) return *gamma;
     p.fail(at, "a colour in sRGB stands before assumed_gamma", "begin with global_settings { assumed_gamma 1 }");
 }
 

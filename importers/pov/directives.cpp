@@ -26,7 +26,7 @@ void obey_message(Parser& p, const Token& directive) {
 /// `#max_trace_level 5` of old scenes, also without the #: a `global_settings { max_trace_level 5 }`.
 void obey_setting(Parser& p, const Token& directive) {
     p.check_items(directive.place());
-    std::array<Item, 2> items;
+    std::array<OpenItem, 2> items;
     items[0].word = directive.directive.word, items[0].place = directive.place();
     items[1].kind = Item::Kind::value, items[1].place = directive.place(), items[1].value = Value::number(parse_float(p));
     const Ref<Block> block = Block::of(items, p.items);

@@ -17,10 +17,11 @@ constexpr size_t kUsualTokens = 1 << 18;   // of a part: the standard includes t
 
 constexpr double kPowersOfTen[] = {1, 1e1, 1e2, 1e3, 1e4, 1e5, 1e6, 1e7, 1e8, 1e9, 1e10, 1e11, 1e12, 1e13, 1e14, 1e15};
 
-enum CharKind : uint8_t { kOther, kBlank, kDigit, kLetter };
+enum CharKind : uint8_t { kOther, kMark, kBlank, kDigit, kLetter };
 
 constexpr std::array<CharKind, 256> char_kinds() {
     std::array<CharKind, 256> all{};
+    for (const char mark : std::string_view("{}()[]<>,;:.=+-*/?&|!@^%")) all[size_t(mark)] = kMark;
     for (int c = 0; c < 256; ++c) {
         if ((c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_') all[size_t(c)] = kLetter;
         if (c >= '0' && c <= '9') all[size_t(c)] = kDigit;
@@ -101,8 +102,11 @@ class Lexer {
 
     /// Where a line feed stands behind `from`, or a carriage return by itself as in files of old Macintoshes.
     size_t end_of_line(size_t from) {
-        if (next_feed_ <= from) next_feed_ = std::min(text_.find('\n', from), text_.size());   // sought once: a large file may have none
-        return std::min(text_.substr(0, next_feed_).find('\r', from), next_feed_);
+        const auto seek = [&](char c, size_t& next) {
+            if (next <= from) next = std::min(text_.find(c, from), text_.size());       // sought once: a large file may have none
+        };
+        seek('\n', next_feed_), seek('\r', next_return_);
+        return std::min(next_feed_, next_return_);
     }
 
     bool skip_comment() {
@@ -267,11 +271,10 @@ class Lexer {
     }
 
     void lex_mark() {
-        static constexpr std::string_view kMarks = "{}()[]<>,;:.=+-*/?&|!@^%";
         const size_t begin = at_++;
         char mark = text_[begin];
         if (mark == '<' && number_ != kDataSource && take_vector(begin)) return;
-        if (kMarks.find(mark) == std::string_view::npos)
+        if (kind_of(mark) != kMark)
             return bad(begin, static_cast<unsigned char>(mark) < 127 && mark > 32 ? fmt::format("the character {} means nothing here", mark)
                                                                                     : fmt::format("the byte 0x{:02X} means nothing here", static_cast<unsigned char>(mark)));
         if (peek() == '=' && (mark == '<' || mark == '>' || mark == '!')) {
@@ -313,7 +316,7 @@ class Lexer {
     size_t first_;
     std::vector<Structure> opened_;
     size_t at_ = 0;
-    size_t next_feed_ = 0;
+    size_t next_feed_ = 0, next_return_ = 0;
     TokenList list_;
 };
 

@@ -17,8 +17,8 @@ constexpr WordId kPigment[] = {"color_map"_w, "colour_map"_w, "image_map"_w, "qu
 
 template <size_t N> bool contains(const WordId (&list)[N], WordId word) { return std::find(std::begin(list), std::end(list), word) != std::end(list); }
 
-bool is_block(const Item& item) { return item.value.kind == Kind::block; }
-WordId word_of(const Item& item) { return is_block(item) ? item.block().word : item.word; }
+bool is_block(const OpenItem& item) { return item.value.kind == Kind::block; }
+WordId word_of(const OpenItem& item) { return is_block(item) ? item.block().word : item.word; }
 
 WordId home_of(WordId word) {
     if (contains(kFinish, word)) return "finish"_w;
@@ -27,10 +27,10 @@ WordId home_of(WordId word) {
 }
 
 /// For each item of a texture: "pigment", "normal" or "finish", where it belongs if it stands in no block of that name; 0 if it is none of theirs.
-std::vector<WordId> homes_in_texture(std::span<const Item> items) {
+std::vector<WordId> homes_in_texture(std::span<const OpenItem> items) {
     std::vector<WordId> homes;
-    const bool mapped = items.size() > 1 && std::any_of(items.begin() + 1, items.end(), [](const Item& i) { return is_block(i) && (word_of(i) == "texture"_w || word_of(i) == "texture_map"_w); });
-    for (const Item& item : items) {
+    const bool mapped = items.size() > 1 && std::any_of(items.begin() + 1, items.end(), [](const OpenItem& i) { return is_block(i) && (word_of(i) == "texture"_w || word_of(i) == "texture_map"_w); });
+    for (const OpenItem& item : items) {
         const bool value = !is_block(item) && item.kind != Item::Kind::word;
         WordId home = homes.empty() ? WordId(0) : homes.back();                   // a value goes with the word before it
         if (!value) home = home_of(word_of(item));
@@ -40,23 +40,23 @@ std::vector<WordId> homes_in_texture(std::span<const Item> items) {
     return homes;
 }
 
-Item plain_word(WordId word, Place at) {
-    Item item;
+OpenItem plain_word(WordId word, Place at) {
+    OpenItem item;
     item.kind = Item::Kind::word, item.place = at, item.word = word;
     return item;
 }
 
 /// Has the word of an item a value behind it? Not the names of most patterns.
-bool takes_value(const Item& item) {
+bool takes_value(const OpenItem& item) {
     static constexpr WordId kLeading[] = {"gradient"_w, "mandel"_w, "julia"_w, "spiral1"_w, "spiral2"_w};
     return item.kind == Item::Kind::word && (contains(kLeading, item.word) || contains(kNormal, item.word) || !find_pattern(kWords[item.word]));
 }
 
 /// A number that nothing before it asks for is that of crand (probed: wherever it stands). Takes what the items hold.
-std::vector<Item> with_crand(std::span<Item> items) {
-    std::vector<Item> out;
+std::vector<OpenItem> with_crand(std::span<OpenItem> items) {
+    std::vector<OpenItem> out;
     bool asked = false;
-    for (Item& item : items) {
+    for (OpenItem& item : items) {
         if (!asked && item.kind == Item::Kind::value && item.value.kind == Kind::number) out.push_back(plain_word("crand"_w, item.place));
         asked = takes_value(item);
         out.push_back(std::move(item));
@@ -65,9 +65,9 @@ std::vector<Item> with_crand(std::span<Item> items) {
 }
 
 /// What stands in the block in place of `run`; takes what they hold.
-std::vector<Item> contents(std::span<Item> run) {
-    std::vector<Item> out;
-    for (Item& item : run) {
+std::vector<OpenItem> contents(std::span<OpenItem> run) {
+    std::vector<OpenItem> out;
+    for (OpenItem& item : run) {
         const bool waves = item.kind == Item::Kind::word && (item.word == "marble"_w || item.word == "wood"_w);
         const Place at = item.place;
         out.push_back(std::move(item));
@@ -78,10 +78,10 @@ std::vector<Item> contents(std::span<Item> run) {
 
 }  // namespace
 
-std::vector<Item> with_blocks_for_old_words(std::span<Item> written, const Ref<Meter>& meter, uint32_t defaults, float version) {
-    std::vector<Item> items = with_crand(written);
+std::vector<OpenItem> with_blocks_for_old_words(std::span<OpenItem> written, const Ref<Meter>& meter, uint32_t defaults, float version) {
+    std::vector<OpenItem> items = with_crand(written);
     const std::vector<WordId> homes = homes_in_texture(items);
-    std::vector<Item> out;
+    std::vector<OpenItem> out;
     for (size_t i = 0, end; i < items.size(); i = end) {
         end = i + 1;
         if (!homes[i]) {
@@ -89,8 +89,8 @@ std::vector<Item> with_blocks_for_old_words(std::span<Item> written, const Ref<M
             continue;
         }
         while (end < items.size() && homes[end] == homes[i]) ++end;
-        Item part = plain_word(homes[i], items[i].place);
-        std::vector<Item> inside = contents(std::span(items).subspan(i, end - i));
+        OpenItem part = plain_word(homes[i], items[i].place);
+        std::vector<OpenItem> inside = contents(std::span(items).subspan(i, end - i));
         const Ref<Block> block = Block::of(inside, meter);
         block->word = part.word, block->place = part.place, block->defaults = defaults, block->version = version;
         part.kind = Item::Kind::block, part.value = Value::of(Kind::block, block);

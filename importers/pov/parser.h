@@ -103,7 +103,7 @@ class Parser {
     bool keep_names = false;          ///< in function{}: names that nobody declared are parameters
     uint64_t loop_turns = 0;
     Ref<Meter> elements{new Meter}, items{new Meter};   ///< of all arrays, of all blocks
-    std::vector<Item> open_items;                     ///< of the blocks that are being read, those of the innermost last
+    std::vector<OpenItem> open_items;                     ///< of the blocks that are being read, those of the innermost last
     std::vector<std::pair<Place, Value>> defaults;    ///< #default, in order
     std::vector<Value> globals;                       ///< blocks of global_settings so far, in order
     std::map<WordId, std::string> undeclared_hints;   ///< of names that were not declared: a loop comes to one again and again

@@ -81,19 +81,18 @@ class Reader {
         const Ref<Slot> slot = parse_reference(p_, name, false);      // says what is not declared
         if (!slot || slot->value.kind != Kind::block) return false;
         p_.check_items(name.place());
-        Item named;
+        OpenItem named;
         named.kind = Item::Kind::value, named.place = name.place(), named.value = slot->value;
         const Ref<Block> block = Block::of({&named, 1}, p_.items);
         block->word = "object"_w, block->place = name.place(), block->defaults = uint32_t(p_.defaults.size()), block->version = float(p_.version);
-        Item item;
-        item.kind = Item::Kind::block, item.place = name.place(), item.word = block->word, item.value = Value::of(Kind::block, block);
-        program_.items.push_back(std::move(item));
+        program_.blocks.push_back(block);
         return true;
     }
 
     void take_charset(const Block& settings) {
-        for (size_t i = 1; i < settings.items.size(); ++i)
-            if (settings.items[i - 1].kind == Item::Kind::word && settings.items[i - 1].word == "charset"_w) p_.charset_utf8 = settings.items[i].kind == Item::Kind::word && settings.items[i].word == "utf8"_w;
+        const std::span<const Item> items = settings.items();
+        for (size_t i = 1; i < items.size(); ++i)
+            if (items[i - 1].kind == Item::Kind::word && items[i - 1].word == "charset"_w) p_.charset_utf8 = items[i].kind == Item::Kind::word && items[i].word == "utf8"_w;
     }
 
     void statement() {
@@ -105,22 +104,14 @@ class Reader {
         if (is_old_directive(token)) return obey_old(token);
         if (token.kind == TokenKind::name && take_declared(token)) return;
         if (token.kind != TokenKind::word || !p_.peek().is('{')) p_.fail(token.place(), fmt::format("an object or a directive is expected, not {}", p_.describe(token)));
-        Item item;
-        item.kind = Item::Kind::block, item.place = token.place();
-        item.value = parse_block(p_, token.id, token.place());
-        item.word = item.value.as<Block>().word;
-        if (token.id == "global_settings"_w) take_charset(item.block()), p_.globals.push_back(std::move(item.value));
-        else program_.items.push_back(std::move(item));
+        Value block = parse_block(p_, token.id, token.place());
+        if (token.id == "global_settings"_w) take_charset(block.as<Block>()), p_.globals.push_back(std::move(block));
+        else program_.blocks.emplace_back(&block.as<Block>());
     }
 
     /// Those of blocks and of directives take their places among what else the scene holds.
     void take_settings() {
-        for (; settings_ < p_.globals.size(); ++settings_) {
-            Item item;
-            item.kind = Item::Kind::block, item.word = "global_settings"_w, item.value = p_.globals[settings_];
-            item.place = item.block().place;
-            program_.items.push_back(std::move(item));
-        }
+        for (; settings_ < p_.globals.size(); ++settings_) program_.blocks.emplace_back(&p_.globals[settings_].as<Block>());
     }
 
     /// After an error: leaves macros, and goes on at the next directive or word that begins a line.

@@ -9,7 +9,7 @@ namespace alidade::pov {
 
 /// What builders read.
 struct Program {
-    std::vector<Item> items;                          ///< top-level blocks in order
+    std::vector<Ref<Block>> blocks;                   ///< of the top level, in order
     std::vector<Value> defaults;                      ///< blocks of #default, in order; Block::defaults tells how many of them stood before a block
     double version = 3.7;
     bool version_given = false;

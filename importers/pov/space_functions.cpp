@@ -31,11 +31,11 @@ const InternalFunction* internal_of(const Parser& p, const Function& function) {
 NoiseGenerator usual_noise(const Parser& p) {
     NoiseGenerator noise = p.version_given && p.version < 3.5 - 1e-9 ? NoiseGenerator::original : NoiseGenerator::range_corrected;
     for (const Value& settings : p.globals) {
-        const std::span<const Item> items = settings.as<Block>().items;
+        const std::span<const Item> items = settings.as<Block>().items();
         for (size_t i = 0; i + 1 < items.size(); ++i) {
-            const bool here = items[i].kind == Item::Kind::word && items[i].word == "noise_generator"_w && items[i + 1].value.kind == Kind::number;
-            const double number = items[i + 1].value.c[0];
-            if (here) noise = NoiseGenerator(number >= 1 ? number <= 3 ? int(number) : 3 : 1);
+            if (items[i].kind != Item::Kind::word || items[i].word != "noise_generator"_w || items[i + 1].value_kind() != Kind::number) continue;
+            const double number = items[i + 1].number();
+            noise = NoiseGenerator(number >= 1 ? number <= 3 ? int(number) : 3 : 1);
         }
     }
     return noise;
@@ -47,13 +47,13 @@ namespace {
 void set_usual_gamma(const Parser& p, Build& build) {
     build.uncorrected = (!p.version_given || p.version < 3.7 - 1e-9) && !p.told_of_gamma();
     for (const Value& settings : p.globals) {
-        const std::span<const Item> items = settings.as<Block>().items;
+        const std::span<const Item> items = settings.as<Block>().items();
         for (size_t i = 0; i + 1 < items.size(); ++i) {
             if (items[i].kind != Item::Kind::word || items[i].word != "assumed_gamma"_w) continue;
             const Item& what = items[i + 1];
             build.uncorrected = false;
             build.scene.settings.srgb_coded = what.kind == Item::Kind::word;
-            if (what.value.kind == Kind::number && what.value.c[0] > 0) build.scene.settings.assumed_gamma = what.value.c[0];
+            if (what.value_kind() == Kind::number && what.number() > 0) build.scene.settings.assumed_gamma = what.number();
         }
     }
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "importers/pov/value.h"
 
+#include <algorithm>
 #include <fmt/format.h>
 #include <memory>
 
@@ -12,18 +13,48 @@ Value Value::string(std::string text) { return of(Kind::string, Ref<String>(new 
 
 const std::string& Value::text() const { return as<String>().text; }
 
-Block::Block(std::span<Item> from, Ref<Meter> counted_by) : meter(std::move(counted_by)) {
-    Item* const first = reinterpret_cast<Item*>(reinterpret_cast<std::byte*>(this) + sizeof(Block));
-    std::uninitialized_move(from.begin(), from.end(), first);
-    items = {first, from.size()};
-    meter->used += items.size() + kWeight;
-    for (const Item& item : items)
+Item::Item(OpenItem&& from, double*& room) : kind(from.kind), value_kind_(from.value.kind), terms_(from.value.terms), rest_(from.value.rest), word(from.word), place(from.place) {
+    if (const size_t several = from.components()) {
+        several_ = room;
+        room = std::copy_n(from.value.c.begin(), several, room);
+    } else if (numeric()) {
+        number_ = from.value.c[0];
+    } else {
+        shared_ = from.value.shared.release();
+    }
+}
+
+Item::~Item() {
+    if (shares()) Ref<Shared>::own(shared_);
+}
+
+Value Item::value() const {
+    Value out;
+    out.kind = value_kind_, out.terms = terms_, out.rest = rest_;
+    if (components() > 1) std::copy_n(several_, components(), out.c.begin());
+    else if (numeric()) out.c[0] = number_;
+    else out.shared = Ref<Shared>(shared_);
+    return out;
+}
+
+Ref<Block> Block::of(std::span<OpenItem> items, Ref<Meter> meter) {
+    size_t components = 0;
+    for (const OpenItem& item : items) components += item.components();
+    return Ref<Block>(new (Room{items.size(), components}) Block(items, std::move(meter)));
+}
+
+Block::Block(std::span<OpenItem> from, Ref<Meter> counted_by) : count_(uint32_t(from.size())), meter(std::move(counted_by)) {
+    meter->used += from.size() + kWeight;
+    for (const OpenItem& item : from)
         if (item.value.shared) depth = std::max(depth, item.value.shared->depth + 1);
+    Item* to = reinterpret_cast<Item*>(this + 1);
+    double* room = reinterpret_cast<double*>(to + from.size());
+    for (OpenItem& item : from) new (to++) Item(std::move(item), room);
 }
 
 Block::~Block() {
-    meter->used -= items.size() + kWeight;
-    std::destroy(items.begin(), items.end());
+    meter->used -= count_ + kWeight;
+    std::destroy_n(reinterpret_cast<Item*>(this + 1), count_);
 }
 
 std::string kind_name(const Value& value) {

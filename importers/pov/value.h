@@ -4,7 +4,9 @@
 
 #include "importers/pov/lexer.h"
 
+#include <algorithm>
 #include <array>
+#include <memory>
 #include <span>
 #include <utility>
 
@@ -37,6 +39,12 @@ class Ref {
     }
     ~Ref() { if (p_ && --p_->uses == 0) destroy(p_); }
 
+    /// Takes over a use that release() gave away.
+    static Ref own(T* p) {
+        Ref out;
+        return out.p_ = p, out;
+    }
+    T* release() { return std::exchange(p_, nullptr); }
     T* get() const { return p_; }
     T* operator->() const { return p_; }
     T& operator*() const { return *p_; }
@@ -54,6 +62,8 @@ inline double in_single(double x) {
 }
 
 enum class Kind : uint8_t { nothing, number, vector, colour, string, array, block, function, spline, macro, file };
+
+constexpr bool is_numeric(Kind kind) { return kind == Kind::number || kind == Kind::vector || kind == Kind::colour; }
 
 /// "float", "vector of 3", ...: as messages say it.
 std::string kind_name(const struct Value& value);
@@ -91,7 +101,7 @@ struct Value {
         return v;
     }
 
-    bool numeric() const { return kind == Kind::number || kind == Kind::vector || kind == Kind::colour; }
+    bool numeric() const { return is_numeric(kind); }
     template <class T>
     T& as() const { return static_cast<T&>(*shared.get()); }
     const std::string& text() const;
@@ -138,43 +148,94 @@ struct NumberList : Shared {
 };
 
 struct Block;
+/// One thing in a block that is being read.
+struct OpenItem;
 
-/// One thing in a block: a word, a value, a block, or the brackets of a map's entry.
-struct Item {
+/// One thing in a block: a word, a value, a block, or the brackets of a map's entry. There are many, so that they are kept small: of a vector or a colour the components stand behind the items of the block.
+class Item {
+  public:
     enum class Kind : uint8_t { word, value, numbers, block, entry };
-    Kind kind = Kind::word;
+
+    /// Takes what `from` holds; its components, if there are several, are copied to `room`, which moves behind them.
+    Item(OpenItem&& from, double*& room);
+    Item(const Item&) = delete;
+    Item& operator=(const Item&) = delete;
+    ~Item();
+
+    pov::Kind value_kind() const { return value_kind_; }
+    bool numeric() const { return is_numeric(value_kind_); }
+    /// The first component of what is numeric.
+    double number() const { return components() > 1 ? *several_ : number_; }
+    Value value() const;
+    template <class T>
+    T& as() const { return static_cast<T&>(*shared_); }
+    const Block& block() const { return as<Block>(); }
+    const std::string& text() const { return as<String>().text; }
+
+    const Kind kind;
+
+  private:
+    bool shares() const { return !numeric() && shared_; }
+    uint8_t components() const { return numeric() ? std::max(terms_, rest_) : uint8_t(0); }
+
+    pov::Kind value_kind_;
+    uint8_t terms_, rest_;        ///< of a Value
+
+  public:
+    const WordId word;            ///< of a word or a block
+    const Place place;
+
+  private:
+    union {
+        double number_;
+        const double* several_;
+        Shared* shared_;
+    };
+};
+static_assert(sizeof(Item) == 24);
+
+struct OpenItem {
+    Item::Kind kind = Item::Kind::word;
     Place place;
-    WordId word = 0;               ///< of a word or a block
-    Value value;                   ///< of a value; a block or an entry is a Value of kind block
+    WordId word = 0;
+    Value value;                  ///< of a value; a block or an entry is a Value of kind block
+    pov::Kind value_kind() const { return value.kind; }
+    double number() const { return value.c[0]; }
     const Block& block() const { return value.as<Block>(); }
+    size_t components() const { return value.numeric() && std::max(value.terms, value.rest) > 1 ? std::max(value.terms, value.rest) : 0; }
 };
 
 /// `word { items }` with every expression evaluated: what builders read. Most are small and there are many, so the items lie right behind the block.
 struct Block : Shared {
     static constexpr size_t kWeight = 2;    ///< a block takes the memory of so many items besides its own
     /// Takes what the items hold.
-    static Ref<Block> of(std::span<Item> items, Ref<Meter> meter) { return Ref<Block>(new (Room{items.size()}) Block(items, std::move(meter))); }
+    static Ref<Block> of(std::span<OpenItem> items, Ref<Meter> meter);
     Block(const Block&) = delete;
     Block& operator=(const Block&) = delete;
     ~Block() override;
     static void operator delete(void* block) { ::operator delete(block); }
+    std::span<const Item> items() const { return {reinterpret_cast<const Item*>(this + 1), count_}; }
 
     WordId word = 0;
     Place place;
     uint32_t defaults = 0;            ///< how many #default stood before it: what is left out of a texture comes from them
     float version = 0;                ///< of the language where it stood; 3.7 where no #version was given
-    std::span<const Item> items;
-    Ref<Meter> meter;
-    std::vector<Ref<Block>> layers;   ///< further textures of a declared layered texture
 
   private:
     struct Room {
-        size_t items;
+        size_t items, components;
     };
-    static void* operator new(size_t size, Room room) { return ::operator new(size + room.items * sizeof(Item)); }
+    static void* operator new(size_t size, Room room) { return ::operator new(size + room.items * sizeof(Item) + room.components * sizeof(double)); }
     static void operator delete(void* block, Room) { ::operator delete(block); }
-    Block(std::span<Item> from, Ref<Meter> meter);
+    Block(std::span<OpenItem> from, Ref<Meter> meter);
+
+    uint32_t count_ = 0;
+
+  public:
+    Ref<Meter> meter;
+    std::unique_ptr<std::vector<Ref<Block>>> layers;   ///< further textures of a declared layered texture; null: none
 };
+static_assert(sizeof(Block) % alignof(Item) == 0 && alignof(Item) == alignof(double));
 
 /// A macro: its body is a range of tokens of a file.
 struct Macro : Shared {

@@ -34,8 +34,8 @@ TEST_P(PovInclude, IsReadWithoutAnError) {
     const std::string text = "#version 3.7;\nglobal_settings { assumed_gamma 1 }\n#include \"colors.inc\"\n#include \"shapes.inc\"\n#include \"" + GetParam() + "\"\nsphere { 0, 1 }\n";
     const Program program = read_program_text("scene.pov", text, {}, said);
     EXPECT_FALSE(said.has_errors()) << said.text();
-    ASSERT_GE(program.items.size(), 2u);
-    EXPECT_EQ(program.items.back().word, "sphere"_w) << "reading came to the end";
+    ASSERT_GE(program.blocks.size(), 2u);
+    EXPECT_EQ(program.blocks.back()->word, "sphere"_w) << "reading came to the end";
 }
 
 INSTANTIATE_TEST_SUITE_P(Standard, PovInclude, testing::ValuesIn(standard_includes()), [](const auto& info) {

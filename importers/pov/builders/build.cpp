@@ -41,7 +41,7 @@ bool Cursor::accept(WordId word) {
 }
 
 const Block* Cursor::any_block() const {
-    return !done() && peek().value.kind == Kind::block && peek().kind != Item::Kind::entry ? &peek().block() : nullptr;
+    return !done() && peek().value_kind() == Kind::block && peek().kind != Item::Kind::entry ? &peek().block() : nullptr;
 }
 
 const Block* Cursor::block_at(WordId word) const {
@@ -51,7 +51,7 @@ const Block* Cursor::block_at(WordId word) const {
 
 double Cursor::number(const char* what) {
     if (!at_number()) build_.p.fail(place(), fmt::format("a number is expected as {}", what));
-    return next().value.c[0];
+    return next().number();
 }
 
 int Cursor::integer(const char* what, int low, int high) {
@@ -62,14 +62,13 @@ int Cursor::integer(const char* what, int low, int high) {
 Vec3 Cursor::vector(const char* what, uint8_t terms) {
     if (!at_numeric()) build_.p.fail(place(), fmt::format("a vector is expected as {}", what));
     const Item& item = next();
-    const std::array<double, 5> c = wanted_vector(build_.p, item.value, terms, item.place, "as", what);
+    const std::array<double, 5> c = wanted_vector(build_.p, item.value(), terms, item.place, "as", what);
     return {c[0], c[1], c[2]};
 }
 
 std::array<double, 5> Cursor::colour(const char* what) {
     if (!at_numeric()) build_.p.fail(place(), fmt::format("a colour is expected as {}", what));
-    const Value& value = next().value;
-    return promoted(value, 5);        // a float by itself is all five
+    return promoted(next().value(), 5);        // a float by itself is all five
 }
 
 Color Cursor::rgb(const char* what) {
@@ -79,7 +78,7 @@ Color Cursor::rgb(const char* what) {
 
 bool Cursor::flag() {
     if (!at_number()) return true;
-    return truth(next().value.c[0]);
+    return truth(next().number());
 }
 
 bool Cursor::at_transform() const { return !done() && begins_transform(peek()); }

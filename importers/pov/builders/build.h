@@ -75,20 +75,20 @@ class Cursor {
     /// Begins behind the first `skipped` items.
     Cursor(Build& build, const Block& block, size_t skipped = 0) : build_(build), block_(block), i_(skipped) {}
 
-    bool done() const { return i_ >= block_.items.size(); }
-    const Item& peek() const { return block_.items[i_]; }
+    bool done() const { return i_ >= block_.items().size(); }
+    const Item& peek() const { return block_.items()[i_]; }
     /// Is it an identifier that holds the block, and not the block itself?
     bool at_declared() const { return peek().kind == Item::Kind::value; }
-    const Item& next() { return block_.items[i_++]; }
+    const Item& next() { return block_.items()[i_++]; }
     Place place() const { return done() ? block_.place : peek().place; }
     const Block& block() const { return block_; }
 
     bool at_word(WordId word) const { return !done() && peek().kind == Item::Kind::word && peek().word == word; }
     bool at_block(WordId word) const { return block_at(word) != nullptr; }
-    bool at_number() const { return !done() && peek().kind == Item::Kind::value && peek().value.kind == Kind::number; }
-    bool at_colour() const { return !done() && peek().kind == Item::Kind::value && peek().value.kind == Kind::colour; }
-    bool at_function() const { return !done() && peek().kind == Item::Kind::value && peek().value.kind == Kind::function; }
-    bool at_numeric() const { return !done() && peek().kind == Item::Kind::value && peek().value.numeric(); }
+    bool at_number() const { return !done() && peek().kind == Item::Kind::value && peek().value_kind() == Kind::number; }
+    bool at_colour() const { return !done() && peek().kind == Item::Kind::value && peek().value_kind() == Kind::colour; }
+    bool at_function() const { return !done() && peek().kind == Item::Kind::value && peek().value_kind() == Kind::function; }
+    bool at_numeric() const { return !done() && peek().kind == Item::Kind::value && peek().numeric(); }
     /// Takes the word if it comes next.
     bool accept(WordId word);
     /// `word { ... }`, or an identifier that stands for one, if it comes next: not taken.

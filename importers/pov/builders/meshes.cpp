@@ -98,8 +98,8 @@ class Slots {
 
 /// The texture itself where a block only names it.
 const Block& named(const Block& texture) {
-    const bool only = texture.items.size() == 1 && texture.items[0].value.kind == Kind::block;
-    return only && texture.items[0].block().word == "texture"_w ? texture.items[0].block() : texture;
+    const bool only = texture.items().size() == 1 && texture.items()[0].value_kind() == Kind::block;
+    return only && texture.items()[0].block().word == "texture"_w ? texture.items()[0].block() : texture;
 }
 
 /// POV-Ray's v grows upwards.
@@ -163,7 +163,7 @@ std::vector<Vec3> take_vectors(Build& build, const Block& block, uint8_t terms =
     Cursor at(build, block);
     const Announced announced(at);
     std::vector<Vec3> out;
-    out.reserve(block.items.size());
+    out.reserve(block.items().size());
     while (!at.done()) out.push_back(at.vector("a vector of a mesh", terms));
     announced.check(build, block, out.size());
     return out;

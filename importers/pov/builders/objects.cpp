@@ -50,14 +50,14 @@ CsgKind csg_of(WordId word) {
 }
 
 bool changes_surface(const Item& item) {
-    return item.value.kind == Kind::block && belongs_to_objects(item.block().word);
+    return item.value_kind() == Kind::block && belongs_to_objects(item.block().word);
 }
 
 /// `no_image off` takes back what the declared object says.
 bool undoes_flags(std::span<const Item> items) {
     for (size_t i = 0; i + 1 < items.size(); ++i) {
         const bool is_flag = items[i].kind == Item::Kind::word && (items[i].word == "no_image"_w || items[i].word == "no_reflection"_w);
-        if (is_flag && items[i + 1].value.kind == Kind::number && items[i + 1].value.c[0] == 0) return true;
+        if (is_flag && items[i + 1].value_kind() == Kind::number && items[i + 1].number() == 0) return true;
     }
     return false;
 }
@@ -182,7 +182,7 @@ void take_clips(Build& build, Draft& d, const Block& block, const Transform& mov
 /// What bounds an object is trusted by POV-Ray and not needed here, unless it clips as well; `bounded_by { clipped_by }` says nothing new.
 void take_bound(Draft& d, const Block& block) {
     d.bounded = true;
-    const bool names_clips = !block.items.empty() && block.items[0].kind == Item::Kind::word;
+    const bool names_clips = !block.items().empty() && block.items()[0].kind == Item::Kind::word;
     if (!names_clips) d.bound = &block, d.bound_transform = d.transform * d.before;
 }
 
@@ -253,7 +253,7 @@ bool object(Build& build, Cursor& at, Draft& d) {
     const Block* inner = at.any_block();
     if (!inner || !is_object(inner->word)) build.p.fail(at.place(), fmt::format("an object is expected in {} {{ }}", kWords[at.block().word]));
     at.next();
-    const std::span<const Item> items = at.block().items;
+    const std::span<const Item> items = at.block().items();
     d.shows_cuts = d.shows_cuts || std::any_of(items.begin(), items.end(), shows_cuts);
     d.changed = d.changed || std::any_of(items.begin(), items.end(), changes_surface) || undoes_flags(items) || at.block().word == "light_group"_w || (inner->word == "light_group"_w && build.lit_globally > 0) || build.uv_mapped > 0;
     if (build.shapes_alone || !(d.shows_cuts || d.changed)) return reference(build, *inner, d);
@@ -290,19 +290,19 @@ bool shape(Build& build, const Block& block, Cursor& at, Draft& d) {
 /// `light_group { ... global_lights on }`: holds for all groups in it, whatever they say.
 bool takes_global_lights(const Block& group) {
     bool on = false;
-    for (size_t i = 0; i < group.items.size(); ++i)
-        if (group.items[i].kind == Item::Kind::word && group.items[i].word == "global_lights"_w) on = i + 1 == group.items.size() || group.items[i + 1].value.kind != Kind::number || group.items[i + 1].value.c[0] != 0;
+    for (size_t i = 0; i < group.items().size(); ++i)
+        if (group.items()[i].kind == Item::Kind::word && group.items()[i].word == "global_lights"_w) on = i + 1 == group.items().size() || group.items()[i + 1].value_kind() != Kind::number || group.items()[i + 1].number() != 0;
     return on;
 }
 
-bool is_object_at(const Block& block, size_t i) { return i < block.items.size() && block.items[i].value.kind == Kind::block && is_object(block.items[i].block().word); }
+bool is_object_at(const Block& block, size_t i) { return i < block.items().size() && block.items()[i].value_kind() == Kind::block && is_object(block.items()[i].block().word); }
 
 /// `sphere { Ball ... }` is Ball. POV-Ray does not ask of what kind that is: `quadric { Ellipsoid }`, `union { Ball }`. Where it stands among parts it is one.
 bool names_an_object(const Block& block, const Cursor& at) {
     if (!is_object_at(block, 0)) return false;
-    if (block.word == "light_group"_w) return at.at_declared() && block.items[0].block().word == block.word;
+    if (block.word == "light_group"_w) return at.at_declared() && block.items()[0].block().word == block.word;
     if (csg_of(block.word) != CsgKind::none) return at.at_declared() && !is_object_at(block, 1);
-    return at.at_declared() || block.items[0].block().word == block.word;
+    return at.at_declared() || block.items()[0].block().word == block.word;
 }
 
 /// Reads an object into `d`, which is as it was made; false if it is not modelled.
@@ -312,9 +312,9 @@ bool draft(Build& build, const Block& block, Draft& d) {
     const bool wraps = block.word == "object"_w || block.word == "looks_like"_w || block.word == "projected_through"_w;
     const Transform placed = std::exchange(d.placed, Transform());
     const auto says_uv_mapping = [](const Item& item) { return item.kind == Item::Kind::word && item.word == "uv_mapping"_w; };
-    const Within uv(build.uv_mapped, !wraps && std::any_of(block.items.begin(), block.items.end(), says_uv_mapping));
-    const auto has_inside = [](const Item& item) { return item.value.kind == Kind::block && item.block().word == "interior_texture"_w; };
-    d.uv_mapped = d.uv_mapped || (build.uv_mapped > 0 && std::none_of(block.items.begin(), block.items.end(), has_inside));   // POV-Ray does not map those with two sides by what is said around them
+    const Within uv(build.uv_mapped, !wraps && std::any_of(block.items().begin(), block.items().end(), says_uv_mapping));
+    const auto has_inside = [](const Item& item) { return item.value_kind() == Kind::block && item.block().word == "interior_texture"_w; };
+    d.uv_mapped = d.uv_mapped || (build.uv_mapped > 0 && std::none_of(block.items().begin(), block.items().end(), has_inside));   // POV-Ray does not map those with two sides by what is said around them
     if (wraps || names_an_object(block, at)) {
         if (!object(build, at, d)) return false;
         d.transform = placed * d.transform;

@@ -111,10 +111,10 @@ PatternPicture take_picture(Build& build, Cursor& at, double* depth) {
     if (at.at_numeric()) at.next();                                  // the old direction, which says nothing any more
     const Format& format = take_format(at);
     const Place place = at.place();
-    const bool named = !at.done() && at.peek().kind == Item::Kind::value && at.peek().value.kind == Kind::string;
+    const bool named = !at.done() && at.peek().kind == Item::Kind::value && at.peek().value_kind() == Kind::string;
     if (!named) build.p.fail(place, fmt::format("the name of a file is expected in {}", kWords[block.word]), "pictures that are made by functions are not modelled yet");
     out.premultiplied = format.word == "exr"_w;                      // as that format has it
-    out.image = add_image(build, at.next().value.text(), format, place);
+    out.image = add_image(build, at.next().text(), format, place);
     set_usual_code(build, block, format, out);
     while (!at.done() && take_modifier(build, at, out, depth)) continue;
     return out;

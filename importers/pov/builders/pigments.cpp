@@ -132,7 +132,7 @@ void read_pigment(Build& build, Cursor& at, Signal& pigment, PatternSignal& loos
 }  // namespace
 
 void tally_pattern(Build& build, const Item& item, const char* what) {
-    const bool block = item.value.kind == Kind::block;
+    const bool block = item.value_kind() == Kind::block;
     const std::string_view word = block || item.kind == Item::Kind::word ? kWords[block ? item.block().word : item.word] : "a function";
     if (word.size() > 4 && word.substr(word.size() - 4) == "_map") build.p.fail(item.place, fmt::format("{} cannot stand in this {}", word, what));   // maps are no patterns
     build.p.tally(item.place, fmt::format("the pattern {} of a {} is not modelled yet: middle grey stands for it", word, what));

@@ -13,7 +13,7 @@ BuiltShape polynomial(Build& build, Cursor& at, int order) {
     const size_t terms = Polynomial::terms(order);
     if (at.done() || at.peek().kind != Item::Kind::numbers) build.p.fail(place, fmt::format("the {} coefficients of a polynomial are expected", terms));
     Polynomial f;
-    f.order = order, f.coefficients = at.next().value.as<NumberList>().numbers;
+    f.order = order, f.coefficients = at.next().as<NumberList>().numbers;
     if (f.coefficients.size() != terms) build.p.fail(place, fmt::format("a polynomial of order {} has {} coefficients, and here are {}", order, terms, f.coefficients.size()));
     return {std::move(f), {}};
 }

@@ -40,8 +40,7 @@ void add_root(Build& build, const Block& block) {
     build.scene.roots.push_back(root);
 }
 
-void build_item(Build& build, const Item& item, std::optional<Camera>& camera) {
-    const Block& block = item.block();
+void build_top_level(Build& build, const Block& block, std::optional<Camera>& camera) {
     switch (block.word) {
         case "camera"_w: camera = build_camera(build, block); return;
         case "global_settings"_w: return read_globals(build, block);
@@ -52,8 +51,8 @@ void build_item(Build& build, const Item& item, std::optional<Camera>& camera) {
         default: break;
     }
     if (is_object(block.word)) return add_root(build, block);
-    if (belongs_to_objects(block.word)) build.p.fail(item.place, fmt::format("an object or a directive is expected, not {}", kWords[block.word]));
-    build.p.tally(item.place, fmt::format("{} is not modelled yet: it is left out", kWords[block.word]));
+    if (belongs_to_objects(block.word)) build.p.fail(block.place, fmt::format("an object or a directive is expected, not {}", kWords[block.word]));
+    build.p.tally(block.place, fmt::format("{} is not modelled yet: it is left out", kWords[block.word]));
 }
 
 /// The last camera is the scene's.
@@ -78,10 +77,10 @@ Scene build_scene(Parser& parser, const Program& program) {
     build.defaults = program.defaults;
     begin_settings(build, program);
     std::optional<Camera> camera;
-    for (const Item& item : program.items) {
+    for (const Ref<Block>& block : program.blocks) {
         parser.reset_nesting();
         try {
-            build_item(build, item, camera);
+            build_top_level(build, *block, camera);
         } catch (Failure& failure) {
             parser.report(std::move(failure.diagnostic));
             if (failure.fatal) break;

@@ -62,8 +62,8 @@ const Font& font_named(Build& build, const std::string& name, Place place) {
 }
 
 std::string take_string(Build& build, Cursor& at, const char* what) {
-    if (at.done() || at.peek().kind != Item::Kind::value || at.peek().value.kind != Kind::string) build.p.fail(at.place(), fmt::format("a string is expected as {}", what));
-    return at.next().value.text();
+    if (at.done() || at.peek().kind != Item::Kind::value || at.peek().value_kind() != Kind::string) build.p.fail(at.place(), fmt::format("a string is expected as {}", what));
+    return at.next().text();
 }
 
 /// `ttf "name"` or `internal 1`.

@@ -25,7 +25,7 @@ struct Draft {
 /// A texture of a map, made once however often maps have it.
 MaterialId part(Build& build, const Block& block, size_t skipped) {
     const Block* key = &block;
-    if (block.items.size() == skipped + 1)
+    if (block.items().size() == skipped + 1)
         if (const Block* only = Cursor(build, block, skipped).block_at("texture"_w)) key = only;
     const auto known = build.parts.find(key);
     if (known != build.parts.end()) return known->second;
@@ -250,7 +250,8 @@ TextureLayers build_texture(Build& build, const Block& block, size_t skipped) {
     d.layers = {default_texture(build, block.defaults)};
     Cursor at(build, block, skipped);
     read_texture(build, at, d);
-    for (const Ref<Block>& layer : block.layers) {
+    if (!block.layers) return std::move(d.layers);
+    for (const Ref<Block>& layer : *block.layers) {
         TextureLayers more = build_texture(build, *layer);
         if (d.layers.size() + more.size() > kMostLayers) build.p.fail_limit(block.place, fmt::format("the texture has more than {} layers", kMostLayers));
         add_layers(build, d.layers, std::move(more), block.version);

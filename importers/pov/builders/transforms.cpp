@@ -11,8 +11,8 @@ namespace alidade::pov {
 namespace {
 
 Vec3 three(Parser& p, const Item& item, WordId word) {
-    if (item.kind != Item::Kind::value || !item.value.numeric()) p.fail(item.place, fmt::format("a vector is expected behind {}", kWords[word]));
-    const std::array<double, 5> c = wanted_vector(p, item.value, 3, item.place, "behind", kWords[word]);
+    if (item.kind != Item::Kind::value || !item.numeric()) p.fail(item.place, fmt::format("a vector is expected behind {}", kWords[word]));
+    const std::array<double, 5> c = wanted_vector(p, item.value(), 3, item.place, "behind", kWords[word]);
     return {c[0], c[1], c[2]};
 }
 
@@ -28,9 +28,9 @@ Transform scaling(Parser& p, const Item& item) {
 
 /// `matrix <...>` of twelve numbers: where x, y, z and the origin go.
 Transform matrix(Parser& p, const Item& item) {
-    const bool list = item.kind == Item::Kind::numbers && item.value.as<NumberList>().numbers.size() == 12;
+    const bool list = item.kind == Item::Kind::numbers && item.as<NumberList>().numbers.size() == 12;
     if (!list) p.fail(item.place, "twelve numbers in < > are expected behind matrix");
-    std::vector<double> m = item.value.as<NumberList>().numbers;
+    std::vector<double> m = item.as<NumberList>().numbers;
     for (size_t i = 0; i < 3; ++i)
         if (m[i] == 0 && m[3 + i] == 0 && m[6 + i] == 0) {
             p.warn(item.place, fmt::format("a matrix that makes all {0} 0 is taken as one that leaves {0} as it is", "xyz"[i]));
@@ -40,7 +40,7 @@ Transform matrix(Parser& p, const Item& item) {
 }
 
 const Block* as_transform(const Item& item) {
-    const bool holds = item.value.kind == Kind::block && item.block().word == "transform"_w;
+    const bool holds = item.value_kind() == Kind::block && item.block().word == "transform"_w;
     return holds ? &item.block() : nullptr;
 }
 
@@ -52,11 +52,11 @@ bool begins_transform(const Item& item) {
 }
 
 Transform take_transform(Parser& p, const Block& block, size_t& i) {
-    const Item& item = block.items[i++];
+    const Item& item = block.items()[i++];
     if (const Block* inner = as_transform(item)) return build_transform(p, *inner);
     if (!begins_transform(item)) p.fail(item.place, "this is no transformation");
-    if (i >= block.items.size()) p.fail(item.place, fmt::format("a value is expected behind {}", kWords[item.word]));
-    const Item& value = block.items[i++];
+    if (i >= block.items().size()) p.fail(item.place, fmt::format("a value is expected behind {}", kWords[item.word]));
+    const Item& value = block.items()[i++];
     switch (item.word) {
         case "translate"_w: return Transform::translate(three(p, value, item.word));
         case "rotate"_w: return {rotation(three(p, value, item.word)), Vec3(0)};
@@ -72,8 +72,8 @@ Transform build_transform(Parser& p, const Block& block) {
     const Nested nested(p, block.place);
     Transform all;
     bool inverted = false;
-    for (size_t i = 0; i < block.items.size();) {
-        const Item& item = block.items[i];
+    for (size_t i = 0; i < block.items().size();) {
+        const Item& item = block.items()[i];
         if (item.kind == Item::Kind::word && item.word == "inverse"_w) inverted = true, ++i;
         else all = take_transform(p, block, i) * all;
     }
