@@ -60,10 +60,12 @@ StartInside::StartInside(const CompiledScene& scene, const Camera& camera) : sce
     for (uint32_t i = 0; i < scene.solids.size(); ++i)
         if (const Instance* part = part_of_whole(scene, scene.solids[i])) look(uint32_t(scene.instances.size()) + i, *part, surfaces(scene, scene.solids[i].tree.nodes(), 0));
     if (!moves_origins(camera)) std::erase_if(bodies_, [&](const Body& body) { return !holds(body, camera.location); });
+    std::vector<Bounds> boxes;
+    for (const Body& body : bodies_) boxes.push_back(body.bounds);
+    tree_ = BoxTree(boxes);
 }
 
 bool StartInside::holds(const Body& body, const Vec3& point) const {
-    if (!body.bounds.contains(point)) return false;
     WorkCounters unused;
     const InstanceLeaves leaves(scene_, unused);
     if (body.id >= scene_.instances.size()) return scene_.solids[body.id - scene_.instances.size()].tree.inside(point, leaves);
@@ -72,9 +74,11 @@ bool StartInside::holds(const Body& body, const Vec3& point) const {
 }
 
 InteriorStack StartInside::at(const Vec3& origin) const {
+    std::vector<uint32_t> in;
+    tree_.holding(origin, [&](uint32_t i) { if (holds(bodies_[i], origin)) in.push_back(i); });
+    std::ranges::sort(in);
     InteriorStack inside;
-    for (const Body& body : bodies_)
-        if (holds(body, origin)) inside.enter(body.entry);
+    for (const uint32_t i : in) inside.enter(bodies_[i].entry);
     return inside;
 }
 

@@ -2,6 +2,7 @@
 /// What a camera's rays are in when they begin: it is left where they come to its surface, and what is not hollow keeps fog out.
 #pragma once
 
+#include "tracer/box_tree.h"
 #include "tracer/compiled_scene.h"
 #include "tracer/interior_stack.h"
 
@@ -26,6 +27,7 @@ class StartInside {
 
     const CompiledScene& scene_;
     std::vector<Body> bodies_;        ///< those that may hold the origin of a ray
+    BoxTree tree_;                    ///< of their bounds: orthographic cameras begin each ray elsewhere
 };
 
 }  // namespace alidade
