@@ -170,8 +170,7 @@ int render_frame(const PovrayRequest& r, int frame) {
 
 int render_frames(const PovrayRequest& r) {
     if (!r.animated()) return render_frame(r, r.initial_frame);   // a subset is one of an animation's
-    const int first = r.subset_start.value_or(r.initial_frame), last = r.subset_end.value_or(r.final_frame);
-    if (first < r.initial_frame || last > r.final_frame || first > last) return fail("the subset of frames is empty or leaves the animation");
+    const auto [first, last] = subset_of(r);
     for (int64_t frame = first; frame <= last; frame += r.frame_step)
         if (const int code = render_frame(r, int(frame)); code != kDone) return code;
     return kDone;

@@ -4,6 +4,7 @@
 
 #include "tools/values.h"
 
+#include <algorithm>
 #include <filesystem>
 #include <fmt/format.h>
 
@@ -13,6 +14,13 @@ double clock_of(const PovrayRequest& r, int frame) {
     if (!r.animated()) return r.clock;
     const double steps = double(r.final_frame) - r.initial_frame + (r.cyclic ? 1 : 0);
     return steps > 0 ? r.initial_clock + (r.final_clock - r.initial_clock) * (double(frame) - r.initial_frame) / steps : r.initial_clock;
+}
+
+std::pair<int, int> subset_of(const PovrayRequest& r) {
+    const double frames = double(r.final_frame) - r.initial_frame + 1;
+    const auto number = [&](double end) { return int(end < 1 ? frames * end : end); };
+    const int first = r.subset_start > 0 ? std::max(number(r.subset_start), r.initial_frame) : r.initial_frame;
+    return {first, r.subset_end > 0 ? std::max(number(r.subset_end), first) : std::max(r.final_frame, first)};
 }
 
 std::string output_name(const PovrayRequest& r, int frame) {

@@ -41,9 +41,10 @@ template <double PovrayRequest::* Member> bool number(PovrayRequest& r, const Po
     return x ? (r.*Member = *x, true) : false;
 }
 
-template <std::optional<int> PovrayRequest::* Member> bool frame(PovrayRequest& r, const PovrayWord& w) {
-    const auto n = whole_number(r, w, 0, 1 << 30);
-    return n ? (r.*Member = *n, true) : false;
+/// The end of a subset of frames: its number, or below 1 a share of the animation.
+template <double PovrayRequest::* Member> bool frame(PovrayRequest& r, const PovrayWord& w) {
+    const auto x = parse_number(w.value, -1e9);
+    return x && *x < 1e9 ? (r.*Member = *x, true) : false;
 }
 
 /// `+X`, `-X` or `Key=on`.
@@ -62,9 +63,9 @@ template <bool PovrayRequest::* Member, double PovrayRequest::* Number> bool fla
 }
 
 /// Cut to what POV-Ray takes.
-bool antialias_depth(PovrayRequest& r, const PovrayWord& w) {
-    const auto n = whole_number(r, w, 0, 1 << 30);
-    return n ? (r.antialias_depth = std::clamp(*n, 1, 9), true) : false;
+template <int PovrayRequest::* Member, int Low, int High> bool clamped(PovrayRequest& r, const PovrayWord& w) {
+    const auto n = whole_number(r, w, -(1 << 30), 1 << 30);
+    return n ? (r.*Member = std::clamp(*n, Low, High), true) : false;
 }
 
 bool input(PovrayRequest& r, const PovrayWord& w) { return r.input = w.value, !w.value.empty(); }
@@ -128,11 +129,11 @@ constexpr PovrayRow kTable[] = {
     {"Antialias", "A", flag_with_number<&PovrayRequest::antialias, &PovrayRequest::antialias_threshold>},
     {"Antialias_Threshold", "", number<&PovrayRequest::antialias_threshold>},
     {"Antialias_Gamma", "AG", number<&PovrayRequest::antialias_gamma>},
-    {"Antialias_Depth", "R", antialias_depth},
-    {"Sampling_Method", "AM", integer<&PovrayRequest::sampling_method, 1, 2>},
+    {"Antialias_Depth", "R", clamped<&PovrayRequest::antialias_depth, 1, 9>},
+    {"Sampling_Method", "AM", clamped<&PovrayRequest::sampling_method, 1, 2>},
     {"Jitter", "J", flag_with_number<&PovrayRequest::jitter, &PovrayRequest::jitter_amount>},
     {"Jitter_Amount", "", number<&PovrayRequest::jitter_amount>},
-    {"Quality", "Q", integer<&PovrayRequest::quality, 0, 11>},
+    {"Quality", "Q", clamped<&PovrayRequest::quality, 0, 9>},
     {"Verbose", "V", flag<&PovrayRequest::verbose>},
     {"Display", "D", nothing},
     {"Video_Mode", "", nothing},
@@ -148,9 +149,9 @@ constexpr PovrayRow kTable[] = {
     {"Clock", "K", clock},
     {"Initial_Clock", "KI", number<&PovrayRequest::initial_clock>},
     {"Final_Clock", "KF", number<&PovrayRequest::final_clock>},
-    {"Initial_Frame", "KFI", integer<&PovrayRequest::initial_frame, 0, 1 << 30>},
-    {"Final_Frame", "KFF", integer<&PovrayRequest::final_frame, 0, 1 << 30>},
-    {"Frame_Step", "STP", integer<&PovrayRequest::frame_step, 1, 1 << 30>},
+    {"Initial_Frame", "KFI", clamped<&PovrayRequest::initial_frame, 0, 1 << 30>},
+    {"Final_Frame", "KFF", clamped<&PovrayRequest::final_frame, 0, 1 << 30>},
+    {"Frame_Step", "STP", clamped<&PovrayRequest::frame_step, 1, 1 << 30>},
     {"Cyclic_Animation", "KC", flag<&PovrayRequest::cyclic>},
     {"Subset_Start_Frame", "SF", frame<&PovrayRequest::subset_start>},
     {"Subset_End_Frame", "EF", frame<&PovrayRequest::subset_end>},

@@ -148,12 +148,12 @@ class Reading {
         return {};
     }
 
-    /// POV-Ray reads one Key=Value a line: to the end of what is quoted, or to a blank, unless it is a name. What follows is told.
+    /// POV-Ray reads one Key=Value a line: to the end of what is quoted, to a switch behind a blank if it is a name, or to a blank. What follows is told.
     size_t length_of_value(const std::string& key, const std::string& value) {
         const bool quoted = !value.empty() && (value[0] == '"' || value[0] == '\'');
         const auto table = povray_table();
         const bool name = lower(key) == "include_ini" || std::any_of(table.begin(), table.end(), [&](const PovrayRow& row) { return lower(row.key) == lower(key) && takes_name(row); });
-        size_t end = quoted ? value.find(value[0], 1) : name ? std::string::npos : value.find_first_of(" \t");
+        size_t end = quoted ? value.find(value[0], 1) : name ? std::min(value.find(" +"), value.find(" -")) : value.find_first_of(" \t");
         if (end == std::string::npos) return end;
         end += quoted;
         if (end < value.size()) request.notes.push_back(fmt::format("'{}={}': what follows the value is left out, as POV-Ray does: one Key=Value a line", key, value));
@@ -171,7 +171,7 @@ tl::expected<PovrayRequest, std::string> parse_povray_words(const std::vector<st
     for (const std::string& word : words)
         if (std::string wrong = reading.take(word); !wrong.empty()) return tl::unexpected(std::move(wrong));
     if (reading.request.input.empty()) return tl::unexpected(std::string("no scene is named: +Iscene.pov"));
-    if (reading.request.final_frame < reading.request.initial_frame) return tl::unexpected(std::string("the final frame comes before the initial one"));
+    reading.request.final_frame = std::max(reading.request.initial_frame, reading.request.final_frame);
     return std::move(reading.request);
 }
 

@@ -33,7 +33,7 @@ struct PovrayRequest {
     bool cyclic = false;
     int frame_step = 1;
     int initial_frame = 1, final_frame = 1;
-    std::optional<int> subset_start, subset_end;
+    double subset_start = 0, subset_end = 0;   ///< frames, or shares of the animation below 1; 0: all
     double start_column = 0, end_column = 0, start_row = 0, end_row = 0;   ///< pixels from 1, or shares of the picture up to 1; 0: all
     bool shows_scene_text = true;         ///< the console of the debug stream. Diagnostics always are shown
     std::array<std::string, kMessageStreams> message_files;   ///< by MessageStream; "": none
@@ -53,6 +53,9 @@ tl::expected<PovrayRequest, std::string> parse_povray_words(const std::vector<st
 
 /// The clock of a frame, which goes evenly from the initial to the final one; a cyclic animation does not repeat its first frame.
 double clock_of(const PovrayRequest& request, int frame);
+/// The first and the last frame of the subset. Measured: a share is one of the number of frames, cut, whatever the first one's number is; nothing comes before the initial frame, but what the end says may lie
+/// behind the final one; the first one is always rendered.
+std::pair<int, int> subset_of(const PovrayRequest& request);
 /// The output's name, beside the scene if none was given: for a frame of an animation with its number, as wide as that of the last one.
 std::string output_name(const PovrayRequest& request, int frame);
 /// The name of the file that keeps the tiles of a picture under way: as POV-Ray's.

@@ -86,14 +86,14 @@ class Povray(InFolder):
         self.assertEqual(self.picture("bare.ppm")[:2], (8, 6))
         for word in ("+W0.5", "+W65537", "+W1e2", "+Wnan", "+W8 +H6", "Width=8 Height=6"):
             self.assertIn("has no value that Width can take", self.render("+Is.pov", word, code=1))
-        said = self.render("+Is.pov", "+W8", "+H6.9", "+H6.9", "+FP", "Antialias_Depth=3.5", "Quality=9.5")
+        said = self.render("+Is.pov", "+W8", "+H6.9", "+H6.9", "+FP", "Antialias_Depth=3.5", "Quality=9.5", "+Q12", "+AM3")
         self.assertEqual((self.picture("s.ppm")[:2], said.count("6.9 is taken as 6")), ((8, 6), 1))
 
     def test_a_line_of_an_ini_file_is_one_setting(self):
         (self.folder / "two words.pov").write_text(SCENE.replace("R = .5", "R = Clock"))
-        (self.folder / "a.ini").write_text("Input_File_Name=two words.pov\nWidth='8' Height=9\nHeight=6 7\nDeclare=Clock=2 Declare=R=0\nOutput_File_Type=p Display=on\nOutput_To_File=off Display=off\n")
+        (self.folder / "a.ini").write_text("Input_File_Name=two words.pov +W40\nWidth='8' Height=9\nHeight=6 7\nDeclare=Clock=2 Declare=R=0\nOutput_File_Type=p Display=on\nOutput_To_File=off Display=off\n")
         said = self.render("a.ini")
-        self.assertEqual(said.count("what follows the value is left out"), 5)
+        self.assertEqual(said.count("what follows the value is left out"), 6)
         self.assertEqual(list(self.folder.glob("*.p[np]*")), [], "it is switched off")
         self.render("a.ini", "+F")
         self.assertEqual((self.picture("two words.ppm")[:2], set(self.picture("two words.ppm")[2])), ((8, 6), {255}), "a name of one's own that differs from a keyword by a capital")
@@ -132,6 +132,13 @@ class Povray(InFolder):
         self.assertEqual(sorted(p.name for p in self.folder.glob("t*.ppm")), ["t2.ppm", "t4.ppm"], "steps begin with the subset, as POV-Ray's")
         self.render("+Is.pov", "+W8", "+H6", "+FP", "+SF2", "+EF3")
         self.assertTrue((self.folder / "s.ppm").exists(), "a subset is one of an animation's")
+
+    def test_subsets_of_frames(self):
+        for number, (words, first, last) in enumerate([("+KFF10 +SF0.5 +EF0.7", 5, 7), ("+KFF10 Subset_Start_Frame=.65", 6, 10), ("+KFI5 +KFF14 +SF0.8", 8, 14), ("+KFI5 +KFF14 +EF0.8", 5, 8), ("+KFI20 +KFF29 +SF0.5 +EF0.8", 20, 20),
+                                                       ("+KFF10 +EF0.99", 1, 9), ("+KFF10 +SF2.7 +EF4.2", 2, 4), ("+KFF10 +SF5 +EF3", 5, 5), ("+KFF10 +SF12 +EF14", 12, 14), ("+KFF10 +SF12", 12, 12), ("+KFI5 +KFF14 +SF2 +EF4", 5, 5),
+                                                       ("+KFI3 +KFF1", 3, 3), ("+KFI-1 +KFF2", 0, 2), ("+KFF2 +STP0", 1, 2)]):
+            self.render("+Is.pov", "+W4", "+H3", "+FP", f"+Or{number}_", *words.split())
+            self.assertEqual(sorted(int(p.stem.split("_")[1]) for p in self.folder.glob(f"r{number}_*.ppm")), list(range(first, last + 1)), words)
 
     def test_the_clock_of_a_still_is_on(self):
         (self.folder / "s.pov").write_text(SCENE + '#debug concat("clock_on ", str(clock_on, 0, 0))\n')

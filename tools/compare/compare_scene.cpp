@@ -47,7 +47,7 @@ tl::expected<Request, std::string> povray_reading(const CompareJob& job) {
     const fs::path folder = fs::path(job.scene).parent_path();
     for (const std::string& path : words->library_paths) out.import.include_paths.push_back((folder / path).string());   // an absolute one stays as it is
     out.import.declarations = words->declarations;
-    out.import.frame.clock = clock_of(*words, words->subset_start.value_or(words->initial_frame));
+    out.import.frame.clock = clock_of(*words, subset_of(*words).first);
     return out;
 }
 
