@@ -74,7 +74,7 @@ tl::expected<SpacePicture, std::string> SpacePicture::make(const PatternPicture&
 /// Each channel of colour is a function of its code; alpha is as it is.
 void SpacePicture::decode(StoredPicture& stored, const RenderSettings& settings) {
     Picture& p = stored.picture;
-    const int colors = p.channels < 3 ? 1 : 3, alpha = p.channels == 2 || p.channels >= 4 ? colors : -1;
+    const int colors = p.channels < 3 ? 1 : 3;
     const double exponent = decoding(how_, stored);
     const bool untold = is_untold(how_, stored), encode = how_.scene_gamma && !untold;
     constexpr double kNeutral = 0.01;                                // POV-Ray leaves such powers away
@@ -95,14 +95,11 @@ void SpacePicture::decode(StoredPicture& stored, const RenderSettings& settings)
         decoded_ = decoded_ || v != code;
         codes.push_back(float(truncated_ && v != code ? std::floor(v * 255 + kRounding) / 255 : v));
     }
-    for (size_t pixel = 0; pixel + size_t(p.channels) <= p.values.size(); pixel += size_t(p.channels)) {
-        const float a = alpha < 0 ? 1.0f : p.values[pixel + size_t(alpha)];
+    for (size_t pixel = 0; pixel + size_t(p.channels) <= p.values.size(); pixel += size_t(p.channels))
         for (int c = 0; c < colors; ++c) {
             float& v = p.values[pixel + size_t(c)];
             v = stored.levels ? codes[size_t(std::lround(std::clamp(double(v), 0.0, 1.0) * stored.levels))] : float(decoded(double(v)));
-            if (how_.premultiplied && a > 0) v /= a;
         }
-    }
 }
 
 /// The last that is said of a colour holds. Of a palette, it takes the place of the file's own alpha.
@@ -187,7 +184,8 @@ PigmentColor SpacePicture::color(const Vec3& place) const {
     const auto at = pixel(place);
     if (!at) return {Color(1), 0, 1};
     const Texel t = sampled(*at);
-    return {Color(t.rgba), t.filter, t.rgba.w};
+    const double shown = 1 - t.rgba.w;                               // also of what `transmit` says: measured
+    return {Color(t.rgba) / (how_.premultiplied && shown > 0 ? shown : 1), t.filter, t.rgba.w};
 }
 
 double SpacePicture::value(const Vec3& place) const {

@@ -109,6 +109,12 @@ std::vector<PovPicture> image_pictures() {
                                "\"palette.png\" filter all .9 filter 2, 0 interpolate 2 } }, pigment { image_map { png \"alpha.png\" transmit all 0 } }, pigment { image_map { png \"alpha.png\" filter all .4 filter all 0 } }, pigment { " + plain + "transmit all .6 transmit all 0 } }, pigment { image_map { png "
                                "\"palette.png\" filter all .4 transmit all .2 filter 1, .1 transmit 1, 0 } }",
                                "box { -.8, .8 pigment")},
+        {"PremultipliedImages", twelve(kCorrected + back,
+                                       "pigment { image_map { png \"alpha.png\" premultiplied on interpolate 2 } }, pigment { image_map { png \"alpha.png\" premultiplied on interpolate 3 } }, pigment { image_map { png \"alpha.png\" gamma 1 premultiplied on interpolate 4 } }, "
+                                       "pigment { image_map { png \"alpha.png\" premultiplied on transmit all .3 } }, pigment { image_map { png \"alpha.png\" premultiplied on interpolate 2 filter all .3 transmit all .2 } }, pigment { image_map { png \"alpha.png\" premultiplied on transmit all .9 } }, "
+                                       "pigment { image_map { png \"palette.png\" premultiplied on interpolate 2 } }, pigment { image_map { png \"palette.png\" premultiplied on transmit 1, .4 } }, pigment { " + plain + "premultiplied on transmit all .4 } }, "
+                                       "pigment { image_pattern { png \"alpha.png\" premultiplied on interpolate 2 } }, pigment { image_pattern { png \"alpha.png\" premultiplied on use_alpha } }, pigment { image_map { png \"alpha.png\" premultiplied off interpolate 2 } }",
+                                       "box { -.8, .8 pigment")},
         {"ImageLayersOfVersion31", old_layers()},
         {"UvMapping", uv_scene()},
         {"CornerTextures", corner_scene()},
