@@ -37,7 +37,7 @@ struct Hit {
     bool valid() const { return primitive != kNoId; }
 };
 
-/// The order of hits everywhere: nearer first; at equal distance the lower instance, then the lower primitive.
+/// The order of hits: nearer first (of POV scenes InstanceSet has another one for those in one place); at equal distance the lower instance, then the lower primitive.
 inline bool comes_before(double t, uint32_t instance, uint32_t primitive, const Hit& hit) {
     if (t != hit.t) return t < hit.t;
     if (instance != hit.instance) return instance < hit.instance;

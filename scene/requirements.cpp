@@ -145,7 +145,7 @@ class Collector {
     void surface(const PovTextureMap&, const SourcePos&) {}   // its parts are materials of their own
 
     void interior(const Interior& i) {
-        if (i.fade_power != 0 || std::isfinite(i.attenuation_distance)) need(Requirement::absorption, i.from);
+        if (i.fade_distance > 0 || std::isfinite(i.attenuation_distance)) need(Requirement::absorption, i.from);
         if (!i.media.empty()) need(Requirement::media, i.from);
     }
 

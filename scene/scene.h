@@ -125,6 +125,7 @@ struct RenderSettings {
     bool filter_dims_by_colour = false;       ///< POV before 3.7: a filter f of a colour c takes f max(c) of the opacity, not f
     SeeThrough see_through = SeeThrough::all;
     bool follows_mirrors = true;              ///< of POV scenes: what mirrors show is seen. What they take of the light behind them is lost in any case
+    bool first_box_shows = false;             ///< POV scenes: of surfaces that coincide, that of the object whose box a ray enters first is seen, of one without an end before all
     bool default_light = true;                ///< a scene without light gets a sky and a sun
     LightUnits light_units = LightUnits::radiometric;
     std::string why_light_units;

@@ -6,6 +6,7 @@
 #include "tools/verbs.h"
 
 #include <algorithm>
+#include <cctype>
 #include <cstdlib>
 #include <filesystem>
 #include <fmt/format.h>
@@ -148,12 +149,19 @@ class Reading {
         return {};
     }
 
+    /// Where a blank, a sign and a letter stand in a name: ` - b` and ` -2` are parts of it.
+    static size_t begin_of_switch(const std::string& name) {
+        for (size_t i = 0; i + 2 < name.size(); ++i)
+            if (name[i] == ' ' && (name[i + 1] == '+' || name[i + 1] == '-') && std::isalpha(static_cast<unsigned char>(name[i + 2]))) return i;
+        return std::string::npos;
+    }
+
     /// POV-Ray reads one Key=Value a line: to the end of what is quoted, to a switch behind a blank if it is a name, or to a blank. What follows is told.
     size_t length_of_value(const std::string& key, const std::string& value) {
         const bool quoted = !value.empty() && (value[0] == '"' || value[0] == '\'');
         const auto table = povray_table();
         const bool name = lower(key) == "include_ini" || std::any_of(table.begin(), table.end(), [&](const PovrayRow& row) { return lower(row.key) == lower(key) && takes_name(row); });
-        size_t end = quoted ? value.find(value[0], 1) : name ? std::min(value.find(" +"), value.find(" -")) : value.find_first_of(" \t");
+        size_t end = quoted ? value.find(value[0], 1) : name ? begin_of_switch(value) : value.find_first_of(" \t");
         if (end == std::string::npos) return end;
         end += quoted;
         if (end < value.size()) request.notes.push_back(fmt::format("'{}={}': what follows the value is left out, as POV-Ray does: one Key=Value a line", key, value));

@@ -13,6 +13,7 @@
 #include "tracer/light_groups.h"
 #include "tracer/materials.h"
 #include "tracer/normal_maps.h"
+#include "tracer/object_boxes.h"
 #include "tracer/pov_sky.h"
 #include "tracer/projector.h"
 #include "tracer/textures.h"
@@ -72,7 +73,7 @@ Bounds bounds_of(const ShapeOps& ops, const ShapeGeometry& shape) {
 /// Walks the graph once and fills a CompiledScene with instances, lights and cameras.
 class Placer : private CsgParts {
   public:
-    Placer(CompiledScene& out, Diagnostics& said) : out_(out), said_(said), geometry_of_(out.scene.shapes.size(), kNoId), materials_(out), groups_(out.scene) {}
+    Placer(CompiledScene& out, Diagnostics& said) : out_(out), said_(said), geometry_of_(out.scene.shapes.size(), kNoId), materials_(out), groups_(out.scene), objects_(out.scene) {}
 
     /// When all is placed.
     void finish() { groups_.finish(out_); }
@@ -143,7 +144,7 @@ class Placer : private CsgParts {
             instance.double_illuminate = instance.double_illuminate || above.flags.double_illuminate;
             instance.turned = instance.turned != above.inverse;
         }
-        instance.node = visit.node;
+        instance.node = visit.node, instance.object = objects_.number_of(visit.path);
         instance.light_set = groups_.set_of(visit.path);
         const uint32_t slots = slot_count(out_.scene.shapes[shape.index].geometry);
         const size_t carrier = interior_carrier(out_.scene, visit.path);
@@ -203,6 +204,7 @@ class Placer : private CsgParts {
     uint32_t carriers_ = 0;
     MaterialTable materials_;
     LightGroups groups_;
+    ObjectNumbers objects_;
 };
 
 void report_removed(const CompiledScene& scene, const Geometry& g, Diagnostics& said) {
@@ -258,6 +260,7 @@ void build_structures(CompiledScene& out, const AcceleratorEntry& accel, std::ve
         if (g.mesh) report_removed(out, g, said);
     place_bounds(out, options.threads);
     build_solids(out, std::move(solids));
+    if (out.scene.settings.first_box_shows) out.object_boxes = object_boxes(out);
     out.set = std::make_shared<InstanceSet>(out);
     out.top = accel.over_set(out.set, build);
 }
@@ -331,7 +334,7 @@ void tell_opaque_from_clear(CompiledScene& out) {
 }
 
 bool is_air(const CompiledInterior& in) {
-    return in.ior == 1 && in.refraction == 1 && in.fade_power == 0 && in.media.empty() && (!std::isfinite(in.attenuation_distance) || in.attenuation_color == Color(1));
+    return in.ior == 1 && in.refraction == 1 && !(in.fade_distance > 0) && in.media.empty() && (!std::isfinite(in.attenuation_distance) || in.attenuation_color == Color(1));
 }
 
 void choose_kernel(CompiledScene& out, const AcceleratorEntry& accel, const CompileOptions& options, FeatureReasons& reasons) {

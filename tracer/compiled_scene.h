@@ -62,6 +62,7 @@ struct Instance {
     bool inverted = false;         ///< taken away from a solid: its normals point inwards
     bool turned = false;           ///< inverse, or a part of a solid that goes on for ever: its inside is where its normals point
     uint32_t carrier = 0;          ///< of its interior: parts of one object that carries it have the same
+    uint32_t object = 0;           ///< what it is a part of, as POV-Ray counts objects: a solid, a union that is a whole, or itself
     bool of_whole = true;          ///< its interior is not its own alone, if it is part of a solid, but the solid's
     NodeId node;
     uint32_t light_set = 0;        ///< into CompiledScene::lit_by
@@ -103,6 +104,7 @@ struct CompiledScene {
     std::vector<Geometry> geometries;
     std::vector<Instance> instances;
     std::vector<Solid> solids;
+    std::vector<Bounds> object_boxes;      ///< by Instance::object: of surfaces that coincide, that of the object whose box a ray enters first is seen. Empty: that of the first instance
     std::vector<CsgExpression> cutaways;   ///< operations whose parts are looked up at points of faces that show them
     std::vector<SlotMaterial> slots;
     std::vector<PatternSpace> pattern_spaces;

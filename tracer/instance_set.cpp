@@ -5,6 +5,7 @@
 #include "core/clamp.h"
 #include "eval/placed.h"
 #include "tracer/instance_leaves.h"
+#include "tracer/object_boxes.h"
 
 namespace alidade {
 
@@ -42,6 +43,13 @@ bool looked_for(const Instance& instance, const Ray& ray) {
 
 }  // namespace
 
+bool InstanceSet::is_seen_before(const Ray& ray, double t, uint32_t instance, uint32_t primitive, const Hit& hit) const {
+    const std::vector<Bounds>& boxes = scene_.object_boxes;
+    if (t != hit.t || !hit.valid() || boxes.empty()) return comes_before(t, instance, primitive, hit);
+    const double entry = entry_of(ray, boxes[scene_.instances[instance].object]), other = entry_of(ray, boxes[scene_.instances[hit.instance].object]);
+    return entry != other ? entry < other : comes_before(t, instance, primitive, hit);
+}
+
 /// Out of line: scenes without solids pay for a comparison alone.
 [[gnu::noinline]] bool InstanceSet::intersect_solid(uint32_t id, const Ray& ray, Hit& hit, WorkCounters& work, std::span<const CsgSide> known) const {
     const Solid& s = solid(id);
@@ -51,7 +59,7 @@ bool looked_for(const Instance& instance, const Ray& ray) {
     Hit candidate;
     if (!s.tree.first(shortened, InstanceLeaves(scene_, work), candidate, known)) return false;
     candidate.t = clamp_to_bounds(candidate.t, ray, s.tree.bounds());
-    if (!comes_before(candidate.t, candidate.instance, candidate.primitive, hit)) return false;
+    if (!is_seen_before(ray, candidate.t, candidate.instance, candidate.primitive, hit)) return false;
     hit = candidate;
     return true;
 }
@@ -72,7 +80,7 @@ bool InstanceSet::intersect(std::span<const uint32_t> ids, const Ray& ray, Hit& 
         const bool crossed = geometry.mesh ? geometry.triangles->intersect(local, candidate, work, id) : first_crossing(geometry, local, Wanted::first, id, candidate, work);
         if (!crossed || !looked_for(instance, ray)) continue;
         if (!instance.in_place) candidate.t = clamp_to_bounds(candidate.t, ray, instance.bounds);
-        if (!comes_before(candidate.t, id, candidate.primitive, hit)) continue;
+        if (!is_seen_before(ray, candidate.t, id, candidate.primitive, hit)) continue;
         hit = candidate;
         found = true;
     }

@@ -29,6 +29,9 @@ class InstanceSet final : public PrimitiveSet {
     Mask mask(uint32_t id) const { return is_solid(id) ? solid(id).mask : scene_.instances[id].mask; }
 
   private:
+    /// Is a crossing of the instance seen, and not `hit`? The nearer one, and of those that coincide what CompiledScene::object_boxes says.
+    bool is_seen_before(const Ray& ray, double t, uint32_t instance, uint32_t primitive, const Hit& hit) const;
+
     const CompiledScene& scene_;
     Mask seen_by_;
 };

@@ -2,6 +2,7 @@
 #include "tracer/start_inside.h"
 
 #include "tracer/instance_leaves.h"
+#include "tracer/object_boxes.h"
 
 #include <algorithm>
 
@@ -18,24 +19,6 @@ Bounds origins(const Camera& camera) {
     if (!moves_origins(camera)) return {camera.location, camera.location};
     const Vec3 reach = glm::abs(camera.right) + glm::abs(camera.up) + Vec3(camera.aperture);
     return {camera.location - reach, camera.location + reach};
-}
-
-/// Of the surfaces of node `n` and of what is behind it. Of an intersection those parts count that are nothing far away, or all if there are none.
-Bounds surfaces(const CompiledScene& scene, std::span<const CsgNode> nodes, uint32_t n) {
-    const CsgNode& node = nodes[n];
-    if (node.op == CsgOp::leaf) {
-        const Instance* part = node.leaf == kNoId ? nullptr : &scene.instances[node.leaf];
-        return part ? part->to_world.bounds(scene.geometries[part->geometry].bounds) : Bounds();
-    }
-    const bool meets = node.op == CsgOp::intersection || node.op == CsgOp::clip;
-    Bounds any, all = {Vec3(-kInf), Vec3(kInf)};
-    bool limited = false;
-    for (uint32_t child = n + 1; child < node.end; child = nodes[child].end) {
-        const Bounds bounds = surfaces(scene, nodes, child);
-        any.extend(bounds);
-        if (!nodes[child].far) all = intersection(all, bounds), limited = true;
-    }
-    return meets && limited ? all : any;
 }
 
 /// A part that has the interior of the whole solid, if that has one.
@@ -58,7 +41,7 @@ StartInside::StartInside(const CompiledScene& scene, const Camera& camera) : sce
     };
     for (uint32_t i = 0; i < scene.instances.size(); ++i) look(i, scene.instances[i], scene.instances[i].bounds);
     for (uint32_t i = 0; i < scene.solids.size(); ++i)
-        if (const Instance* part = part_of_whole(scene, scene.solids[i])) look(uint32_t(scene.instances.size()) + i, *part, surfaces(scene, scene.solids[i].tree.nodes(), 0));
+        if (const Instance* part = part_of_whole(scene, scene.solids[i])) look(uint32_t(scene.instances.size()) + i, *part, box_of_surfaces(scene, scene.solids[i]));
     if (!moves_origins(camera)) std::erase_if(bodies_, [&](const Body& body) { return !holds(body, camera.location); });
     std::vector<Bounds> boxes;
     for (const Body& body : bodies_) boxes.push_back(body.bounds);

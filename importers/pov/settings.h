@@ -32,7 +32,7 @@ struct ReadOptions {
     std::optional<std::string> write_folder;             ///< #fopen ... write works below it, and nowhere else
     FrameSettings frame;
     std::optional<double> version;                       ///< as if #version gave it before all; absent: none is given
-    int quality = kFullQuality;                          ///< 0 to 11: less than full, and the scene is read without what takes time (quality.h)
+    int quality = kFullQuality;                          ///< 0 to 9: less than full, and the scene is read without what takes time (quality.h)
     bool strict = false;                                 ///< names of files are not found in another case
     Limits limits;
     PrintText print;                                     ///< absent: notes; #warning becomes a warning in any case

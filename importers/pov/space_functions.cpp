@@ -133,7 +133,7 @@ std::array<double, 5> SpaceFunctions::pigment(const Block& block, const Vec3& at
     auto known = s.colours.find(&block);
     if (known == s.colours.end()) {
         s.held.emplace_back(const_cast<Block*>(&block));
-        const SignalId signal = build_pigment(s.build, block, default_texture(s.build, block.defaults).pigment);
+        const SignalId signal = build_pigment(s.build, block, plain_pigment(s.build));
         prepare(p_, s.pigments, signal, block.place);
         known = s.colours.emplace(&block, signal).first;
     }

@@ -59,6 +59,7 @@ std::vector<PovPicture> inside_pictures() {
                                      "sphere { 0, 1.2 texture { pigment { rgbt .9 } finish { refraction 1 ior 1.5 } } interior_texture { pigment { rgbt <.9,.2,.2,.9> } } }"},
         {"SheetsTakenAway", seen(sheets())},
         {"ClippedGlassFromBehind", seen("plane { -y, 0 clipped_by { sphere { 0, 1.2 } }" + glass + "translate -1.5*x } quadric { 1, 0, 0, -1 clipped_by { plane { y, 0 } }" + glass + "translate 1.5*x }")},
+        {"FadingWithoutPower", seen("box { <-1,-1,-1>, <0,1,1> pigment { rgbt 1 } finish { ambient 0 diffuse 0 } interior { fade_distance 1 } } sphere { <1,0,0>, .8 pigment { rgbt <1,1,1,.7> } interior { fade_distance 3 fade_color <1,.5,0> } } sphere { <0,3,-4>, 2 hollow pigment { rgbt 1 } interior { fade_distance 2 fade_color <1,1,.2> } }")},
         {"CameraInGlass", seen("sphere { <0,3,-4>, 2 pigment { rgbt <.8,.9,1,.9> } interior { ior 1.2 fade_distance 3 fade_power 1 } } box { <-1,-1,-1>, <1,0,1>" + glass + "rotate y*30 }")},
         {"CameraInGlassInWater", seen("sphere { <0,3,-4>, .5" + glass + "} box { <-5,-1.5,-6>, <5,4,-2> pigment { rgbt <.6,.8,1,.9> } interior { ior 1.33 } } sphere { 0, 1 pigment { rgb 1 } finish { reflection .5 } }")},
         {"OrthographicInGlass", seen("box { <-5,-1.5,-6>, <.2,4,-2> pigment { rgbt <.6,.8,1,.9> } interior { ior 1.33 } } sphere { 0, 1 pigment { rgb 1 } finish { reflection .5 } }", "camera { orthographic location <0,3,-4> look_at 0 }")},

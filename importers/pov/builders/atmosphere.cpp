@@ -13,7 +13,7 @@ void take_sky(Build& build, const Block& block, SkySphere& sky) {
     const Nested nested(build.p, block.place);
     for (Cursor at(build, block); !at.done();) {
         if (const Block* base = at.block_at("sky_sphere"_w)) at.next(), take_sky(build, *base, sky);
-        else if (const Block* pigment = at.block_at("pigment"_w)) at.next(), sky.pigments.push_back(build_pigment(build, *pigment, default_texture(build, pigment->defaults).pigment));
+        else if (const Block* pigment = at.block_at("pigment"_w)) at.next(), sky.pigments.push_back(build_pigment(build, *pigment, plain_pigment(build)));
         else if (at.accept("emission"_w)) sky.emission = at.rgb("the emission of a sky");
         else if (at.at_transform()) sky.transform = at.transform() * sky.transform;
         else at.skip_unmodelled();

@@ -2,6 +2,7 @@
 #include "importers/pov/builders/cameras.h"
 
 #include "importers/pov/builders/pigments.h"
+#include "importers/pov/builders/textures.h"
 
 #include <cmath>
 #include <fmt/format.h>
@@ -149,7 +150,7 @@ void read_words(Build& build, const Block& block, CameraWords& words) {
         const Place place = at.place();
         const Block* other = at.block_at("camera"_w);
         if (other) at.next(), read_words(build, *other, words);
-        else if (const Block* normal = at.block_at("normal"_w)) at.next(), words.camera.normal = build_normal(build, *normal, words.camera.normal);
+        else if (const Block* normal = at.block_at("normal"_w)) at.next(), words.camera.normal = build_normal(build, *normal, words.camera.normal ? words.camera.normal : default_texture(build, normal->defaults).normal);
         else if (at.at_transform()) words.transform = at.transform() * words.transform;
         else if (!take_word(build, words, at)) at.skip_unmodelled();
         if (in_order) arrange(build, place, !other || other->version < 3.5F, words);

@@ -31,7 +31,7 @@ bool is_silent(const Cursor& at) {
 void begin_settings(Build& build, const Program& program) {
     RenderSettings& s = build.scene.settings;
     s.default_spp = 1;
-    s.default_light = false;
+    s.default_light = false, s.first_box_shows = true;
     s.max_depth = 4;
     s.adc_bailout = 1.0 / 255;
     const bool old = !program.version_given || program.version < 3.7 - 1e-9;

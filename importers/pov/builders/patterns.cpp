@@ -129,7 +129,7 @@ bool take_pattern(Build& build, Cursor& at, PatternSignal& s, double* depth) {
         at.next();
         choose_noise(build, s);
         s.pattern = "pigment_pattern", s.parameters.clear(), s.picture.reset();
-        s.source = build_pigment(build, *pigment, default_texture(build, pigment->defaults).pigment);
+        s.source = build_pigment(build, *pigment, plain_pigment(build));
         return true;
     }
     if (at.done() || at.peek().kind != Item::Kind::word) return false;

@@ -148,6 +148,8 @@ SignalId add_colour(Build& build, const std::array<double, 5>& c, Place at) {
     return build.add_signal(ConstantSignal{Vec4(c[0], c[1], c[2], 1), c[3], c[4]}, at);
 }
 
+SignalId plain_pigment(Build& build) { return default_texture(build, 0).pigment; }
+
 SignalId build_pigment(Build& build, const Block& block, SignalId start, size_t skipped) {
     const Nested nested(build.p, block.place);
     const std::pair key(&block, start);

@@ -9,6 +9,8 @@ namespace alidade::pov {
 /// What the items of `block` behind the first `skipped` make of the pigment `start`.
 /// Source   POV-Ray 3.7 reference, 3.4.6.1 "Pigment".
 SignalId build_pigment(Build& build, const Block& block, SignalId start, size_t skipped = 0);
+/// What one begins with where no #default counts (probed): in sky spheres, functions and pigment_pattern.
+SignalId plain_pigment(Build& build);
 
 /// The same for a normal: a ReliefSignal, without a pattern where the block names none.
 /// Source   POV-Ray 3.7 reference, 3.4.6.4 "Normal".
