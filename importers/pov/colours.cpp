@@ -44,10 +44,12 @@ int component_of(const Token& token) {
 
 constexpr double kSrgb = 0;
 
+constexpr WordId kAssumedGamma = "assumed_gamma"_w;   // clang 14 calls consteval functions that stand in templates
+
 /// What `assumed_gamma` says among items of global_settings: powers of light, or kSrgb.
 template <class I> std::optional<double> given_gamma(std::span<const I> items) {
     for (size_t i = 0; i + 1 < items.size(); ++i) {
-        if (items[i].kind != Item::Kind::word || items[i].word != "assumed_gamma"_w) continue;
+        if (items[i].kind != Item::Kind::word || items[i].word != kAssumedGamma) continue;
         const I& given = items[i + 1];
         return given.kind == Item::Kind::value && given.value_kind() == Kind::number ? given.number() : kSrgb;
     }
