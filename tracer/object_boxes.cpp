@@ -57,13 +57,13 @@ std::vector<Bounds> object_boxes(const CompiledScene& scene) {
         boxes[object].extend(by.empty() || by.finite() ? by : Bounds{Vec3(-kInf), Vec3(kInf)});
     };
     for (const Instance& instance : scene.instances) extend(instance.object, instance.bounds);     // none of parts of solids
-    for (const Solid& solid : scene.solids)
-        for (const CsgNode& node : solid.tree.nodes())
-            if (node.op == CsgOp::leaf && node.leaf != kNoId) {
-                const Bounds box = box_of_surfaces(scene, solid);
-                extend(scene.instances[node.leaf].object, box.finite() ? box : solid.tree.bounds());   // planes bound each other
-                break;                                                                                 // all its parts are of one object
-            }
+    for (const Solid& solid : scene.solids) {
+        const auto nodes = solid.tree.nodes();
+        const auto part = std::ranges::find_if(nodes, [](const CsgNode& n) { return n.op == CsgOp::leaf && n.leaf != kNoId; });
+        if (part == nodes.end()) continue;
+        const Bounds box = box_of_surfaces(scene, solid);
+        extend(scene.instances[part->leaf].object, box.finite() ? box : solid.tree.bounds());      // planes bound each other
+    }
     for (Bounds& box : boxes)
         if (box.finite()) box = without_pads(box);
     return boxes;

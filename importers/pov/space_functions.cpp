@@ -5,7 +5,6 @@
 #include "importers/pov/builders/globals.h"
 #include "importers/pov/builders/patterns.h"
 #include "importers/pov/builders/pigments.h"
-#include "importers/pov/builders/textures.h"
 
 #include <fmt/format.h>
 #include <unordered_map>

@@ -14,18 +14,18 @@ Value Value::string(std::string text) { return of(Kind::string, Ref<String>(new 
 const std::string& Value::text() const { return as<String>().text; }
 
 Item::Item(OpenItem&& from, double*& room) : kind(from.kind), value_kind_(from.value.kind), terms_(from.value.terms), rest_(from.value.rest), word(from.word), place(from.place) {
-    if (const size_t several = from.components()) {
+    if (const size_t several = from.components_behind()) {
         several_ = room;
         room = std::copy_n(from.value.c.begin(), several, room);
     } else if (numeric()) {
         number_ = from.value.c[0];
     } else {
-        shared_ = from.value.shared.release();
+        new (&shared_) Ref<Shared>(std::move(from.value.shared));
     }
 }
 
 Item::~Item() {
-    if (shares()) Ref<Shared>::own(shared_);
+    if (!numeric()) std::destroy_at(&shared_);
 }
 
 Value Item::value() const {
@@ -33,13 +33,13 @@ Value Item::value() const {
     out.kind = value_kind_, out.terms = terms_, out.rest = rest_;
     if (components() > 1) std::copy_n(several_, components(), out.c.begin());
     else if (numeric()) out.c[0] = number_;
-    else out.shared = Ref<Shared>(shared_);
+    else out.shared = shared_;
     return out;
 }
 
 Ref<Block> Block::of(std::span<OpenItem> items, Ref<Meter> meter) {
     size_t components = 0;
-    for (const OpenItem& item : items) components += item.components();
+    for (const OpenItem& item : items) components += item.components_behind();
     return Ref<Block>(new (Room{items.size(), components}) Block(items, std::move(meter)));
 }
 

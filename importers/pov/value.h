@@ -39,12 +39,6 @@ class Ref {
     }
     ~Ref() { if (p_ && --p_->uses == 0) destroy(p_); }
 
-    /// Takes over a use that release() gave away.
-    static Ref own(T* p) {
-        Ref out;
-        return out.p_ = p, out;
-    }
-    T* release() { return std::exchange(p_, nullptr); }
     T* get() const { return p_; }
     T* operator->() const { return p_; }
     T& operator*() const { return *p_; }
@@ -102,6 +96,8 @@ struct Value {
     }
 
     bool numeric() const { return is_numeric(kind); }
+    /// How many of c mean something.
+    uint8_t components() const { return numeric() ? std::max(terms, rest) : uint8_t(0); }
     template <class T>
     T& as() const { return static_cast<T&>(*shared.get()); }
     const std::string& text() const;
@@ -168,14 +164,13 @@ class Item {
     double number() const { return components() > 1 ? *several_ : number_; }
     Value value() const;
     template <class T>
-    T& as() const { return static_cast<T&>(*shared_); }
+    T& as() const { return static_cast<T&>(*shared_.get()); }
     const Block& block() const { return as<Block>(); }
     const std::string& text() const { return as<String>().text; }
 
     const Kind kind;
 
   private:
-    bool shares() const { return !numeric() && shared_; }
     uint8_t components() const { return numeric() ? std::max(terms_, rest_) : uint8_t(0); }
 
     pov::Kind value_kind_;
@@ -189,7 +184,7 @@ class Item {
     union {
         double number_;
         const double* several_;
-        Shared* shared_;
+        Ref<Shared> shared_;      ///< of what is not numeric
     };
 };
 static_assert(sizeof(Item) == 24);
@@ -202,7 +197,8 @@ struct OpenItem {
     pov::Kind value_kind() const { return value.kind; }
     double number() const { return value.c[0]; }
     const Block& block() const { return value.as<Block>(); }
-    size_t components() const { return value.numeric() && std::max(value.terms, value.rest) > 1 ? std::max(value.terms, value.rest) : 0; }
+    /// Those that stand behind the items of a block.
+    size_t components_behind() const { return value.components() > 1 ? value.components() : 0; }
 };
 
 /// `word { items }` with every expression evaluated: what builders read. Most are small and there are many, so the items lie right behind the block.

@@ -2,7 +2,6 @@
 #include "importers/pov/builders/atmosphere.h"
 
 #include "importers/pov/builders/pigments.h"
-#include "importers/pov/builders/textures.h"
 #include "importers/pov/builders/warps.h"
 
 namespace alidade::pov {

@@ -5,7 +5,6 @@
 #include "eval/patterns/registry.h"
 #include "importers/pov/builders/pictures.h"
 #include "importers/pov/builders/pigments.h"
-#include "importers/pov/builders/textures.h"
 #include "importers/pov/builders/warps.h"
 
 #include <algorithm>
