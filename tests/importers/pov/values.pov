@@ -32,6 +32,8 @@
 //---- a component where a vector is read: the others of its vector stand behind it. POV-Ray prints the same
 #declare V = <2, 3, 5>; #declare U = <2, 7>;
 #debug concat(vstr(3, vrotate(V.y, 0), ",", 0, 0), " ", vstr(3, vrotate(V.y*2, 0), ",", 0, 0), " ", vstr(3, vrotate(-V.y, 0), ",", 0, 0), " ", vstr(3, vrotate(U.y, 0), ",", 0, 0), "\n")   // expect 3,3,5 6,3,5 -3,3,5 7,7,0
+#declare A = box { 0, 1 scale V.y } #declare B = box { 0, V.x } #declare C = box { 0, 1 translate V.y*2 }
+#debug concat(vstr(3, max_extent(A), ",", 0, 0), " ", vstr(3, max_extent(B), ",", 0, 0), " ", vstr(3, max_extent(C), ",", 0, 0), "\n")   // expect 3,3,5 2,3,5 7,4,6
 #debug concat(vstr(3, V.y, ",", 0, 0), " ", vstr(3, vrotate(x.x, 0), ",", 0, 0), " ", vstr(3, vrotate((V).y, 0), ",", 0, 0), " ", str(vlength(V.x), 0, 4), "\n")   // expect 3,3,5 1,0,0 3,3,5 6.1644
 #debug concat(vstr(3, vrotate((V.y), 0), ",", 0, 0), " ", vstr(3, vrotate(2*V.y, 0), ",", 0, 0), " ", vstr(3, vrotate(V.y*x, 0), ",", 0, 0), " ", vstr(3, vrotate(sqrt(V.y*3), 0), ",", 0, 0), "\n")   // expect 3,3,3 6,6,6 3,0,0 3,3,3
 #declare K = V.y; #macro Turned(What) vrotate(What, 0) #end #debug concat(vstr(3, vrotate(K, 0), ",", 0, 0), " ", vstr(3, Turned(V.y), ",", 0, 0), "\n")   // expect 3,3,3 3,3,3
