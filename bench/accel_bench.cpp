@@ -18,11 +18,11 @@ namespace {
 
 /// A mesh in float precision and rays around it: every second one is aimed at a triangle, the others at nothing.
 struct Workload {
-    numerics::Mesh mesh;
+    numerics::TriangleMesh mesh;
     std::vector<Ray> rays;
 };
 
-std::shared_ptr<const Workload> make_workload(const numerics::Mesh& mesh) {
+std::shared_ptr<const Workload> make_workload(const numerics::TriangleMesh& mesh) {
     auto workload = std::make_shared<Workload>(Workload{mesh.read_at(Precision::float_), {}});
     const auto aimed = numerics::ray_classes()[0].make, stray = numerics::ray_classes()[1].make;
     for (size_t i = 0; i < 16384; ++i) workload->rays.push_back((i % 2 ? stray : aimed)(workload->mesh, RandomKey(1, 0, i, 0)));
@@ -76,7 +76,7 @@ void register_rows(const AcceleratorEntry& entry, const SharedWorkload& workload
 }
 
 void register_all() {
-    for (const numerics::Mesh& mesh : {numerics::geodesic_sphere(71, 0.2), numerics::soup(100000, 0.02, 4), numerics::slivers(20000, 1e-3, 5)}) {
+    for (const numerics::TriangleMesh& mesh : {numerics::geodesic_sphere(71, 0.2), numerics::soup(100000, 0.02, 4), numerics::slivers(20000, 1e-3, 5)}) {
         const SharedWorkload workload = make_workload(mesh);
         for (const AcceleratorEntry& entry : accelerators().subspan(1))  // brute force is not a contender at 1e5 triangles
             for (const Precision precision : {Precision::float_, Precision::double_}) register_rows(entry, workload, precision);

@@ -21,6 +21,12 @@ if(ALIDADE_SANITIZE)
   target_sources(alidade_flags INTERFACE $<$<STREQUAL:$<TARGET_PROPERTY:TYPE>,EXECUTABLE>:${PROJECT_SOURCE_DIR}/cmake/sanitizer_options.cpp>)
 endif()
 
+# Eight files of a folder are compiled as one (preset `debug`: each alone): what they instantiate is most of the work, and is done once. So names that are a file's own
+# differ from those of its neighbours. GCC takes only the outer file for one whose anonymous namespaces are its own.
+if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
+  target_compile_options(alidade_flags INTERFACE $<$<BOOL:${CMAKE_UNITY_BUILD}>:-Wno-subobject-linkage>)
+endif()
+
 # What most files include is read once: cmake/precompiled.h, compiled with the first folder, and again for the tests with GoogleTest. It must mean
 # the same in every file, so fmt's own definitions come from here. A file still includes what it uses: preset `debug` builds without.
 target_compile_definitions(alidade_flags INTERFACE $<TARGET_PROPERTY:fmt::fmt,INTERFACE_COMPILE_DEFINITIONS>)

@@ -15,7 +15,7 @@ constexpr double kSameWithin = 32;
 constexpr double kLeastCosine = 1e-4;
 
 /// What a range is widened by, in parts of its distance: far more than any rounding, so that what is left out is surely not in it.
-constexpr double kSlack = 1e-9;
+constexpr double kOrderSlack = 1e-9;
 /// Crossings farther from each other than this, in parts of their distance, are not asked for their errors.
 constexpr double kNear = 1e-6;
 
@@ -86,7 +86,7 @@ class Walk {
     }
     bool in_range(double t) const { return t >= ray_.tmin && t <= ray_.tmax && t >= range_.entry && t <= range_.exit; }
     double near(double t) const { return kNear * (std::abs(t) + reach_); }
-    double slack(double t) const { return kSlack * (std::abs(t) + reach_); }
+    double slack(double t) const { return kOrderSlack * (std::abs(t) + reach_); }
     LineInterval widened(const LineInterval& r) const { return {r.entry - slack(r.entry), r.exit + slack(r.exit)}; }
 
     /// Two ranges of the line. Outside of `crossings`, crossings that were found tell that the line is outside of some part of an intersection: what the

@@ -48,7 +48,7 @@ struct Side {
 };
 
 /// How a triangle lies in the texture. `flat` has no area there: it goes with any neighbour.
-enum Turn : uint8_t { plain, mirrored, flat };
+enum Turn : uint8_t { unmirrored, mirrored, flat };
 
 class TangentMaker {
   public:
@@ -83,7 +83,7 @@ class TangentMaker {
             const Vec2 t = Vec2(uv(c)), d1 = Vec2(uv(c + 1)) - t, d2 = Vec2(uv(c + 2)) - t;
             const double area = d1.x * d2.y - d2.x * d1.y;
             along_u_.push_back(normalized(e1 * d2.y - e2 * d1.y) * (area < 0 ? -1.0 : 1.0));
-            turns_.push_back(area < 0 ? plain : area > 0 ? mirrored : flat);   // v grows downwards: a map that is not mirrored has a negative area
+            turns_.push_back(area < 0 ? unmirrored : area > 0 ? mirrored : flat);   // v grows downwards: a map that is not mirrored has a negative area
             degenerate_.push_back(e1 == Vec3(0) || e2 == Vec3(0) || e1 == e2);
             if (!mesh_.normals.present()) face_normals_.emplace_back(normalized(cross(normalized(e1), normalized(e2))));
         }
@@ -141,7 +141,7 @@ class TangentMaker {
                 groups_.join(s.corner_b, opposite->corner_b);
             }
             if (turn != flat) continue;
-            for (const Turn of : {plain, mirrored}) {
+            for (const Turn of : {unmirrored, mirrored}) {
                 const Side* beside = some[of][!s.forward];
                 if (!beside) continue;
                 flat_beside.emplace_back(s.corner_a, beside->corner_a);

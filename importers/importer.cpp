@@ -20,7 +20,7 @@ namespace alidade {
 
 namespace {
 
-constexpr ImporterEntry kTable[] = {
+constexpr ImporterEntry kImporters[] = {
     {"gltf", ".gltf .glb", "glTF 2.0, text and binary", looks_like_gltf, import_gltf},
     {"obj", ".obj", "Wavefront OBJ, with MTL material libraries", looks_like_obj, import_obj},
     {"ply", ".ply", "PLY, text and binary", looks_like_ply, import_ply},
@@ -55,22 +55,22 @@ bool has_ending(const ImporterEntry& entry, std::string ending) {
 
 /// By content, then by ending.
 const ImporterEntry* choose(const std::string& path, std::span<const std::byte> head) {
-    for (const ImporterEntry& entry : kTable)
+    for (const ImporterEntry& entry : kImporters)
         if (entry.recognises(head)) return &entry;
-    for (const ImporterEntry& entry : kTable)
+    for (const ImporterEntry& entry : kImporters)
         if (has_ending(entry, std::filesystem::path(path).extension().string())) return &entry;
     return nullptr;
 }
 
 const ImporterEntry* named(const std::string& name) {
-    for (const ImporterEntry& entry : kTable)
+    for (const ImporterEntry& entry : kImporters)
         if (name == entry.name) return &entry;
     return nullptr;
 }
 
 std::string known_formats() {
     std::string names;
-    for (const ImporterEntry& entry : kTable) names += fmt::format("{}{} ({})", names.empty() ? "" : ", ", entry.doc, entry.extensions);
+    for (const ImporterEntry& entry : kImporters) names += fmt::format("{}{} ({})", names.empty() ? "" : ", ", entry.doc, entry.extensions);
     return names;
 }
 
@@ -84,7 +84,7 @@ ImportResult validated(ImportResult result) {
 
 }  // namespace
 
-std::span<const ImporterEntry> importers() { return kTable; }
+std::span<const ImporterEntry> importers() { return kImporters; }
 
 ImportResult import_scene(const std::string& path, const ImportOptions& options) {
     std::error_code unreadable;

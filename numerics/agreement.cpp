@@ -20,13 +20,13 @@ namespace alidade::numerics {
 namespace {
 
 Compared compared(uint64_t block) {
-    static const std::vector<Mesh> meshes = [] {
-        std::vector<Mesh> list = small_meshes();
+    static const std::vector<TriangleMesh> meshes = [] {
+        std::vector<TriangleMesh> list = small_meshes();
         list.push_back(geodesic_sphere(10, 0.2)), list.push_back(soup(1500, 0.1, 8));
         return list;
     }();
     Draws draws(RandomKey(15, 1, block));
-    const Mesh& mesh = meshes[draws.below(meshes.size())];
+    const TriangleMesh& mesh = meshes[draws.below(meshes.size())];
     const double scale = draws.below(4) == 0 ? 1 : std::pow(10, draws.uniform(-6, 6));   // a wrong epsilon shows only away from 1
     return {precision_of(draws.coin()), scaled(mesh, scale)};
 }
@@ -50,7 +50,7 @@ template <class Brought> bool is_first(const Answers& a, const Brought& brought)
 
 /// Instances of boxes, spheres and meshes, or of every kind of shape, on a lattice, faces and whole shapes at one place: most hits are ties. Compiled with each accelerator, with brute force last.
 struct Instances {
-    Mesh around = cube(2);   ///< what rays are made for
+    TriangleMesh around = cube(2);   ///< what rays are made for
     std::vector<std::shared_ptr<const CompiledScene>> scenes;
 
     bool is_at_end(const Hit& hit, const Ray& ray) const {
@@ -63,7 +63,7 @@ struct Instances {
 Instances instances(uint64_t block) {
     Draws draws(RandomKey(15, 2, block));
     alidade::Mesh mesh;
-    const Mesh unit = cube(1);
+    const TriangleMesh unit = cube(1);
     mesh.positions = unit.positions, mesh.triangles = unit.triangles;
     const double scale = draws.coin() ? 1 : std::pow(10, draws.uniform(-6, 6));
     std::vector<ShapeGeometry> kinds{Box{}, Sphere{}, mesh};
@@ -90,7 +90,7 @@ Instances instances(uint64_t block) {
 
 /// A mesh all of whose hits along an axis lie in known planes.
 struct Lattice {
-    Mesh mesh;               ///< corners at integers, on the planes of these cells
+    TriangleMesh mesh;               ///< corners at integers, on the planes of these cells
     std::array<int, 3> cells;
     bool walls;              ///< between all cells, or around them alone
 };
@@ -107,22 +107,22 @@ const std::vector<Lattice>& lattices() {
 struct Placement {
     double size;
     Vec3 offset;
-    Mesh of(const Mesh& mesh) const { return moved(mesh, Vec3(size), offset, fmt::format("{} * {:a} + {}", mesh.name, size, offset.x / size)); }
+    TriangleMesh of(const TriangleMesh& mesh) const { return moved(mesh, Vec3(size), offset, fmt::format("{} * {:a} + {}", mesh.name, size, offset.x / size)); }
 };
 
-struct Placed {
+struct PlacedMeshes {
     const Lattice* lattice;
     Placement placement;
     std::vector<Built> structures;
 };
 
-Placed placed(uint64_t block) {
+PlacedMeshes placed_meshes(uint64_t block) {
     Draws draws(RandomKey(16, 1, block));
     const Lattice& lattice = lattices()[block % lattices().size()];
     Placement placement{std::exp2(int(draws.below(81)) - 40), Vec3(0)};
     if (draws.coin()) placement.offset = placement.size * Vec3(draws.below(1u << 20), -double(draws.below(1u << 20)), 1000);
     const Precision precision = precision_of(block / lattices().size() % 2 == 1);
-    Placed placed{&lattice, placement, built(precision, placement.of(lattice.mesh))};
+    PlacedMeshes placed{&lattice, placement, built(precision, placement.of(lattice.mesh))};
     placed.structures.emplace_back(Subject{&accelerators().front(), precision, false}, placement.of(lattice.mesh));
     return placed;
 }
@@ -210,9 +210,9 @@ Check accel_equal() {
 }
 
 Check axis_parallel() {
-    return [kept = std::make_shared<Shared<Placed>>()](uint64_t number, NumericsTally& tally) {
+    return [kept = std::make_shared<Shared<PlacedMeshes>>()](uint64_t number, NumericsTally& tally) {
         constexpr uint64_t kBlock = 512;
-        const Placed& p = kept->at(number / kBlock, placed);
+        const PlacedMeshes& p = kept->at(number / kBlock, placed_meshes);
         Draws draws(RandomKey(16, 0, number));
         const AxisLine line = axis_line(*p.lattice, draws);
         const Ray ray = ray_of(line, p.placement, draws);

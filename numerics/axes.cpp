@@ -6,6 +6,7 @@
 #include "numerics/exact.h"
 #include "numerics/rows.h"
 #include "numerics/shape_samples.h"
+#include "numerics/triangles/rays.h"
 
 #include <fmt/format.h>
 
@@ -37,8 +38,6 @@ struct Axes {
     bool only_mirrors() const { return from == std::array{0, 1, 2}; }
     std::string text() const { return fmt::format("axes {}{}, {}{}, {}{}", sign.x < 0 ? "-" : "", from[0], sign.y < 0 ? "-" : "", from[1], sign.z < 0 ? "-" : "", from[2]); }
 };
-
-std::string text(const Ray& ray) { return fmt::format("ray <{}, {}, {}> + t <{}, {}, {}>", ray.origin.x, ray.origin.y, ray.origin.z, ray.dir.x, ray.dir.y, ray.dir.z); }
 
 // ---- Closed forms that can be written with other axes ----
 
@@ -101,7 +100,7 @@ void closed_form(uint64_t number, Draws& draws, NumericsTally& tally) {
     const Vec3 aim = draws.in_box(Vec3(-1), Vec3(1));
     ray.origin = aim + draws.direction() * std::pow(10, draws.uniform(0, 3)), ray.dir = normalized(aim - ray.origin);
     const Crossings a = ops.crossings(shape, ray), b = ops.crossings(other, axes.ray(ray));
-    const auto what = [&] { return fmt::format("{}, {}; {}: {} and {} crossings", ops.name, axes.text(), text(ray), a.count, b.count); };
+    const auto what = [&] { return fmt::format("{}, {}; {}: {} and {} crossings", ops.name, axes.text(), describe(ray), a.count, b.count); };
     tally.decide(a.count == b.count, what);
     if (a.count != b.count) return;
     for (size_t i = 0; i < size_t(a.count); ++i) {
@@ -170,7 +169,7 @@ void triangles(uint64_t number, Draws& draws, NumericsTally& tally) {
         Hit x, y;
         WorkCounters work;
         a->intersect(ray, x, work), b->intersect(axes.ray(ray), y, work);
-        const auto what = [&] { return fmt::format("{}, {}, {}; {}: t {} and {}, triangles {} and {}", entry.name, precision == Precision::float_ ? "float" : "double", axes.text(), text(ray), x.t, y.t, x.primitive, y.primitive); };
+        const auto what = [&] { return fmt::format("{}, {}, {}; {}: t {} and {}, triangles {} and {}", entry.name, precision == Precision::float_ ? "float" : "double", axes.text(), describe(ray), x.t, y.t, x.primitive, y.primitive); };
         tally.decide(x.primitive == y.primitive, what);
         if (!x.valid() || !y.valid()) continue;
         const double error = std::abs(x.t - y.t) / std::max(ulp(x.t), ulp(one.farthest(x.primitive, ray.origin)) / length(ray.dir));

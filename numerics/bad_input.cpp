@@ -4,6 +4,7 @@
 #include "numerics/rows.h"
 #include "numerics/scene_maker.h"
 #include "numerics/shape_samples.h"
+#include "numerics/triangles/rays.h"
 #include "tracer/compiled_scene.h"
 
 #include <fmt/format.h>
@@ -92,7 +93,7 @@ Ray at_sphere(Draws& draws) {
     return ray;
 }
 
-Hit first_hit(const Accelerator& accelerator, const Ray& ray, uint64_t& work) {
+Hit counted_hit(const Accelerator& accelerator, const Ray& ray, uint64_t& work) {
     WorkCounters counters;
     Hit hit;
     accelerator.intersect(ray, hit, counters);
@@ -101,8 +102,6 @@ Hit first_hit(const Accelerator& accelerator, const Ray& ray, uint64_t& work) {
 }
 
 bool same(const Hit& a, const Hit& b) { return a.t == b.t && a.primitive == b.primitive && a.u == b.u && a.v == b.v && a.error.along_normal == b.error.along_normal; }
-
-std::string text(const Ray& ray) { return fmt::format("ray <{}, {}, {}> + t <{}, {}, {}>, t from {} to {}", ray.origin.x, ray.origin.y, ray.origin.z, ray.dir.x, ray.dir.y, ray.dir.z, ray.tmin, ray.tmax); }
 
 /// The sphere's hits with a bad part and without, and brute force's: bits, work, and what is told of the part.
 void bad_triangles(uint64_t number, Draws& draws, NumericsTally& tally) {
@@ -122,9 +121,9 @@ void bad_triangles(uint64_t number, Draws& draws, NumericsTally& tally) {
     constexpr uint64_t kRays = 40;
     for (uint64_t i = 0; i < kRays; ++i) {
         const Ray ray = at_sphere(draws);
-        const Hit good_hit = first_hit(*before, ray, work_before), got = first_hit(*accelerator, ray, work), want = first_hit(*truth, ray, unused);
+        const Hit good_hit = counted_hit(*before, ray, work_before), got = counted_hit(*accelerator, ray, work), want = counted_hit(*truth, ray, unused);
         const bool unchanged = alone || !good_hit.valid() || same(got, good_hit), finite = !got.valid() || std::isfinite(got.t);
-        tally.decide(unchanged && finite && same(got, want) && (!part.removed || !got.valid() || got.primitive < kept), [&] { return what(text(ray)); });
+        tally.decide(unchanged && finite && same(got, want) && (!part.removed || !got.valid() || got.primitive < kept), [&] { return what(describe(ray)); });
     }
     if (alone || (!part.removed && part.times > 1)) return;   // of those that are at one place, a ray there has to ask each which is the first
     const uint64_t allowed = part.removed ? work_before + work_before / 10 : 2 * work_before + kRays * 8;   // what is kept has boxes around all, and is tested itself
@@ -170,16 +169,16 @@ void bad_rays(uint64_t number, Draws& draws, NumericsTally& tally) {
     for (int i = 0; i < 20; ++i) {
         const Ray ray = bad_ray(draws);
         WorkCounters counters;
-        const bool hit = first_hit(*mesh, ray, work).valid() || first_hit(*scene->top, ray, work).valid() || mesh->occluded(ray, counters) || scene->top->occluded(ray, counters);
-        tally.decide(!hit, [&] { return fmt::format("{}: {} hits", entry.name, text(ray)); });
+        const bool hit = counted_hit(*mesh, ray, work).valid() || counted_hit(*scene->top, ray, work).valid() || mesh->occluded(ray, counters) || scene->top->occluded(ray, counters);
+        tally.decide(!hit, [&] { return fmt::format("{}: {} hits", entry.name, describe(ray)); });
         const Ray plain = at_sphere(draws);
         const int power = int(draws.below(2001)) - 1000;
         for (const Accelerator* surfaces : {mesh.get(), scene->top.get()}) {
             Ray stretched = plain;
             const double factor = std::ldexp(1.0, surfaces == mesh.get() ? power : power / 5);
             stretched.dir *= factor;
-            const Hit want = first_hit(*surfaces, plain, work), got = first_hit(*surfaces, stretched, work);
-            tally.decide(got.primitive == want.primitive && got.instance == want.instance && (!want.valid() || got.t * factor == want.t), [&] { return fmt::format("{}: {}, its direction times {}", entry.name, text(plain), factor); });
+            const Hit want = counted_hit(*surfaces, plain, work), got = counted_hit(*surfaces, stretched, work);
+            tally.decide(got.primitive == want.primitive && got.instance == want.instance && (!want.valid() || got.t * factor == want.t), [&] { return fmt::format("{}: {}, its direction times {}", entry.name, describe(plain), factor); });
         }
     }
 }
@@ -214,7 +213,7 @@ void bad_shapes(uint64_t number, Draws& draws, NumericsTally& tally) {
             right = right && std::isfinite(hit.t) && hit.t >= 0;
             if (hit.instance == 0) right = right && seen < on_sphere.count && hit.t == on_sphere.at[size_t(seen)].t, ++seen;
         }
-        tally.decide(right && seen == (on_sphere.count && on_sphere.at[0].t < 0 ? 0 : on_sphere.count), [&] { return what(text(ray)); });
+        tally.decide(right && seen == (on_sphere.count && on_sphere.at[0].t < 0 ? 0 : on_sphere.count), [&] { return what(describe(ray)); });
     }
 }
 

@@ -97,7 +97,7 @@ Ray ray_at(const Triangle& triangle, const TriangleClass& c, Draws& draws) {
 }
 
 /// The triangle; `wide`: and two others far out at opposite corners. Their box holds every origin, so that no ray is moved to it.
-Mesh mesh_of(const Triangle& triangle, const TriangleClass& c, bool wide) {
+TriangleMesh mesh_of(const Triangle& triangle, const TriangleClass& c, bool wide) {
     std::vector<Vec3> vertices(triangle.begin(), triangle.end());
     std::vector<Index3> triangles{{0, 1, 2}};
     if (!wide) return {c.name, vertices, triangles};
@@ -158,7 +158,7 @@ Check exact_signs(std::span<const TriangleClass> classes, uint64_t row) {
         const bool wide = number / 2 % 2 == 0;
         const Triangle triangle = random_triangle(c, precision, draws);
         if (max_abs(cross(triangle[1] - triangle[0], triangle[2] - triangle[0])) == 0) return;   // on the lattice
-        const Mesh mesh = mesh_of(triangle, c, wide);
+        const TriangleMesh mesh = mesh_of(triangle, c, wide);
         std::vector<Built> structures = built(precision, mesh);
         structures.emplace_back(Subject{&accelerators().front(), precision, false}, mesh);
         for (uint64_t i = 0; i < kRays; ++i) {

@@ -233,7 +233,7 @@ MaterialId add(SceneMaker& scene, const Finish& f) {
     return scene.material(pov);
 }
 
-constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
+constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
 constexpr int kSide = 8;   // pixels, of which each is an estimate of its own: they see one face from one direction
 
 /// The face, lit from the cap, or by the whole sky. A sphere as large as it is far away is a cap of any angle.
@@ -282,7 +282,7 @@ Estimate measured(const Scene& scene, int samples, uint64_t seed) {
     RenderOptions render_options;
     render_options.width = render_options.height = kSide, render_options.spp = 1, render_options.light_samples = samples, render_options.seed = seed, render_options.threads = 1;
     const auto film = compiled ? render(*compiled, render_options) : tl::unexpected(said.text());
-    return film ? estimate(film->picture) : Estimate{Color(kNaN), Color(kNaN)};
+    return film ? estimate(film->picture) : Estimate{Color(kUnknown), Color(kUnknown)};
 }
 
 constexpr double kRounding = 2e-6;        // of float pictures, and of light from 1e6 away
@@ -318,7 +318,7 @@ double deviation(const FurnaceCase& c, uint64_t number, const Albedo& want, doub
         }
     }
     brightest = max_component(e.mean - 3.5 * e.error), error = max_component(e.error);
-    return max_component(e.error) <= enough && want.error <= enough / 4 ? worst : kNaN;   // unknown is wrong
+    return max_component(e.error) <= enough && want.error <= enough / 4 ? worst : kUnknown;   // unknown is wrong
 }
 
 }  // namespace

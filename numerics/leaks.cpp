@@ -40,7 +40,7 @@ void check(const Built& built, const Ray& ray, uint64_t number, NumericsTally& t
     tally.decide(hits, [&] { return built.text(ray); });
 }
 
-using Aim = Ray (*)(const Mesh&, const RandomKey&);
+using Aim = Ray (*)(const TriangleMesh&, const RandomKey&);
 
 /// Structures over the meshes that are always the same are kept, all of them.
 Check leak(Aim aim, uint64_t row) {
@@ -57,13 +57,13 @@ Check leak(Aim aim, uint64_t row) {
 
 /// Of any size, flat, a needle, a blade or far from the origin.
 struct AnyClosed {
-    Mesh mesh;
+    TriangleMesh mesh;
     double size, offset = 0;   ///< in sizes
 };
 
 AnyClosed any_closed_mesh(Draws& draws) {
     const uint32_t form = draws.below(3), shape = draws.below(5);
-    const Mesh mesh = form == 0 ? geodesic_sphere(5) : form == 1 ? cube(6) : torus(20, 12);
+    const TriangleMesh mesh = form == 0 ? geodesic_sphere(5) : form == 1 ? cube(6) : torus(20, 12);
     const double size = std::pow(10, draws.uniform(-15, 15)), extreme = std::pow(10, draws.uniform(0, 1));
     const std::string name = fmt::format("{} * {}, ", mesh.name, size);
     if (shape == 0) return {moved(mesh, Vec3(size), Vec3(0), name + "as it is"), size};

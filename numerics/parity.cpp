@@ -58,7 +58,7 @@ struct Passing {
     bool touches;   ///< it meets the closed triangle as it is, not edge-on
 };
 
-Passing passing(const MovedLine& line, const Mesh& mesh, size_t triangle) {
+Passing passing(const MovedLine& line, const TriangleMesh& mesh, size_t triangle) {
     const Vec3& a = mesh.corner(triangle, 0), & b = mesh.corner(triangle, 1), & c = mesh.corner(triangle, 2);
     const MovedLine::Side sides[] = {line.side(a, b), line.side(b, c), line.side(c, a)};
     int most = -1, least = 1, met = 0;
@@ -72,9 +72,9 @@ Passing passing(const MovedLine& line, const Mesh& mesh, size_t triangle) {
 }
 
 Compared solid(uint64_t block) {
-    static const std::vector<Mesh> meshes = [] {
-        std::vector<Mesh> closed;
-        for (const Mesh& mesh : small_meshes())
+    static const std::vector<TriangleMesh> meshes = [] {
+        std::vector<TriangleMesh> closed;
+        for (const TriangleMesh& mesh : small_meshes())
             if (is_closed(mesh)) closed.push_back(mesh);
         return closed;
     }();
@@ -95,7 +95,7 @@ bool is_right(const std::vector<Hit>& hits, const std::vector<Passing>& want) {
 }
 
 /// The ray's whole line: at an edge or a corner, along a plane of the mesh, or at anything.
-Ray whole_line(const Mesh& mesh, const RandomKey& key) {
+Ray whole_line(const TriangleMesh& mesh, const RandomKey& key) {
     constexpr std::array kClasses{"random", "lattice", "axis-parallel, others 0 or -0", "edge-aimed", "vertex-aimed", "edge-aimed", "vertex-aimed"};
     const std::string_view name = kClasses[key.child(2).bits(0) % kClasses.size()];
     Ray ray;

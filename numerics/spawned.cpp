@@ -17,7 +17,7 @@ namespace alidade::numerics {
 
 namespace {
 
-alidade::Mesh scene_mesh(const Mesh& mesh) {
+alidade::Mesh scene_mesh(const TriangleMesh& mesh) {
     alidade::Mesh out;
     out.positions = mesh.positions, out.triangles = mesh.triangles;
     return out;
@@ -74,7 +74,7 @@ const std::vector<Form>& forms() {
         list.push_back({"cushion", cushion});
         list.push_back({"ellipsoid", Quadric{{1, 1.5, 3}, {0.3, -0.2, 0.1}, {0, 0.1, 0}, -1}});
         for (Form& form : list) form.convex = is_convex(form.geometry);
-        for (const Mesh& mesh : {geodesic_sphere(4), cube(2)}) list.push_back({mesh.name, scene_mesh(mesh), true});
+        for (const TriangleMesh& mesh : {geodesic_sphere(4), cube(2)}) list.push_back({mesh.name, scene_mesh(mesh), true});
         return list;
     }();
     return all;

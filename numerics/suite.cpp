@@ -6,9 +6,8 @@
 
 namespace alidade {
 
+namespace numerics {
 namespace {
-
-using namespace numerics;
 
 constexpr NumericsRow kSuite[] = {
     {"T01", "leak-edge", "rays from inside of closed meshes (sizes 1e-15 to 1e15, flat, needles, offsets to 1e6) at points of edges, half of them on a lattice; all accelerators, float and double, exact and robust; each eighth ray as a shadow's, too",
@@ -66,16 +65,17 @@ constexpr NumericsRow kSuite[] = {
 };
 
 }  // namespace
+}  // namespace numerics
 
-std::span<const NumericsRow> numerics_suite() { return kSuite; }
+std::span<const NumericsRow> numerics_suite() { return numerics::kSuite; }
 
 const NumericsRow* find_numerics(std::string_view word) {
-    for (const NumericsRow& row : kSuite) {
+    for (const NumericsRow& row : numerics::kSuite) {
         if (word == row.id || word == row.name) return &row;
     }
     return nullptr;
 }
 
-void ask_numerics(const NumericsAsked& what) { ask(what); }
+void ask_numerics(const NumericsAsked& what) { numerics::ask(what); }
 
 }  // namespace alidade

@@ -83,14 +83,14 @@ ExactMap product(const std::vector<Transform>& steps) {
     return all;
 }
 
-struct Placed {
+struct PlacedBySteps {
     std::shared_ptr<const CompiledScene> scene;
     Transform rounded;
     std::string said;
 };
 
-Placed placed(const std::vector<Transform>& steps, Draws& draws) {
-    Placed p;
+PlacedBySteps placed_by(const std::vector<Transform>& steps, Draws& draws) {
+    PlacedBySteps p;
     SceneMaker maker;
     uint32_t parent = kNoId;
     for (size_t i = 0; i < steps.size(); ++i) {
@@ -117,7 +117,7 @@ Ray aimed(const Transform& place, Draws& draws) {
 
 void hit_and_normal(uint64_t kind, Draws& draws, NumericsTally& tally) {
     const std::vector<Transform> steps = chain(draws, kind);
-    const Placed p = placed(steps, draws);
+    const PlacedBySteps p = placed_by(steps, draws);
     const ExactMap exact = product(steps);
     const Ray ray = aimed(p.rounded, draws);
     const auto what = [&] { return fmt::format("transform of kind {}; ray <{}, {}, {}> + t <{}, {}, {}>", kind, ray.origin.x, ray.origin.y, ray.origin.z, ray.dir.x, ray.dir.y, ray.dir.z); };
@@ -148,7 +148,7 @@ void singular(Draws& draws, NumericsTally& tally) {
         case 2: flat.linear[int(draws.below(3))][int(draws.below(3))] = draws.coin() ? kInf : std::numeric_limits<double>::quiet_NaN(); break;
         default: flat = turn(draws) * Transform::scale({1, draws.coin() ? 0 : 1e-320, 1}); break;
     }
-    const Placed p = placed({turn(draws), flat, turn(draws)}, draws);
+    const PlacedBySteps p = placed_by({turn(draws), flat, turn(draws)}, draws);
     Hit hit;
     WorkCounters work;
     const bool found = p.scene && p.scene->top->intersect(aimed(turn(draws), draws), hit, work);

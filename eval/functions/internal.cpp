@@ -97,7 +97,7 @@ double ridge(const Vec3& start, Arguments a, NoiseGenerator) {
     return sum / weights;
 }
 
-constexpr InternalFunction kTable[] = {
+constexpr InternalFunction kInternalFunctions[] = {
     {17, "f_ellipsoid", 3, ellipsoid}, {29, "f_hetero_mf", 6, hetero_mf}, {47, "f_ph", 0, phi}, {57, "f_r", 0, r}, {58, "f_ridge", 6, ridge}, {59, "f_ridged_mf", 6, ridged_mf},
     {60, "f_rounded_box", 4, rounded_box}, {61, "f_sphere", 1, sphere}, {68, "f_superellipsoid", 2, superellipsoid}, {69, "f_th", 0, theta}, {70, "f_torus", 2, torus},
     {76, "f_noise3d", 0, noise3d}, {78, "f_noise_generator", 1, noise_generator},
@@ -105,10 +105,10 @@ constexpr InternalFunction kTable[] = {
 
 }  // namespace
 
-std::span<const InternalFunction> internal_functions() { return kTable; }
+std::span<const InternalFunction> internal_functions() { return kInternalFunctions; }
 
 const InternalFunction* find_internal_function(double number) {
-    for (const InternalFunction& row : kTable)
+    for (const InternalFunction& row : kInternalFunctions)
         if (row.number == number) return &row;
     return nullptr;
 }

@@ -39,7 +39,7 @@ Vec3 octaves(const Vec3& p, const Octaves& octaves) {
     return sum;
 }
 
-constexpr LatticeNoise kTable[] = {
+constexpr LatticeNoise kLatticeNoises[] = {
     {"plain", lattice_noise, vector_lattice_noise, octaves},
 #ifdef __x86_64__
     {"avx2", avx2::lattice_noise, avx2::vector_lattice_noise, avx2::octaves},
@@ -50,9 +50,9 @@ constexpr LatticeNoise kTable[] = {
 
 std::span<const LatticeNoise> lattice_noises() {
 #ifdef __x86_64__
-    if (!__builtin_cpu_supports("avx2")) return std::span(kTable).first(1);
+    if (!__builtin_cpu_supports("avx2")) return std::span(kLatticeNoises).first(1);
 #endif
-    return kTable;
+    return kLatticeNoises;
 }
 
 }  // namespace alidade

@@ -5,18 +5,18 @@ namespace alidade {
 
 namespace {
 
-Frustum frustum(const ShapeGeometry& geometry) {
+Frustum frustum_of_cylinder(const ShapeGeometry& geometry) {
     const Cylinder& c = std::get<Cylinder>(geometry);
     return {c.a, c.b, c.radius, c.radius, c.open};
 }
 
 Bounds cylinder_bounds(const ShapeGeometry& geometry) { return bounds(geometry); }
-Crossings cylinder_wanted(const ShapeGeometry& geometry, const Bounds& own, const Ray& ray, Wanted wanted) { return frustum(geometry).crossings(own, ray, wanted); }
+Crossings cylinder_wanted(const ShapeGeometry& geometry, const Bounds& own, const Ray& ray, Wanted wanted) { return frustum_of_cylinder(geometry).crossings(own, ray, wanted); }
 Crossings cylinder_crossings(const ShapeGeometry& geometry, const Ray& ray) { return cylinder_wanted(geometry, cylinder_bounds(geometry), whole_line(ray), Wanted::all); }
-ErrorBound cylinder_error(const ShapeGeometry& geometry, const Ray& ray, double t, uint32_t part) { return frustum(geometry).error(ray, t, part); }
-SurfacePoint cylinder_surface(const ShapeGeometry& geometry, const Vec3& point, uint32_t part) { return frustum(geometry).surface(point, part); }
-Vec3 cylinder_normal(const ShapeGeometry& geometry, const Vec3& point, uint32_t part) { return frustum(geometry).normal(point, part); }
-bool cylinder_inside(const ShapeGeometry& geometry, const Vec3& point) { return frustum(geometry).inside(point); }
+ErrorBound cylinder_error(const ShapeGeometry& geometry, const Ray& ray, double t, uint32_t part) { return frustum_of_cylinder(geometry).error(ray, t, part); }
+SurfacePoint cylinder_surface(const ShapeGeometry& geometry, const Vec3& point, uint32_t part) { return frustum_of_cylinder(geometry).surface(point, part); }
+Vec3 cylinder_normal(const ShapeGeometry& geometry, const Vec3& point, uint32_t part) { return frustum_of_cylinder(geometry).normal(point, part); }
+bool cylinder_inside(const ShapeGeometry& geometry, const Vec3& point) { return frustum_of_cylinder(geometry).inside(point); }
 bool cylinder_solid(const ShapeGeometry& geometry) { return !std::get<Cylinder>(geometry).open; }
 
 }  // namespace

@@ -26,9 +26,9 @@ struct End {
 uint32_t side_of(const Cut& cut, bool entry) { return kFirstSide + 2 * cut.arc + (entry == (cut.turn > 0) ? 1 : 0); }
 
 /// A line relative to the middle of the shape's box: p + s d, and the crossings on it.
-class Line {
+class OutlineLine {
   public:
-    Line(const Extrusion& e, const Ray& ray, const Approach& nearest, const Vec3& center, const LineInterval& inside)
+    OutlineLine(const Extrusion& e, const Ray& ray, const Approach& nearest, const Vec3& center, const LineInterval& inside)
         : e_(e), ray_(ray), nearest_(nearest), center_(center), inside_(inside) {}
 
     Crossings crossings() {
@@ -98,7 +98,7 @@ Crossings extrusion_crossings(const ShapeGeometry& geometry, const Ray& ray) {
     const Vec3 center = box.center();
     const Approach nearest = approach(center, ray);
     if (inside.empty() || !std::isfinite(nearest.shift)) return {};
-    return Line(e, ray, nearest, center, inside).crossings();
+    return OutlineLine(e, ray, nearest, center, inside).crossings();
 }
 
 /// The distance from the plane of a flat face, or from the point of the arc that is nearest.

@@ -93,7 +93,7 @@ double largest_magnitude(const Polynomial& f, const Vec3& p, const Vec3& u) {
 }
 
 /// A line p + s u, |u| = 1, and where it crosses the surface.
-struct Line {
+struct PolynomialLine {
     const Polynomial& f;
     Vec3 p, u;
 
@@ -132,7 +132,7 @@ Crossings polynomial_wanted(const ShapeGeometry& geometry, const Bounds&, const 
     const auto s_at = [&](double t) { return ((t - nearest.shift) - nearest.rest) * speed; };
     RootRange range{s_at(ray.tmin - rough.slack(ray.tmin)), s_at(ray.tmax + rough.slack(ray.tmax))};
     double roots[kMostRoots];
-    const int count = Line{f, nearest.nearest, ray.dir / speed}.crossings(range, roots);
+    const int count = PolynomialLine{f, nearest.nearest, ray.dir / speed}.crossings(range, roots);
     if (range.sign != 0) out.begins_inside = range.sign < 0;
     for (int i = 0; i < count; ++i) add_crossing(ray, nearest.shift + (nearest.rest + roots[i] / speed), out);
     return out;

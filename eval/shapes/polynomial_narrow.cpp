@@ -13,7 +13,7 @@ namespace alidade {
 namespace {
 
 /// What everything is widened by, in parts of the terms: far more than their roundings.
-constexpr double kSlack = 1e-12;
+constexpr double kSignSlack = 1e-12;
 /// How many times a box is halved along each axis, and how many parts are looked at in all.
 constexpr int kHalvings = 5, kMostParts = 4096;
 /// Polynomials with more terms than this stay as they are: a part would take too long.
@@ -35,7 +35,7 @@ struct Range {
 bool may_hold(const Polynomial& f, double sign, const Bounds& box) {
     const Range r = horner<Range>(f, [&](Range& sum, int axis) { sum.times(box.min[axis], box.max[axis]); });
     const double least = sign > 0 ? r.low : -r.high;
-    return !(least > kSlack * r.magnitude);   // what is not a number is kept
+    return !(least > kSignSlack * r.magnitude);   // what is not a number is kept
 }
 
 /// Calls visit(i, j, k, c) for the terms c x^i y^j z^k.

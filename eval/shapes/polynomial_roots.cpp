@@ -82,7 +82,7 @@ int quadratic_roots(const Univariate& f, double* roots) {
 }
 
 /// Bernstein coefficients of polynomials up to this degree are looked at, and of parts halved this often.
-constexpr int kMostCertified = 6, kHalvings = 3;
+constexpr int kMostCertified = 6, kRootHalvings = 3;
 
 /// A polynomial of a part of the line, as its Bernstein coefficients.
 struct Part {
@@ -125,7 +125,7 @@ int certain_sign(const Univariate& f, double from, double to) {
     if (f.degree > kMostCertified || !(from < to)) return 0;
     double slack;
     Part part(f, from, to, slack);
-    return part.sign(slack, kHalvings);
+    return part.sign(slack, kRootHalvings);
 }
 
 /// f = x^zeros g: near 0, powers of x are lost below the least number, and no bracket could tell where f is 0 from where it only vanishes. So g is asked, and 0 is put in:

@@ -63,7 +63,7 @@ struct OnLine {
 };
 
 /// A line p + s u, |u| = 1, and where it crosses the quadric.
-struct Line {
+struct QuadricLine {
     const Quadric& q;
     Vec3 p, u;
 
@@ -107,7 +107,7 @@ double near_tangent(const Quadric& q, const Ray& ray, double t) {
     const Approach nearest = approach_inline(Vec3(0), ray);
     const double speed = std::sqrt(dot(ray.dir, ray.dir));
     if (!is_finite(ray) || !std::isfinite(nearest.shift) || !(speed > 0)) return out;
-    const Line line{q, nearest.nearest, ray.dir / speed};
+    const QuadricLine line{q, nearest.nearest, ray.dir / speed};
     double roots[2];
     const int count = line.rough_crossings(roots, out.begins_inside);
     if (count == 0) return out;

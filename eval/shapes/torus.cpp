@@ -10,7 +10,7 @@ namespace {
 Bounds torus_bounds(const ShapeGeometry& geometry) { return bounds(geometry); }
 
 /// What ranges are widened by, in parts of the size of the torus: far more than any rounding of theirs.
-constexpr double kSlack = 1e-9;
+constexpr double kTorusSlack = 1e-9;
 /// Extremes are found to this part of the mean of the size and the minor radius: with that as the radius of curvature at the least, the distance from the
 /// surface changes by its square there, which is less than its rounding.
 constexpr double kNearExtreme = 0x1p-28;
@@ -33,7 +33,7 @@ struct Brackets {
 };
 
 /// A line relative to the centre: p + s u with |u| = 1, p being near the centre.
-struct Line {
+struct TorusLine {
     Vec3 p, u;
     double major, minor;
 
@@ -49,7 +49,7 @@ struct Line {
     /// Where the line can be in the torus: between the planes that touch it from above and below, and in the ball around it. Nowhere if all of that is in
     /// the hole, which is convex.
     LineInterval range() const {
-        const double slack = kSlack * size(), ball = size() * size() - dot(p, p) + slack * size();
+        const double slack = kTorusSlack * size(), ball = size() * size() - dot(p, p) + slack * size();
         if (!(ball >= 0)) return {kInf, -kInf};
         const double half = std::sqrt(ball) + slack, height = minor + slack;
         LineInterval in{-half, half};
@@ -71,7 +71,7 @@ struct Line {
     /// Bernstein coefficients, of each half of the range. Source   G. Farin, "Curves and Surfaces for CAGD", 5th ed. (2002), section 6.
     bool surely_outside(const LineInterval& range) const {
         if (!(size() > 1e-70 && size() < 1e70)) return false;   // its fourth power is no number
-        const double w = 0.5 * (range.exit - range.entry), middle = range.entry + w, most = kSlack * size() * size() * size() * size();
+        const double w = 0.5 * (range.exit - range.entry), middle = range.entry + w, most = kTorusSlack * size() * size() * size() * size();
         return least_coefficient(range.entry, w) > most && least_coefficient(middle, w) > most;
     }
 
@@ -125,7 +125,7 @@ Crossings torus_wanted(const ShapeGeometry& geometry, const Bounds& own, const R
     Crossings out;
     const Approach nearest = approach(torus.center, ray);
     const double speed = std::sqrt(dot(ray.dir, ray.dir));
-    const Line line{nearest.nearest, ray.dir / speed, std::abs(torus.major), std::abs(torus.minor)};
+    const TorusLine line{nearest.nearest, ray.dir / speed, std::abs(torus.major), std::abs(torus.minor)};
     if (!is_finite(ray) || !std::isfinite(nearest.shift) || !(line.minor > 0)) return out;
     const LineInterval range = line.range();
     if (range.empty() || line.surely_outside(range)) return out;

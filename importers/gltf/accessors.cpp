@@ -15,7 +15,7 @@ namespace {
 /// Component values that a file may have for each byte of its buffers, and in any case.
 constexpr uint64_t kReuse = 16, kFreeComponents = uint64_t(1) << 26;
 
-ElementLayout layout_of(const tinygltf::Accessor& accessor) {
+ElementLayout layout_of_accessor(const tinygltf::Accessor& accessor) {
     switch (accessor.type) {
         case TINYGLTF_TYPE_VEC2: return element_layout(accessor.componentType, 1, 2);
         case TINYGLTF_TYPE_VEC3: return element_layout(accessor.componentType, 1, 3);
@@ -62,7 +62,7 @@ void decode(const unsigned char* from, size_t count, size_t stride, const Elemen
 
 template <class Out, class Source, class Place>
 void decode(const unsigned char* from, size_t count, size_t stride, const tinygltf::Accessor& accessor, Out* out, Source source, Place place) {
-    const ElementLayout layout = layout_of(accessor);
+    const ElementLayout layout = layout_of_accessor(accessor);
     const bool n = accessor.normalized;
     switch (accessor.componentType) {
         case TINYGLTF_COMPONENT_TYPE_BYTE: return decode<int8_t>(from, count, stride, layout, n, out, source, place);
@@ -84,13 +84,13 @@ std::vector<uint32_t> sparse_indices(const Model& model, const tinygltf::Accesso
     indices.normalized = false;
     std::vector<uint32_t> out(size_t(accessor.sparse.count));
     const auto* from = bytes_at(model, accessor.sparse.indices.bufferView, size_t(accessor.sparse.indices.byteOffset));
-    decode(from, out.size(), layout_of(indices).stride(), indices, out.data(), kInOrder, kInOrder);
+    decode(from, out.size(), layout_of_accessor(indices).stride(), indices, out.data(), kInOrder, kInOrder);
     return out;
 }
 
 template <class Out> std::vector<Out> read(const Model& model, int index, std::span<const uint32_t> which) {
     const tinygltf::Accessor& accessor = model.accessors[size_t(index)];
-    const ElementLayout layout = layout_of(accessor);
+    const ElementLayout layout = layout_of_accessor(accessor);
     const size_t given = model.bufferViews[size_t(accessor.bufferView)].byteStride, stride = given ? given : layout.stride();
     const size_t count = which.empty() ? accessor.count : which.size();
     std::vector<Out> out(count * layout.components());
@@ -134,7 +134,7 @@ void check_finite(const Model& model, size_t index, const std::string& at, Repor
 
 }  // namespace
 
-uint32_t component_count(const tinygltf::Accessor& accessor) { return layout_of(accessor).components(); }
+uint32_t component_count(const tinygltf::Accessor& accessor) { return layout_of_accessor(accessor).components(); }
 
 std::vector<float> read_floats(const Model& model, int accessor, std::span<const uint32_t> which) { return read<float>(model, accessor, which); }
 

@@ -24,7 +24,7 @@ std::vector<bool> referenced_buffers(const Json& root) {
 }
 
 /// How many times over images may use the bytes of the buffers.
-constexpr uint64_t kReuse = 16;
+constexpr uint64_t kBufferReuse = 16;
 
 class BufferLoader {
   public:
@@ -89,7 +89,7 @@ class ImageLoader {
   public:
     ImageLoader(const Json& root, const std::vector<Bytes>& buffers, const Sources& sources, Reporter& report)
         : root_(root), buffers_(buffers), sources_(sources), report_(report) {
-        for (const Bytes& b : buffers) budget_ += kReuse * b.size();
+        for (const Bytes& b : buffers) budget_ += kBufferReuse * b.size();
     }
 
     Image load(const Json& json, size_t index) {

@@ -7,7 +7,7 @@ namespace {
 
 constexpr const char* kConvertTextures = "convert the textures to PNG or WebP, for example with `gltf-transform`";
 
-constexpr Extension kTable[] = {
+constexpr Extension kExtensions[] = {
     {"KHR_draco_mesh_compression", Support::full, "meshes compressed by Draco"},
     {"KHR_lights_punctual", Support::full, "point, spot and directional lights"},
     {"KHR_materials_clearcoat", Support::full, "a clear layer over the material; the scale of its normal map is left out"},
@@ -51,10 +51,10 @@ constexpr Extension kTable[] = {
 
 }  // namespace
 
-std::span<const Extension> extensions() { return kTable; }
+std::span<const Extension> extensions() { return kExtensions; }
 
 const Extension* find_extension(std::string_view name) {
-    for (const Extension& e : kTable)
+    for (const Extension& e : kExtensions)
         if (name == e.name) return &e;
     return nullptr;
 }

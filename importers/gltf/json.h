@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <nlohmann/json.hpp>
 #include <string>
 #include <string_view>
@@ -32,5 +33,8 @@ template <class J> J* extension_in(J& object, const char* name) {
     const auto found = all->find(name);
     return found == all->end() ? nullptr : &*found;
 }
+
+/// The whole number of that name, or 0. Its type has been checked.
+inline uint64_t whole(const Json& object, const char* name) { return object.value(name, uint64_t(0)); }
 
 }  // namespace alidade::gltf

@@ -15,8 +15,6 @@ constexpr const char* kNames[] = {"EXT_meshopt_compression", "KHR_meshopt_compre
 /// so no byte of data yields more than 64.
 constexpr uint64_t kBestRatio = 64;
 
-uint64_t whole(const Json& object, const char* name) { return object.value(name, uint64_t(0)); }
-
 enum class Mode { attributes, triangles, indices };
 enum class Filter { none, octahedral, quaternion, exponential, color };
 

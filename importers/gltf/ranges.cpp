@@ -18,8 +18,6 @@ struct TypeRow {
 };
 constexpr TypeRow kTypes[] = {{"SCALAR", 1, 1}, {"VEC2", 1, 2}, {"VEC3", 1, 3}, {"VEC4", 1, 4}, {"MAT2", 2, 2}, {"MAT3", 3, 3}, {"MAT4", 4, 4}};
 
-uint64_t whole(const Json& object, const char* name) { return object.value(name, uint64_t(0)); }
-
 class RangeChecker {
   public:
     RangeChecker(const Json& root, Reporter& report) : root_(root), report_(report) {}

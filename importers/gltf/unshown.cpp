@@ -9,7 +9,7 @@ namespace alidade::gltf {
 
 namespace {
 
-constexpr const char *kInstancing = "EXT_mesh_gpu_instancing", *kDraco = "KHR_draco_mesh_compression", *kVisibility = "KHR_node_visibility";
+constexpr const char *kInstancing = "EXT_mesh_gpu_instancing", *kDracoExtension = "KHR_draco_mesh_compression", *kVisibility = "KHR_node_visibility";
 
 class Pruner {
   public:
@@ -79,7 +79,7 @@ class Pruner {
                 use(primitive, "indices");
                 use_all(primitive["attributes"]);
                 for (const Json& target : array_in(primitive, "targets")) use_all(target);
-                if (const Json* draco = extension_in(primitive, kDraco)) views_[(*draco)["bufferView"].get<size_t>()] = true;
+                if (const Json* draco = extension_in(primitive, kDracoExtension)) views_[(*draco)["bufferView"].get<size_t>()] = true;
             }
         for (Json& animation : array_in(root_, "animations"))
             for (const Json& sampler : array_in(animation, "samplers")) use(sampler, "input"), use(sampler, "output");

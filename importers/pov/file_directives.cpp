@@ -61,7 +61,7 @@ TextFile& file_of(Parser& p, const Token& name) {
     return slot->value.as<TextFile>();
 }
 
-void close(Parser& p) {
+void close_file(Parser& p) {
     const Token name = p.raw_token();
     if (name.kind == TokenKind::name && !p.symbols.find(name.id)) return;      // read to its end, and so closed already
     TextFile& file = file_of(p, name);
@@ -172,7 +172,7 @@ void write(Parser& p) {
 void obey_file_directive(Parser& p, const Token& directive) {
     switch (directive.directive.word) {
         case "fopen"_w: return open(p);
-        case "fclose"_w: return close(p);
+        case "fclose"_w: return close_file(p);
         case "read"_w: return read(p);
         default: return write(p);
     }

@@ -75,13 +75,13 @@ std::vector<const AcceleratorEntry*> accelerators_under_test() {
     return rows;
 }
 
-std::unique_ptr<Accelerator> brute_force(const Mesh& mesh, Precision precision) {
+std::unique_ptr<Accelerator> brute_force(const TriangleMesh& mesh, Precision precision) {
     AccelOptions options;
     options.precision = precision;
     return build(accelerators().front(), mesh, options);
 }
 
-std::unique_ptr<Accelerator> build(const AcceleratorEntry& entry, const Mesh& mesh, const AccelOptions& options) {
+std::unique_ptr<Accelerator> build(const AcceleratorEntry& entry, const TriangleMesh& mesh, const AccelOptions& options) {
     return entry.over_triangles(mesh.view(), options);
 }
 

@@ -33,7 +33,7 @@ std::string difference(const Answers& got, const Answers& want);
 const char* name(Precision precision);
 /// Every row of the registry but brute force.
 std::vector<const AcceleratorEntry*> accelerators_under_test();
-std::unique_ptr<Accelerator> brute_force(const Mesh& mesh, Precision precision);
-std::unique_ptr<Accelerator> build(const AcceleratorEntry& entry, const Mesh& mesh, const AccelOptions& options);
+std::unique_ptr<Accelerator> brute_force(const TriangleMesh& mesh, Precision precision);
+std::unique_ptr<Accelerator> build(const AcceleratorEntry& entry, const TriangleMesh& mesh, const AccelOptions& options);
 
 }  // namespace alidade::numerics

@@ -11,19 +11,19 @@
 
 namespace alidade::numerics {
 
-Mesh::Mesh(std::string mesh_name, std::vector<Vec3> mesh_vertices, std::vector<Index3> mesh_triangles, const Bounds& enclosed)
+TriangleMesh::TriangleMesh(std::string mesh_name, std::vector<Vec3> mesh_vertices, std::vector<Index3> mesh_triangles, const Bounds& enclosed)
     : name(std::move(mesh_name)), vertices(std::move(mesh_vertices)), triangles(std::move(mesh_triangles)), inside(enclosed) {
     for (const Vec3& v : vertices) positions.emplace_back(v);
 }
 
-Bounds Mesh::bounds() const {
+Bounds TriangleMesh::bounds() const {
     Bounds box;
     for (const Vec3& v : vertices) box.extend(v);
     return box;
 }
 
-Mesh Mesh::read_at(Precision precision) const {
-    Mesh mesh = *this;
+TriangleMesh TriangleMesh::read_at(Precision precision) const {
+    TriangleMesh mesh = *this;
     if (precision == Precision::float_)
         for (size_t i = 0; i < positions.size(); ++i) mesh.vertices[i] = Vec3(positions[i]);
     return mesh;
@@ -70,10 +70,10 @@ const Index3 kIcosahedron[] = {{0, 11, 5}, {0, 5, 1}, {0, 1, 7}, {0, 7, 10}, {0,
                                {3, 9, 4},  {3, 4, 2}, {3, 2, 6}, {3, 6, 8},  {3, 8, 9},   {4, 9, 5}, {2, 4, 11}, {6, 2, 10},  {8, 6, 7},  {9, 8, 1}};
 
 /// Joins meshes into one; the interior is the first one's.
-Mesh joined(std::string name, const std::vector<Mesh>& parts) {
+TriangleMesh joined(std::string name, const std::vector<TriangleMesh>& parts) {
     std::vector<Vec3> vertices;
     std::vector<Index3> triangles;
-    for (const Mesh& part : parts) {
+    for (const TriangleMesh& part : parts) {
         for (const Index3& t : part.triangles) triangles.push_back(t + Index3(uint32_t(vertices.size())));
         vertices.insert(vertices.end(), part.vertices.begin(), part.vertices.end());
     }
@@ -82,7 +82,7 @@ Mesh joined(std::string name, const std::vector<Mesh>& parts) {
 
 }  // namespace
 
-Mesh geodesic_sphere(int frequency, double bump) {
+TriangleMesh geodesic_sphere(int frequency, double bump) {
     GeodesicVertices vertices(frequency, bump);
     std::vector<Index3> triangles;
     const uint32_t f = uint32_t(frequency);
@@ -98,7 +98,7 @@ Mesh geodesic_sphere(int frequency, double bump) {
     return {fmt::format("geodesic_sphere({}, {})", frequency, bump), std::move(vertices.vertices), std::move(triangles), box_around(Vec3(0), 0.4)};
 }
 
-Mesh cube(int n) {
+TriangleMesh cube(int n) {
     std::map<std::array<int, 3>, uint32_t> known;
     std::vector<Vec3> vertices;
     std::vector<Index3> triangles;
@@ -121,7 +121,7 @@ Mesh cube(int n) {
     return {fmt::format("cube({})", n), std::move(vertices), std::move(triangles), box_around(Vec3(0), 0.5)};
 }
 
-Mesh torus(int around, int across) {
+TriangleMesh torus(int around, int across) {
     std::vector<Vec3> vertices;
     std::vector<Index3> triangles;
     const auto vertex = [&](int i, int j) { return uint32_t((i % around) * across + j % across); };
@@ -136,9 +136,9 @@ Mesh torus(int around, int across) {
     return {fmt::format("torus({}, {})", around, across), std::move(vertices), std::move(triangles), box_around({1, 0, 0}, 0.05)};
 }
 
-Mesh tetrahedra(int count, uint64_t seed) {
+TriangleMesh tetrahedra(int count, uint64_t seed) {
     Draws draws(RandomKey(seed, 0, 0, 0));
-    std::vector<Mesh> parts;
+    std::vector<TriangleMesh> parts;
     for (int i = 0; i < count; ++i) {
         Vec3 x(0), y(0);
         const Vec3 z = draws.direction(), center = draws.in_box(Vec3(-0.8), Vec3(0.8));
@@ -150,13 +150,13 @@ Mesh tetrahedra(int count, uint64_t seed) {
     return joined(fmt::format("tetrahedra({}, {})", count, seed), parts);
 }
 
-Mesh cube_lattice(int nx, int ny, int nz) {
-    std::vector<Mesh> parts;
+TriangleMesh cube_lattice(int nx, int ny, int nz) {
+    std::vector<TriangleMesh> parts;
     for (int i = 0; i < nx * ny * nz; ++i) parts.push_back(moved(cube(1), Vec3(0.5), Vec3(i % nx, i / nx % ny, i / nx / ny) + Vec3(0.5), ""));
     return joined(fmt::format("cube_lattice({}, {}, {})", nx, ny, nz), parts);
 }
 
-Mesh soup(int count, double size, uint64_t seed) {
+TriangleMesh soup(int count, double size, uint64_t seed) {
     Draws draws(RandomKey(seed, 0, 0, 0));
     std::vector<Vec3> vertices;
     std::vector<Index3> triangles;
@@ -168,7 +168,7 @@ Mesh soup(int count, double size, uint64_t seed) {
     return {fmt::format("soup({}, {}, {})", count, size, seed), std::move(vertices), std::move(triangles)};
 }
 
-Mesh wild_soup(int count, uint64_t seed) {
+TriangleMesh wild_soup(int count, uint64_t seed) {
     Draws draws(RandomKey(seed, 0, 0, 0));
     std::vector<Vec3> vertices;
     std::vector<Index3> triangles;
@@ -182,7 +182,7 @@ Mesh wild_soup(int count, uint64_t seed) {
     return {fmt::format("wild_soup({}, {})", count, seed), std::move(vertices), std::move(triangles)};
 }
 
-Mesh slivers(int count, double width, uint64_t seed) {
+TriangleMesh slivers(int count, double width, uint64_t seed) {
     Draws draws(RandomKey(seed, 0, 0, 0));
     std::vector<Vec3> vertices;
     std::vector<Index3> triangles;
@@ -194,7 +194,7 @@ Mesh slivers(int count, double width, uint64_t seed) {
     return {fmt::format("slivers({}, {}, {})", count, width, seed), std::move(vertices), std::move(triangles)};
 }
 
-Mesh battens(int count) {
+TriangleMesh battens(int count) {
     std::vector<Vec3> vertices;
     std::vector<Index3> triangles;
     const Vec3 along = normalized(Vec3(2, 1, 0.4)), up = normalized(cross(along, Vec3(0.2, -1, 1))), out = cross(along, up);
@@ -209,28 +209,28 @@ Mesh battens(int count) {
     return {fmt::format("battens({})", count), std::move(vertices), std::move(triangles)};
 }
 
-Mesh stadium(int inner_frequency, int outer_frequency) {
+TriangleMesh stadium(int inner_frequency, int outer_frequency) {
     return joined(fmt::format("stadium({}, {})", inner_frequency, outer_frequency),
                   {scaled(geodesic_sphere(inner_frequency), 1e-3), geodesic_sphere(outer_frequency)});
 }
 
-Mesh moved(const Mesh& mesh, const Vec3& scale, const Vec3& offset, const std::string& name) {
+TriangleMesh moved(const TriangleMesh& mesh, const Vec3& scale, const Vec3& offset, const std::string& name) {
     std::vector<Vec3> vertices = mesh.vertices;
     for (Vec3& v : vertices) v = scale * v + offset;
     return {name, std::move(vertices), mesh.triangles, {scale * mesh.inside.min + offset, scale * mesh.inside.max + offset}};
 }
 
-Mesh scaled(const Mesh& mesh, double scale) { return moved(mesh, Vec3(scale), Vec3(0), fmt::format("{} * {}", mesh.name, scale)); }
+TriangleMesh scaled(const TriangleMesh& mesh, double scale) { return moved(mesh, Vec3(scale), Vec3(0), fmt::format("{} * {}", mesh.name, scale)); }
 
-Mesh turned(const Mesh& mesh, const std::string& name) {
+TriangleMesh turned(const TriangleMesh& mesh, const std::string& name) {
     const Vec3 x = normalized(Vec3(2, 1, 0.4)), y = normalized(cross(x, Vec3(0.2, -1, 1))), z = cross(x, y);
     std::vector<Vec3> vertices = mesh.vertices;
     for (Vec3& v : vertices) v = v.x * x + v.y * y + v.z * z;
     return {name, std::move(vertices), mesh.triangles, box_around(Vec3(0), 0.5 * std::min({mesh.inside.max.x, mesh.inside.max.y, mesh.inside.max.z}))};
 }
 
-std::vector<Mesh> small_meshes() {
-    const Mesh sphere = geodesic_sphere(4);
+std::vector<TriangleMesh> small_meshes() {
+    const TriangleMesh sphere = geodesic_sphere(4);
     return {sphere,
             cube(5),
             torus(16, 10),
@@ -247,9 +247,9 @@ std::vector<Mesh> small_meshes() {
             moved(sphere, Vec3(1), Vec3(1e3, -7e2, 3e2), "sphere + 1e3")};
 }
 
-const std::vector<Mesh>& closed_meshes() {
-    static const Mesh sphere = geodesic_sphere(16);
-    static const std::vector<Mesh> meshes{sphere,
+const std::vector<TriangleMesh>& closed_meshes() {
+    static const TriangleMesh sphere = geodesic_sphere(16);
+    static const std::vector<TriangleMesh> meshes{sphere,
                                           cube(32),
                                           torus(80, 32),
                                           moved(sphere, Vec3(1), Vec3(1e3), "sphere + 1e3"),
@@ -263,7 +263,7 @@ const std::vector<Mesh>& closed_meshes() {
     return meshes;
 }
 
-bool is_closed(const Mesh& mesh) {
+bool is_closed(const TriangleMesh& mesh) {
     std::map<std::pair<uint32_t, uint32_t>, int> uses;
     for (const Index3& t : mesh.triangles)
         for (int k = 0; k < 3; ++k) ++uses[{t[k], t[(k + 1) % 3]}];

@@ -14,10 +14,10 @@ Ray ray_to(const Vec3& origin, const Vec3& target) {
     return ray;
 }
 
-uint32_t any_triangle(const Mesh& mesh, Draws& draws) { return draws.below(mesh.triangles.size()); }
-const Vec3& any_vertex(const Mesh& mesh, Draws& draws) { return mesh.corner(any_triangle(mesh, draws), int(draws.below(3))); }
+uint32_t any_triangle(const TriangleMesh& mesh, Draws& draws) { return draws.below(mesh.triangles.size()); }
+const Vec3& any_vertex(const TriangleMesh& mesh, Draws& draws) { return mesh.corner(any_triangle(mesh, draws), int(draws.below(3))); }
 
-Vec3 point_on_triangle(const Mesh& mesh, uint32_t triangle, Draws& draws) {
+Vec3 point_on_triangle(const TriangleMesh& mesh, uint32_t triangle, Draws& draws) {
     double u = draws.uniform(), v = draws.uniform();
     if (u + v > 1) u = 1 - u, v = 1 - v;
     const Vec3 a = mesh.corner(triangle, 0), b = mesh.corner(triangle, 1), c = mesh.corner(triangle, 2);
@@ -25,7 +25,7 @@ Vec3 point_on_triangle(const Mesh& mesh, uint32_t triangle, Draws& draws) {
 }
 
 /// Half of the points are 1/16 steps along the edge.
-Vec3 point_on_edge(const Mesh& mesh, Draws& draws) {
+Vec3 point_on_edge(const TriangleMesh& mesh, Draws& draws) {
     const uint32_t triangle = any_triangle(mesh, draws);
     const int k = int(draws.below(3));
     const Vec3 a = mesh.corner(triangle, k), b = mesh.corner(triangle, (k + 1) % 3);
@@ -34,20 +34,20 @@ Vec3 point_on_edge(const Mesh& mesh, Draws& draws) {
 }
 
 /// In a box of twice the size of the mesh.
-Vec3 origin_around(const Mesh& mesh, Draws& draws) {
+Vec3 origin_around(const TriangleMesh& mesh, Draws& draws) {
     const Bounds box = mesh.bounds();
     const Vec3 reach = box.extent() * 0.5;
     return draws.in_box(box.min - reach, box.max + reach);
 }
 
-Ray random_ray(const Mesh& mesh, const RandomKey& key) {
+Ray random_ray(const TriangleMesh& mesh, const RandomKey& key) {
     Draws draws(key);
     const Vec3 origin = origin_around(mesh, draws);
     return ray_to(origin, point_on_triangle(mesh, any_triangle(mesh, draws), draws));
 }
 
 /// Aimed at nothing; most of them miss, many closely.
-Ray stray_ray(const Mesh& mesh, const RandomKey& key) {
+Ray stray_ray(const TriangleMesh& mesh, const RandomKey& key) {
     Draws draws(key);
     Ray ray;
     ray.origin = origin_around(mesh, draws);
@@ -55,7 +55,7 @@ Ray stray_ray(const Mesh& mesh, const RandomKey& key) {
     return ray;
 }
 
-Ray far_ray(const Mesh& mesh, const RandomKey& key) {
+Ray far_ray(const TriangleMesh& mesh, const RandomKey& key) {
     Draws draws(key);
     const Bounds box = mesh.bounds();
     const double distance = std::pow(10.0, draws.uniform(1, 7)) * max_component(box.extent());
@@ -64,7 +64,7 @@ Ray far_ray(const Mesh& mesh, const RandomKey& key) {
 }
 
 /// Origin and target have their coordinates from vertices, each from another one: rays in many planes of the mesh.
-Ray lattice_ray(const Mesh& mesh, const RandomKey& key) {
+Ray lattice_ray(const TriangleMesh& mesh, const RandomKey& key) {
     Draws draws(key);
     Vec3 origin, target;
     for (int axis = 0; axis < 3; ++axis) origin[axis] = any_vertex(mesh, draws)[axis], target[axis] = any_vertex(mesh, draws)[axis];
@@ -74,7 +74,7 @@ Ray lattice_ray(const Mesh& mesh, const RandomKey& key) {
 }
 
 /// Along an axis through a vertex, an edge or a face, from outside; the two other components of the direction are +-`minor`.
-Ray axis_ray(const Mesh& mesh, const RandomKey& key, double minor) {
+Ray axis_ray(const TriangleMesh& mesh, const RandomKey& key, double minor) {
     Draws draws(key);
     const uint32_t kind = draws.below(3), triangle = any_triangle(mesh, draws);
     const Vec3 target = kind == 0 ? any_vertex(mesh, draws) : kind == 1 ? point_on_edge(mesh, draws) : point_on_triangle(mesh, triangle, draws);
@@ -88,12 +88,12 @@ Ray axis_ray(const Mesh& mesh, const RandomKey& key, double minor) {
     return ray;
 }
 
-Ray axis_ray_zero(const Mesh& mesh, const RandomKey& key) { return axis_ray(mesh, key, 0.0); }
-Ray axis_ray_denormal(const Mesh& mesh, const RandomKey& key) { return axis_ray(mesh, key, 4.9e-324); }
-Ray axis_ray_tiny(const Mesh& mesh, const RandomKey& key) { return axis_ray(mesh, key, 1e-42); }  // denormal when rounded to float
+Ray axis_ray_zero(const TriangleMesh& mesh, const RandomKey& key) { return axis_ray(mesh, key, 0.0); }
+Ray axis_ray_denormal(const TriangleMesh& mesh, const RandomKey& key) { return axis_ray(mesh, key, 4.9e-324); }
+Ray axis_ray_tiny(const TriangleMesh& mesh, const RandomKey& key) { return axis_ray(mesh, key, 1e-42); }  // denormal when rounded to float
 
 /// Parallel to an axis, a few ulps of float beside a vertex: on the padded planes of boxes.
-Ray axis_ray_beside(const Mesh& mesh, const RandomKey& key) {
+Ray axis_ray_beside(const TriangleMesh& mesh, const RandomKey& key) {
     Ray ray = axis_ray(mesh, key, 0.0);
     Draws draws(key.child(1));
     for (int axis = 0; axis < 3; ++axis) {
@@ -106,7 +106,7 @@ Ray axis_ray_beside(const Mesh& mesh, const RandomKey& key) {
 }
 
 /// Meets the plane of a triangle, at a point of it, under `angle` radians.
-Ray grazing_ray(const Mesh& mesh, const RandomKey& key, double angle) {
+Ray grazing_ray(const TriangleMesh& mesh, const RandomKey& key, double angle) {
     Draws draws(key);
     const uint32_t triangle = any_triangle(mesh, draws);
     const Vec3 a = mesh.corner(triangle, 0), b = mesh.corner(triangle, 1), c = mesh.corner(triangle, 2);
@@ -118,24 +118,24 @@ Ray grazing_ray(const Mesh& mesh, const RandomKey& key, double angle) {
     return ray;
 }
 
-Ray grazing_ray_3(const Mesh& mesh, const RandomKey& key) { return grazing_ray(mesh, key, 1e-3); }
-Ray grazing_ray_6(const Mesh& mesh, const RandomKey& key) { return grazing_ray(mesh, key, 1e-6); }
-Ray grazing_ray_9(const Mesh& mesh, const RandomKey& key) { return grazing_ray(mesh, key, 1e-9); }
+Ray grazing_ray_3(const TriangleMesh& mesh, const RandomKey& key) { return grazing_ray(mesh, key, 1e-3); }
+Ray grazing_ray_6(const TriangleMesh& mesh, const RandomKey& key) { return grazing_ray(mesh, key, 1e-6); }
+Ray grazing_ray_9(const TriangleMesh& mesh, const RandomKey& key) { return grazing_ray(mesh, key, 1e-9); }
 
-Ray edge_ray(const Mesh& mesh, const RandomKey& key) {
+Ray edge_ray(const TriangleMesh& mesh, const RandomKey& key) {
     Draws draws(key);
     const Vec3 origin = origin_around(mesh, draws);
     return ray_to(origin, point_on_edge(mesh, draws));
 }
 
-Ray vertex_ray(const Mesh& mesh, const RandomKey& key) {
+Ray vertex_ray(const TriangleMesh& mesh, const RandomKey& key) {
     Draws draws(key);
     const Vec3 origin = origin_around(mesh, draws);
     return ray_to(origin, any_vertex(mesh, draws));
 }
 
 /// Starts on the surface: at a vertex, on an edge, or on a face as well as double can say it.
-Ray surface_ray(const Mesh& mesh, const RandomKey& key) {
+Ray surface_ray(const TriangleMesh& mesh, const RandomKey& key) {
     Draws draws(key);
     const uint32_t kind = draws.below(3), triangle = any_triangle(mesh, draws);
     Ray ray;
@@ -145,20 +145,20 @@ Ray surface_ray(const Mesh& mesh, const RandomKey& key) {
 }
 
 /// |dir| from 1e-30 to 1e30.
-Ray any_length_ray(const Mesh& mesh, const RandomKey& key) {
+Ray any_length_ray(const TriangleMesh& mesh, const RandomKey& key) {
     Ray ray = random_ray(mesh, key);
     ray.dir = normalized(ray.dir) * std::pow(10.0, Draws(key.child(1)).uniform(-30, 30));
     return ray;
 }
 
-Ray whole_line(const Mesh& mesh, const RandomKey& key) {
+Ray whole_line(const TriangleMesh& mesh, const RandomKey& key) {
     Ray ray = random_ray(mesh, key);
     ray.tmin = -kInf;
     return ray;
 }
 
 /// Numbers of any magnitude, but for origins beyond float. Nothing can be aimed so, but nothing may break.
-Ray wild_ray(const Mesh& mesh, const RandomKey& key) {
+Ray wild_ray(const TriangleMesh& mesh, const RandomKey& key) {
     Draws draws(key.child(1));
     const auto wild = [&](double largest = 308) { return draws.below(4) == 0 ? 0.0 : draws.sign() * std::pow(10.0, draws.uniform(-320, largest)); };
     Ray ray = random_ray(mesh, key);
@@ -172,7 +172,7 @@ Ray wild_ray(const Mesh& mesh, const RandomKey& key) {
 }
 
 /// The point aimed at has t = 1; the interval ends before it, holds it, or begins behind it.
-Ray short_ray(const Mesh& mesh, const RandomKey& key) {
+Ray short_ray(const TriangleMesh& mesh, const RandomKey& key) {
     Ray ray = random_ray(mesh, key);
     Draws draws(key.child(1));
     ray.tmin = draws.uniform(-0.5, 1.1);
@@ -201,7 +201,7 @@ constexpr RayClass kClasses[] = {
     {"wild numbers", 0.05, wild_ray},
 };
 
-Vec3 origin_inside(const Mesh& mesh, Draws& draws) {
+Vec3 origin_inside(const TriangleMesh& mesh, Draws& draws) {
     Vec3 at = draws.in_box(Vec3(0), Vec3(1));
     if (draws.coin())
         for (int axis = 0; axis < 3; ++axis) at[axis] = std::floor(at[axis] * 16) / 16;
@@ -212,13 +212,13 @@ Vec3 origin_inside(const Mesh& mesh, Draws& draws) {
 
 std::span<const RayClass> ray_classes() { return kClasses; }
 
-Ray edge_aimed_from_inside(const Mesh& mesh, const RandomKey& key) {
+Ray edge_aimed_from_inside(const TriangleMesh& mesh, const RandomKey& key) {
     Draws draws(key);
     const Vec3 origin = origin_inside(mesh, draws);
     return ray_to(origin, point_on_edge(mesh, draws));
 }
 
-Ray vertex_aimed_from_inside(const Mesh& mesh, const RandomKey& key) {
+Ray vertex_aimed_from_inside(const TriangleMesh& mesh, const RandomKey& key) {
     Draws draws(key);
     const Vec3 origin = origin_inside(mesh, draws);
     return ray_to(origin, any_vertex(mesh, draws));

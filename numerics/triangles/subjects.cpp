@@ -44,18 +44,18 @@ std::string Subject::text() const { return fmt::format("{}, {}{}", entry->name, 
 std::span<const Subject> subjects() { return state().subjects; }
 std::span<const Subject> watertight_subjects() { return state().watertight; }
 
-Built::Built(const Subject& of, const Mesh& source) : subject(of), mesh(source.read_at(of.precision)), accelerator(build(*of.entry, mesh, {of.precision, Isa::best, 1, of.intersect})) {}
+Built::Built(const Subject& of, const TriangleMesh& source) : subject(of), mesh(source.read_at(of.precision)), accelerator(build(*of.entry, mesh, {of.precision, Isa::best, 1, of.intersect})) {}
 
 std::string Built::text(const Ray& ray) const { return fmt::format("{}, {}, {}", subject.text(), mesh.name, describe(ray)); }
 
-std::vector<Built> built(Precision precision, const Mesh& source) {
+std::vector<Built> built(Precision precision, const TriangleMesh& source) {
     std::vector<Built> all;
     for (const Subject& subject : subjects())
         if (subject.precision == precision) all.emplace_back(subject, source);
     return all;
 }
 
-Compared::Compared(Precision precision, const Mesh& source) : mesh(source.read_at(precision)), structures(built(precision, source)) {
+Compared::Compared(Precision precision, const TriangleMesh& source) : mesh(source.read_at(precision)), structures(built(precision, source)) {
     structures.emplace_back(Subject{&accelerators().front(), precision, false}, source);
 }
 

@@ -35,22 +35,22 @@ std::span<const Subject> watertight_subjects();
 /// A structure over a mesh as it sees it.
 struct Built {
     Subject subject;
-    Mesh mesh;
+    TriangleMesh mesh;
     std::unique_ptr<Accelerator> accelerator;
 
-    Built(const Subject& of, const Mesh& source);
+    Built(const Subject& of, const TriangleMesh& source);
     /// For failures: who, over what, asked what.
     std::string text(const Ray& ray) const;
 };
 /// All subjects of that precision.
-std::vector<Built> built(Precision precision, const Mesh& source);
+std::vector<Built> built(Precision precision, const TriangleMesh& source);
 
 /// Those over one mesh; brute force is the last.
 struct Compared {
-    Mesh mesh;
+    TriangleMesh mesh;
     std::vector<Built> structures;
 
-    Compared(Precision precision, const Mesh& source);
+    Compared(Precision precision, const TriangleMesh& source);
 };
 
 /// What neighbouring cases share: made when the first of them asks for it, from its number alone, and kept until another is asked for.

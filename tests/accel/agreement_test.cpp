@@ -15,7 +15,7 @@ constexpr uint64_t kSeed = 20250101;
 
 /// Found by a full run: rays just inside the bounds of a mesh whose sides differ by 2^100, where the planes of a grid are coarser than the distance.
 TEST(Replay, RaysThatRunJustInsideTheBounds) {
-    const Mesh mesh = scaled(wild_soup(12, 4), 1e6).read_at(Precision::float_);
+    const TriangleMesh mesh = scaled(wild_soup(12, 4), 1e6).read_at(Precision::float_);
     const auto brute = brute_force(mesh, Precision::float_);
     for (const auto& [origin, dir] : {std::pair{Vec3(-0x1.c17a72p-110, -0x1.4c020ap-107, 0x1.5e913cp+86), Vec3(0x1.1411fe2f4e4p-91, -0x1.192ffbfdf6p-91, -0x1.5e913cp+86)},
                                       {Vec3(-0x1.c17a72p-110, 0x1.85f74ap+77, 0x1.28cff2p+86), Vec3(0x1.eb40c09c8p-100, -0x1.85f74ap+77, -0x1.28cff2p+86)},
@@ -32,7 +32,7 @@ TEST(Replay, RaysThatRunJustInsideTheBounds) {
 /// A hit at exactly tmin or tmax belongs to the ray, and one ulp further it does not.
 TEST(Interval, IsClosedToTheLastBit) {
     for (const Precision precision : {Precision::float_, Precision::double_}) {
-        const Mesh mesh = geodesic_sphere(4).read_at(precision);
+        const TriangleMesh mesh = geodesic_sphere(4).read_at(precision);
         AccelOptions options;
         options.precision = precision;
         for (const AcceleratorEntry& entry : accelerators()) {
@@ -54,7 +54,7 @@ TEST(Interval, IsClosedToTheLastBit) {
 
 /// `hit` is an input too: what comes before it replaces it, what comes behind leaves it alone, and a tie goes to the lower ids.
 TEST(PriorHit, IsReplacedOnlyByOneThatComesBefore) {
-    const Mesh mesh = cube_lattice(2, 3, 4).read_at(Precision::float_);
+    const TriangleMesh mesh = cube_lattice(2, 3, 4).read_at(Precision::float_);
     for (const AcceleratorEntry& entry : accelerators()) {
         const auto accelerator = build(entry, mesh, {});
         WorkCounters work;
@@ -82,7 +82,7 @@ TEST(PriorHit, IsReplacedOnlyByOneThatComesBefore) {
 
 /// A mesh without doubles is the mesh with the doubles that its floats are.
 TEST(DoublePrecision, ReadsFloatPositionsWhereThereAreNoOthers) {
-    const Mesh mesh = torus(16, 10).read_at(Precision::float_);
+    const TriangleMesh mesh = torus(16, 10).read_at(Precision::float_);
     AccelOptions options;
     options.precision = Precision::double_;
     for (const AcceleratorEntry& entry : accelerators()) {

@@ -14,7 +14,7 @@ namespace {
 constexpr size_t kGood = 1280;
 
 TEST(BadMesh, IndicesOutOfRangeAreReported) {
-    const Mesh good = geodesic_sphere(8);
+    const TriangleMesh good = geodesic_sphere(8);
     std::vector<Index3> triangles = good.triangles;
     triangles[7] = {0, 1, uint32_t(good.vertices.size())};
     triangles[9] = {kNoId, kNoId, kNoId};
@@ -28,7 +28,7 @@ TEST(BadMesh, IndicesOutOfRangeAreReported) {
 }
 
 TEST(BadMesh, OfOneTriangleIsHit) {
-    const Mesh one("one triangle", {Vec3(0, 0, 1), Vec3(1, 0, 1), Vec3(0, 1, 1)}, {Index3(0, 1, 2)});
+    const TriangleMesh one("one triangle", {Vec3(0, 0, 1), Vec3(1, 0, 1), Vec3(0, 1, 1)}, {Index3(0, 1, 2)});
     Ray ray;
     ray.origin = {0.25, 0.25, -1};
     for (const AcceleratorEntry& entry : accelerators()) {

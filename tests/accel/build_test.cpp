@@ -29,7 +29,7 @@ TEST(Registry, BeginsWithBruteForceAndFindsByName) {
 }
 
 TEST(BuildStats, SayWhatWasBuilt) {
-    const Mesh mesh = geodesic_sphere(16).read_at(Precision::float_);
+    const TriangleMesh mesh = geodesic_sphere(16).read_at(Precision::float_);
     for (const AcceleratorEntry& entry : accelerators()) {
         const auto accelerator = build(entry, mesh, {});
         const BuildStats& stats = accelerator->stats();
@@ -47,7 +47,7 @@ TEST(BuildStats, SayWhatWasBuilt) {
 
 /// Phases are parts of the build, one after the other, and leave out next to nothing of it.
 TEST(BuildStats, PhasesAddUpToTheBuild) {
-    const Mesh mesh = geodesic_sphere(60);
+    const TriangleMesh mesh = geodesic_sphere(60);
     for (const AcceleratorEntry& entry : accelerators()) {
         const auto accelerator = build(entry, mesh, {});
         const BuildStats& s = accelerator->stats();
@@ -70,9 +70,9 @@ TEST(Build, KeepsNothingOfTheCallersArrays) {
     for (const AcceleratorEntry& entry : accelerators()) {
         for (const Precision precision : {Precision::float_, Precision::double_}) {
             if (std::string_view(entry.name) == "compact" && precision == Precision::float_) continue;
-            const Mesh original = torus(16, 10).read_at(precision);
+            const TriangleMesh original = torus(16, 10).read_at(precision);
             const auto want = build(entry, original, {precision});
-            Mesh lent = original;
+            TriangleMesh lent = original;
             const auto accelerator = build(entry, lent, {precision});
             lent.vertices.assign(lent.vertices.size(), Vec3(0)), lent.positions.assign(lent.positions.size(), Vec3f(0));
             lent.triangles.assign(lent.triangles.size(), Index3(0));
@@ -86,7 +86,7 @@ TEST(Build, KeepsNothingOfTheCallersArrays) {
 
 /// The structure does not depend on the threads that built it: not its sizes, not its hits, not a single step of a ray.
 TEST(Build, DoesNotDependOnThreads) {
-    for (const Mesh& mesh : {geodesic_sphere(40, 0.2), soup(30000, 0.03, 9)}) {
+    for (const TriangleMesh& mesh : {geodesic_sphere(40, 0.2), soup(30000, 0.03, 9)}) {
         for (const AcceleratorEntry* entry : accelerators_under_test()) {
             const auto one = build(*entry, mesh, {Precision::float_, Isa::best, 1}), many = build(*entry, mesh, {Precision::float_, Isa::best, 4});
             const BuildStats &a = one->stats(), &b = many->stats();

@@ -34,11 +34,11 @@ void expect_holds(const TriangleView& view, Draws& draws, const std::string& nam
 
 TEST(CellBoxes, HoldWhatIsPlaced) {
     Draws draws(RandomKey(81, 0, 0, 0));
-    for (const Mesh& mesh : small_meshes()) expect_holds({mesh.positions, {}, mesh.triangles}, draws, mesh.name);
+    for (const TriangleMesh& mesh : small_meshes()) expect_holds({mesh.positions, {}, mesh.triangles}, draws, mesh.name);
 }
 
 TEST(CellBoxes, AreSmallAroundATurnedBall) {
-    const Mesh ball = geodesic_sphere(20);
+    const TriangleMesh ball = geodesic_sphere(20);
     Draws draws(RandomKey(82, 0, 0, 0));
     double parts = 0, whole = 0;
     const CellBoxes cells({ball.positions, {}, ball.triangles});

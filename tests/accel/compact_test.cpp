@@ -52,12 +52,12 @@ TEST(ByteGrid, PlanesAreAroundWhatTheyStandFor) {
 
 BoundsT<float> box_of(const auto& node, uint32_t i) { return {{node.plane(0, i), node.plane(2, i), node.plane(4, i)}, {node.plane(1, i), node.plane(3, i), node.plane(5, i)}}; }
 
-std::vector<Mesh> meshes_of_all_sizes() {
-    std::vector<Mesh> all = small_meshes();
-    for (const Mesh& mesh : {geodesic_sphere(20), torus(50, 40), soup(3000, 0.1, 3), wild_soup(200, 4), battens(100)}) all.push_back(mesh);
+std::vector<TriangleMesh> meshes_of_all_sizes() {
+    std::vector<TriangleMesh> all = small_meshes();
+    for (const TriangleMesh& mesh : {geodesic_sphere(20), torus(50, 40), soup(3000, 0.1, 3), wild_soup(200, 4), battens(100)}) all.push_back(mesh);
     const size_t count = all.size();
     for (size_t i = 0; i < count; ++i) {
-        const Mesh mesh = all[i];
+        const TriangleMesh mesh = all[i];
         for (const double size : {1e-30, 1e-40, 1e30}) all.push_back(scaled(mesh, size));
         all.push_back(moved(mesh, Vec3(1), Vec3(1e6, -1e6, 1e6), mesh.name + " + 1e6"));
         all.push_back(moved(mesh, Vec3(1, 0, 1), Vec3(0), mesh.name + ", flat"));
@@ -68,8 +68,8 @@ std::vector<Mesh> meshes_of_all_sizes() {
 /// Every exact box of the tree is inside of the one that is tested, which is larger by two steps at most; the rest of the tree is the same.
 TEST(Compact, BoxesHoldTheExactOnes) {
     size_t boxes = 0;
-    for (const Mesh& source : meshes_of_all_sizes()) {
-        const Mesh mesh = source.read_at(Precision::float_);
+    for (const TriangleMesh& source : meshes_of_all_sizes()) {
+        const TriangleMesh mesh = source.read_at(Precision::float_);
         const TriangleSource<float> triangles(mesh.view());
         std::vector<uint32_t> order;
         LargeVector<BvhReference<float>> references;
@@ -99,8 +99,8 @@ TEST(Compact, BoxesHoldTheExactOnes) {
 
 /// Blocks keep each triangle's number, and a box that holds it.
 TEST(Compact, BoxesOfTrianglesHoldThem) {
-    for (const Mesh& source : meshes_of_all_sizes()) {
-        const Mesh mesh = source.read_at(Precision::float_);
+    for (const TriangleMesh& source : meshes_of_all_sizes()) {
+        const TriangleMesh mesh = source.read_at(Precision::float_);
         const TriangleSource<float> triangles(mesh.view());
         std::vector<uint32_t> order;
         for (uint32_t id = 0; id < triangles.size(); ++id)

@@ -90,7 +90,7 @@ TYPED_TEST(FastBuild, TreesHoldEveryReferenceOnce) {
 
 /// Loss is bounded where no spatial splits are: a ray's tests are at most a tenth more.
 TEST(FastTree, RaysTakeLittleMoreThanInTheBestTree) {
-    for (const Mesh& mesh : {geodesic_sphere(71, 0.2), soup(100000, 0.02, 4), torus(300, 200)}) {
+    for (const TriangleMesh& mesh : {geodesic_sphere(71, 0.2), soup(100000, 0.02, 4), torus(300, 200)}) {
         WorkCounters work[2];
         size_t i = 0;
         for (const char* name : {"bvh", "hlbvh"}) {

@@ -86,7 +86,7 @@ TYPED_TEST(GroupBoxes, AreThoseOfTheRaysAndFewMore) {
 }
 
 /// What a camera near the mesh, or far away, sends through 4 x 4 pixels, coarse or fine, and sometimes rays that have nothing in common.
-std::vector<Ray> square_of_rays(const Mesh& mesh, Draws& draws) {
+std::vector<Ray> square_of_rays(const TriangleMesh& mesh, Draws& draws) {
     const Bounds box = mesh.bounds();
     const Vec3 middle = box.center(), half = (box.max - box.min) * 0.5;
     const double far = draws.below(4) == 0 ? 1e5 : draws.coin() ? 3 : 0.7, pixel = std::ldexp(1.0, -int(draws.below(16))), jitter = draws.coin() ? 0.5 : 0;
@@ -110,8 +110,8 @@ TEST_P(Together, GiveTheHitsOfEachByItself) {
     size_t hits = 0, asked = 0, squares = 0, shared = 0, parted = 0;
     for (const Precision precision : {Precision::float_, Precision::double_})
         for (const Isa isa : available_isas()) {
-            for (const Mesh& given : {torus(40, 30), geodesic_sphere(12), soup(3000, 0.05, 6), soup(20000, 0.01, 6)}) {
-                const Mesh mesh = given.read_at(precision);
+            for (const TriangleMesh& given : {torus(40, 30), geodesic_sphere(12), soup(3000, 0.05, 6), soup(20000, 0.01, 6)}) {
+                const TriangleMesh mesh = given.read_at(precision);
                 AccelOptions options;
                 options.precision = precision, options.isa = isa;
                 const auto accelerator = build(*GetParam(), mesh, options);
@@ -146,7 +146,7 @@ TEST_P(Together, GiveTheHitsOfEachByItself) {
 INSTANTIATE_TEST_SUITE_P(Registry, Together, testing::ValuesIn(accelerators_under_test()), [](const auto& info) { return std::string(info.param->name); });
 
 /// A mesh, seen through all pixels, in squares.
-std::vector<Ray> picture(const Mesh& mesh, size_t side) {
+std::vector<Ray> picture(const TriangleMesh& mesh, size_t side) {
     const Bounds box = mesh.bounds();
     const Vec3 middle = box.center(), half = (box.max - box.min) * 0.5, eye = middle + Vec3(1.7, 2.3, 3.1) * half, right = normalized(cross(Vec3(0, 1, 0), middle - eye)), up = cross(middle - eye, right);
     std::vector<Ray> rays;
@@ -162,7 +162,7 @@ std::vector<Ray> picture(const Mesh& mesh, size_t side) {
 }
 
 /// Boxes tested for all rays: together, and one by one.
-std::pair<uint64_t, uint64_t> boxes_tested(const Mesh& mesh, size_t side) {
+std::pair<uint64_t, uint64_t> boxes_tested(const TriangleMesh& mesh, size_t side) {
     const auto accelerator = build(*find_accelerator("bvh"), mesh, {});
     const std::vector<Ray> rays = picture(mesh, side);
     std::vector<Hit> hits(rays.size());
@@ -195,7 +195,7 @@ TEST(GroupWork, IsHardlyMoreWhereTheyDoNot) {
 
 /// One that is built late answers, too, by itself and when it is there.
 TEST(GroupWork, OfALazyStructure) {
-    const Mesh mesh = torus(40, 30).read_at(Precision::float_);
+    const TriangleMesh mesh = torus(40, 30).read_at(Precision::float_);
     const auto lazy = over_triangles_lazily(*find_accelerator("bvh"), mesh.view(), {});
     const std::vector<Ray> rays = picture(mesh, 128);
     WorkCounters alone;

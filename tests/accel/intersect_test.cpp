@@ -41,7 +41,7 @@ TEST_P(Intersects, IsRightOnTrianglesThatAreMetClearly) {
     for (size_t n = 0; n < count; ++n) {
         Draws draws(RandomKey(121, 0, n));
         const Vec3 a = draws.in_box(Vec3(-1), Vec3(1)), b = draws.in_box(Vec3(-1), Vec3(1)), c = draws.in_box(Vec3(-1), Vec3(1));
-        const Mesh mesh = Mesh("triangle", {a, b, c}, {{0, 1, 2}}).read_at(precision());
+        const TriangleMesh mesh = TriangleMesh("triangle", {a, b, c}, {{0, 1, 2}}).read_at(precision());
         const std::array<Vec3, 3> corners{mesh.corner(0, 0), mesh.corner(0, 1), mesh.corner(0, 2)};
         const double u = draws.uniform(-1, 2), v = draws.uniform(-1, 2);
         Ray ray;
@@ -69,8 +69,8 @@ TEST_P(Intersects, IsRightOnTrianglesThatAreMetClearly) {
 /// Where exact brute force sees something clearly, all see that.
 TEST_P(Intersects, GenericRaysMeetWhatTheyMeet) {
     const size_t count = run_size(3000, 300000);
-    for (const Mesh& source : {geodesic_sphere(8), torus(16, 10), soup(300, 0.3, 2), stadium(4, 4)}) {
-        const Mesh mesh = source.read_at(precision());
+    for (const TriangleMesh& source : {geodesic_sphere(8), torus(16, 10), soup(300, 0.3, 2), stadium(4, 4)}) {
+        const TriangleMesh mesh = source.read_at(precision());
         const auto truth = brute_force(mesh, precision());
         for (const AcceleratorEntry& entry : accelerators()) {
             const auto accelerator = build(entry, mesh, options());
@@ -90,8 +90,8 @@ TEST_P(Intersects, GenericRaysMeetWhatTheyMeet) {
 
 /// On anything: it ends, and what it says is a hit of the mesh in the ray's interval.
 TEST_P(Intersects, EndsOnAnything) {
-    for (const Mesh& source : {wild_soup(60, 4), scaled(geodesic_sphere(4), 1e-30), scaled(cube(4), 1e30), moved(torus(16, 10), Vec3(1), Vec3(1e7), "far torus"), slivers(40, 1e-6, 3)}) {
-        const Mesh mesh = source.read_at(precision());
+    for (const TriangleMesh& source : {wild_soup(60, 4), scaled(geodesic_sphere(4), 1e-30), scaled(cube(4), 1e30), moved(torus(16, 10), Vec3(1), Vec3(1e7), "far torus"), slivers(40, 1e-6, 3)}) {
+        const TriangleMesh mesh = source.read_at(precision());
         for (const AcceleratorEntry& entry : accelerators()) {
             const auto accelerator = build(entry, mesh, options());
             for (size_t i = 0; i < run_size(200, 20000) * ray_classes().size(); ++i) {
@@ -108,8 +108,8 @@ TEST_P(Intersects, EndsOnAnything) {
 }
 
 TEST_P(Intersects, InstructionSetsChangeNoBit) {
-    for (const Mesh& source : {geodesic_sphere(12), soup(1000, 0.1, 7)}) {
-        const Mesh mesh = source.read_at(precision());
+    for (const TriangleMesh& source : {geodesic_sphere(12), soup(1000, 0.1, 7)}) {
+        const TriangleMesh mesh = source.read_at(precision());
         for (const char* word : {"brute", "bvh", "compact"}) {
             const AcceleratorEntry& entry = *find_accelerator(word);
             const auto scalar = build(entry, mesh, options(Isa::scalar));
@@ -129,8 +129,8 @@ TEST_P(Intersects, LosesWhatIsToldAtVertices) {
     constexpr double kToldOfMillion = 80000;
     const size_t count = run_size(4000, 1000000);
     size_t asked = 0, lost = 0;
-    for (const Mesh& source : {geodesic_sphere(16), cube(8), torus(20, 12)}) {
-        const Mesh mesh = source.read_at(precision());
+    for (const TriangleMesh& source : {geodesic_sphere(16), cube(8), torus(20, 12)}) {
+        const TriangleMesh mesh = source.read_at(precision());
         for (const AcceleratorEntry& entry : accelerators()) {
             const auto accelerator = build(entry, mesh, options());
             for (size_t i = 0; i < count; ++i) lost += !first_hit(*accelerator, vertex_aimed_from_inside(mesh, RandomKey(125, 0, i, 0))).valid(), ++asked;
@@ -145,10 +145,10 @@ TEST_P(Intersects, LosesWhatIsToldAtVertices) {
 TEST_P(Intersects, ClosedMeshesHoldFromTheOrigin) {
     size_t meshes = 0, lost = 0;
     std::string first;
-    for (const Mesh& closed : closed_meshes()) {
+    for (const TriangleMesh& closed : closed_meshes()) {
         if (!closed.inside.contains(Vec3(0))) continue;
         ++meshes;
-        const Mesh mesh = closed.read_at(precision());
+        const TriangleMesh mesh = closed.read_at(precision());
         for (const AcceleratorEntry& entry : accelerators()) {
             const auto accelerator = build(entry, mesh, options());
             for (size_t i = 0; i < run_size(4000, 1000000); ++i) {
@@ -164,10 +164,10 @@ TEST_P(Intersects, ClosedMeshesHoldFromTheOrigin) {
 
 /// What stands in a face of the bounds is met where the ray leaves them: a floor, the walls of a room.
 TEST_P(Intersects, WallsOfTheBoundsAreMet) {
-    const Mesh floor("floor", {{-1, -1, 0.3}, {1, -1, 0.3}, {1, 1, 0.3}, {-1, 1, 0.3}}, {{0, 1, 2}, {0, 2, 3}});
+    const TriangleMesh floor("floor", {{-1, -1, 0.3}, {1, -1, 0.3}, {1, 1, 0.3}, {-1, 1, 0.3}}, {{0, 1, 2}, {0, 2, 3}});
     size_t asked = 0, lost = 0;
-    for (const Mesh& source : {floor, cube(1), moved(cube(3), Vec3(1, 0.7, 1.3), Vec3(0.2, 0.1, -0.3), "room")}) {
-        const Mesh mesh = source.read_at(precision());
+    for (const TriangleMesh& source : {floor, cube(1), moved(cube(3), Vec3(1, 0.7, 1.3), Vec3(0.2, 0.1, -0.3), "room")}) {
+        const TriangleMesh mesh = source.read_at(precision());
         for (const AcceleratorEntry& entry : accelerators()) {
             const auto accelerator = build(entry, mesh, options());
             for (size_t i = 0; i < run_size(2000, 1000000); ++i) {

@@ -55,9 +55,9 @@ TEST(Isa, AllGiveTheErrorOfScalarCode) {
 
 TEST(Isa, AllGiveTheHitsOfScalarCode) {
     const size_t count = run_size(150, 15000);
-    for (const Mesh& source : {geodesic_sphere(16), soup(2000, 0.1, 7), moved(cube(8), Vec3(1e-6), Vec3(1, 0, -1), "small cube")}) {
+    for (const TriangleMesh& source : {geodesic_sphere(16), soup(2000, 0.1, 7), moved(cube(8), Vec3(1e-6), Vec3(1, 0, -1), "small cube")}) {
         for (const Precision precision : {Precision::float_, Precision::double_}) {
-            const Mesh mesh = source.read_at(precision);
+            const TriangleMesh mesh = source.read_at(precision);
             for (const AcceleratorEntry* entry : accelerators_under_test()) {
                 const auto scalar = build(*entry, mesh, {precision, Isa::scalar});
                 for (const Isa isa : available_isas().subspan(1)) {

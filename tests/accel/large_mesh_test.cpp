@@ -18,7 +18,7 @@ constexpr uint64_t kSeed = 20250202;
 /// `cost`: how much dearer a ray is here for structures that cannot adapt; there are so many times fewer of them.
 struct LargeMesh {
     const char* name;
-    Mesh (*make)();
+    TriangleMesh (*make)();
     size_t cost;
 };
 
@@ -38,7 +38,7 @@ class LargeMeshes : public testing::TestWithParam<std::tuple<size_t, Precision>>
 /// 2e5 rays over all meshes and both precisions; 1e7 in a full run.
 TEST_P(LargeMeshes, AllAcceleratorsAgree) {
     const auto [index, precision] = GetParam();
-    const Mesh mesh = kMeshes[index].make().read_at(precision);
+    const TriangleMesh mesh = kMeshes[index].make().read_at(precision);
     AccelOptions options;
     options.precision = precision;
     std::vector<std::unique_ptr<Accelerator>> structures;

@@ -24,7 +24,7 @@ Ray passing_ray() {
 
 TEST(Lazy, AnswersAsTheStructureItself) {
     for (const auto& [precision, how] : {std::pair(Precision::float_, Intersect::exact), {Precision::double_, Intersect::exact}, {Precision::float_, Intersect::robust}, {Precision::double_, Intersect::robust}, {Precision::float_, Intersect::fast}}) {
-        const Mesh mesh = soup(600, 0.3, 7).read_at(precision);
+        const TriangleMesh mesh = soup(600, 0.3, 7).read_at(precision);
         const AccelOptions options{precision, Isa::best, 1, how};
         for (const AcceleratorEntry& entry : accelerators()) {
             const auto eager = build(entry, mesh, options);
@@ -57,7 +57,7 @@ TEST(Lazy, MissesNoFirstRay) {
     size_t hits = 0;
     for (const Intersect how : {Intersect::exact, Intersect::robust, Intersect::fast})
         for (const Precision precision : {Precision::float_, Precision::double_}) {
-            const Mesh mesh = cube(2).read_at(precision);
+            const TriangleMesh mesh = cube(2).read_at(precision);
             const AccelOptions options{precision, Isa::best, 1, how};
             const auto& entry = *find_accelerator("bvh");
             const auto eager = build(entry, mesh, options);
@@ -77,7 +77,7 @@ TEST(Lazy, MissesNoFirstRay) {
 }
 
 TEST(Lazy, WaitsForARayThatEntersTheBox) {
-    const Mesh mesh = geodesic_sphere(8).read_at(Precision::float_);
+    const TriangleMesh mesh = geodesic_sphere(8).read_at(Precision::float_);
     const auto lazy = over_triangles_lazily(*find_accelerator("bvh"), mesh.view(), {});
     WorkCounters work;
     Hit hit;
@@ -99,7 +99,7 @@ TEST(Lazy, WaitsForARayThatEntersTheBox) {
 
 /// Triangles that cannot be hit are known before anything is built: notes name them at once.
 TEST(Lazy, KnowsWhatIsRemoved) {
-    Mesh mesh = geodesic_sphere(4).read_at(Precision::float_);
+    TriangleMesh mesh = geodesic_sphere(4).read_at(Precision::float_);
     mesh.triangles[3].y = mesh.triangles[3].x;
     mesh.positions[mesh.triangles[40].z].y = std::numeric_limits<float>::infinity();
     const auto eager = build(*find_accelerator("bvh"), mesh, {});
@@ -117,7 +117,7 @@ std::unique_ptr<Accelerator> counted(const TriangleView& mesh, const AccelOption
 }
 
 TEST(Lazy, IsBuiltOnceHoweverManyThreadsCome) {
-    const Mesh mesh = geodesic_sphere(40).read_at(Precision::float_);
+    const TriangleMesh mesh = geodesic_sphere(40).read_at(Precision::float_);
     const AcceleratorEntry entry{"counted", "", counted, nullptr};
     for (int time = 0; time < 10; ++time) {
         builds = 0;

@@ -23,25 +23,25 @@ namespace {
 
 class Saved : public FolderTest {
   protected:
-    std::string why_not(const std::string& file, const Mesh& mesh, Precision precision = Precision::float_) const {
+    std::string why_not(const std::string& file, const TriangleMesh& mesh, Precision precision = Precision::float_) const {
         const auto loaded = load_accelerator(file, mesh.view(), {precision});
         return loaded ? "nothing" : loaded.error();
     }
-    std::string saved(const Mesh& mesh, Precision precision = Precision::float_, const char* name = "bvh") const {
+    std::string saved(const TriangleMesh& mesh, Precision precision = Precision::float_, const char* name = "bvh") const {
         const auto done = build(*find_accelerator(name), mesh, {precision})->save(at("saved"), mesh.view());
         EXPECT_TRUE(done) << done.error();
         return text("saved");
     }
 };
 
-std::vector<Mesh> meshes() {
-    std::vector<Mesh> all = small_meshes();
+std::vector<TriangleMesh> meshes() {
+    std::vector<TriangleMesh> all = small_meshes();
     all.push_back(battens(60)), all.push_back(geodesic_sphere(10, 0.2));
-    Mesh holes = geodesic_sphere(4);
+    TriangleMesh holes = geodesic_sphere(4);
     holes.name = "with triangles that are removed";
     holes.triangles.insert(holes.triangles.begin() + 9, {Index3(3, 3, 3), Index3(1, 2, 2)});
     all.push_back(holes);
-    all.push_back(Mesh("nothing", {Vec3(0)}, {}));
+    all.push_back(TriangleMesh("nothing", {Vec3(0)}, {}));
     return all;
 }
 
@@ -49,8 +49,8 @@ std::vector<Mesh> meshes() {
 TEST_F(Saved, AnswersAreThoseOfTheSavedStructure) {
     size_t hits = 0, asked = 0;
     for (const Precision precision : {Precision::float_, Precision::double_}) {
-        for (const Mesh& source : meshes()) {
-            const Mesh mesh = source.read_at(precision);
+        for (const TriangleMesh& source : meshes()) {
+            const TriangleMesh mesh = source.read_at(precision);
             for (const char* name : {"bvh", "hlbvh"}) {
                 saved(mesh, precision, name);
                 for (const Intersect how : {Intersect::exact, Intersect::robust, Intersect::fast}) {
@@ -83,7 +83,7 @@ TEST_F(Saved, AnswersAreThoseOfTheSavedStructure) {
 /// Bytes are those of the structure alone: no times, no memory that was never written, and no threads.
 TEST_F(Saved, TheSameStructureGivesTheSameBytes) {
     for (const Precision precision : {Precision::float_, Precision::double_}) {
-        const Mesh mesh = soup(9000, 0.05, 4).read_at(precision);
+        const TriangleMesh mesh = soup(9000, 0.05, 4).read_at(precision);
         const std::string first = saved(mesh, precision);
         ASSERT_TRUE(build(*find_accelerator("bvh"), mesh, {precision, Isa::scalar, 3, Intersect::fast})->save(at("again"), mesh.view()));
         EXPECT_TRUE(first == text("again"));
@@ -95,7 +95,7 @@ TEST_F(Saved, TheSameStructureGivesTheSameBytes) {
 /// What `robust` saved has wider boxes. It says so: they are not widened again, whoever saves it once more, and the other tests hit the same.
 TEST_F(Saved, WidenedBoxesAreWidenedOnce) {
     for (const Precision precision : {Precision::float_, Precision::double_}) {
-        const Mesh mesh = soup(3000, 0.05, 4).read_at(precision);
+        const TriangleMesh mesh = soup(3000, 0.05, 4).read_at(precision);
         const AccelOptions robust{precision, Isa::best, 1, Intersect::robust}, exact{precision};
         ASSERT_TRUE(build(*find_accelerator("bvh"), mesh, robust)->save(at("wide"), mesh.view()));
         const std::string wide = text("wide");
@@ -117,7 +117,7 @@ TEST_F(Saved, WidenedBoxesAreWidenedOnce) {
 
 /// Who replaces a file does not touch those who have mapped it.
 TEST_F(Saved, AReplacedFileStaysMapped) {
-    const Mesh mesh = torus(16, 10).read_at(Precision::float_), other = cube(3).read_at(Precision::float_);
+    const TriangleMesh mesh = torus(16, 10).read_at(Precision::float_), other = cube(3).read_at(Precision::float_);
     saved(mesh);
     const auto loaded = load_accelerator(at("saved"), mesh.view(), {});
     ASSERT_TRUE(loaded);
@@ -131,7 +131,7 @@ TEST_F(Saved, AReplacedFileStaysMapped) {
 }
 
 TEST_F(Saved, WhatIsNoSuchFileIsToldSo) {
-    const Mesh mesh = cube(2).read_at(Precision::float_);
+    const TriangleMesh mesh = cube(2).read_at(Precision::float_);
     const std::string bytes = saved(mesh);
     EXPECT_THAT(why_not(at("nowhere"), mesh), HasSubstr("No such file"));
     EXPECT_THAT(why_not(folder_.string(), mesh), HasSubstr("not a regular file"));
@@ -144,17 +144,17 @@ TEST_F(Saved, WhatIsNoSuchFileIsToldSo) {
     EXPECT_THAT(why_not(put("version", other), mesh), HasSubstr("version 2, this program reads 1"));
     other = bytes, std::reverse(other.begin() + 12, other.begin() + 16);
     EXPECT_THAT(why_not(put("order", other), mesh), HasSubstr("order of bytes"));
-    Mesh moved = mesh;
+    TriangleMesh moved = mesh;
     moved.positions[3].x = std::nextafter(moved.positions[3].x, 9.0f);
     EXPECT_THAT(why_not(at("saved"), moved), HasSubstr("built over other triangles"));
-    Mesh turned = mesh;
+    TriangleMesh turned = mesh;
     std::swap(turned.triangles[0].x, turned.triangles[0].y);
     EXPECT_THAT(why_not(at("saved"), turned), HasSubstr("built over other triangles"));
 }
 
 TEST_F(Saved, NoCutAndNoChangedByteGoesUnseen) {
     for (const Precision precision : {Precision::float_, Precision::double_}) {
-        const Mesh mesh = cube(2).read_at(precision);
+        const TriangleMesh mesh = cube(2).read_at(precision);
         const std::string bytes = saved(mesh, precision);
         for (size_t i = 0; i < bytes.size(); i += 7) {
             std::string other = bytes;
@@ -166,7 +166,7 @@ TEST_F(Saved, NoCutAndNoChangedByteGoesUnseen) {
 }
 
 TEST_F(Saved, WhatHasNoFormatSaysSo) {
-    const Mesh mesh = cube(2).read_at(Precision::float_);
+    const TriangleMesh mesh = cube(2).read_at(Precision::float_);
     for (const AcceleratorEntry& entry : accelerators()) {
         const bool can = std::string_view(entry.name).ends_with("bvh");
         EXPECT_EQ(build(entry, mesh, {})->save(at(entry.name), mesh.view()).has_value(), can) << entry.name;
@@ -213,7 +213,7 @@ class Forged {
 };
 
 TEST_F(Saved, ForgedFilesAreRefused) {
-    Mesh mesh = geodesic_sphere(6);
+    TriangleMesh mesh = geodesic_sphere(6);
     mesh.triangles.push_back(Index3(0, 0, 0)), mesh.triangles.push_back(Index3(0, 1, 4000000000u));
     mesh = mesh.read_at(Precision::float_);
     const Forged right(saved(mesh));
@@ -257,7 +257,7 @@ TEST_F(Saved, ForgedFilesAreRefused) {
 
 /// Numbers in the head that would make sizes overflow.
 TEST_F(Saved, ClaimedSizesAreNotBelieved) {
-    const Mesh mesh = geodesic_sphere(4).read_at(Precision::float_);
+    const TriangleMesh mesh = geodesic_sphere(4).read_at(Precision::float_);
     const Forged right(saved(mesh));
     for (const size_t at : {32u, 56u, 64u, 72u})
         for (const uint64_t claim : {uint64_t(0), uint64_t(1), uint64_t(1) << 31, uint64_t(1) << 58, ~uint64_t(0), ~uint64_t(0) / 256 + 2}) {
@@ -268,7 +268,7 @@ TEST_F(Saved, ClaimedSizesAreNotBelieved) {
 
 /// Whatever is in a file that is taken, a ray comes back from it, with a triangle that there is.
 TEST_F(Saved, RaysComeBackFromRandomlyForgedFiles) {
-    const Mesh mesh = geodesic_sphere(6, 0.2).read_at(Precision::float_);
+    const TriangleMesh mesh = geodesic_sphere(6, 0.2).read_at(Precision::float_);
     const Forged right(saved(mesh));
     size_t taken = 0;
     const size_t count = run_size(1000, 100000);

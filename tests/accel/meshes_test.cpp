@@ -20,25 +20,25 @@ TEST(Meshes, HaveTheTrianglesTheyPromise) {
     EXPECT_EQ(torus(16, 10).vertices.size(), 160u);  // genus 1: V = T / 2
     EXPECT_EQ(tetrahedra(60, 1).triangles.size(), 240u);
     EXPECT_EQ(cube_lattice(2, 3, 4).triangles.size(), 288u);
-    for (const Mesh& mesh : small_meshes()) EXPECT_LE(mesh.triangles.size(), 320u) << mesh.name;
+    for (const TriangleMesh& mesh : small_meshes()) EXPECT_LE(mesh.triangles.size(), 320u) << mesh.name;
 }
 
 TEST(Meshes, ClosedOnesAreClosed) {
-    for (const Mesh& mesh : closed_meshes()) {
+    for (const TriangleMesh& mesh : closed_meshes()) {
         EXPECT_TRUE(is_closed(mesh)) << mesh.name;
         EXPECT_FALSE(mesh.inside.empty()) << mesh.name;
     }
     EXPECT_TRUE(is_closed(tetrahedra(60, 1)));
     EXPECT_TRUE(is_closed(cube_lattice(2, 3, 4)));
     EXPECT_FALSE(is_closed(soup(300, 0.3, 2)));
-    Mesh open = geodesic_sphere(4);
+    TriangleMesh open = geodesic_sphere(4);
     open.triangles.pop_back();
     EXPECT_FALSE(is_closed(open));
 }
 
 /// How often the surface winds around `p`: the sum of the solid angles of its triangles over 4 pi.
 /// Source   van Oosterom and Strackee, "The Solid Angle of a Plane Triangle", IEEE Trans. Biomed. Eng. 30(2), 1983.
-double winding_number(const Mesh& mesh, const Vec3& p) {
+double winding_number(const TriangleMesh& mesh, const Vec3& p) {
     double sum = 0;
     for (size_t i = 0; i < mesh.triangles.size(); ++i) {
         const Vec3 a = normalized(mesh.corner(i, 0) - p), b = normalized(mesh.corner(i, 1) - p), c = normalized(mesh.corner(i, 2) - p);
@@ -49,8 +49,8 @@ double winding_number(const Mesh& mesh, const Vec3& p) {
 
 /// What a leak test rests on: a ray from a point that is wound around once must hit.
 TEST(Meshes, InteriorBoxIsInside) {
-    for (const Mesh& mesh : closed_meshes()) {
-        const Mesh rounded = mesh.read_at(Precision::float_);
+    for (const TriangleMesh& mesh : closed_meshes()) {
+        const TriangleMesh rounded = mesh.read_at(Precision::float_);
         const Bounds& box = mesh.inside;
         for (int c = 0; c < 8; ++c) {
             const Vec3 corner(c & 1 ? box.max.x : box.min.x, c & 2 ? box.max.y : box.min.y, c & 4 ? box.max.z : box.min.z);
@@ -64,8 +64,8 @@ TEST(Meshes, InteriorBoxIsInside) {
 TEST(RayClasses, HitAsOftenAsTheyPromise) {
     for (const RayClass& rays : ray_classes()) {
         size_t hits = 0, count = 0;
-        for (const Mesh& source : small_meshes()) {
-            const Mesh mesh = source.read_at(Precision::float_);
+        for (const TriangleMesh& source : small_meshes()) {
+            const TriangleMesh mesh = source.read_at(Precision::float_);
             const auto brute = brute_force(mesh, Precision::float_);
             for (size_t i = 0; i < 300; ++i, ++count) hits += is_occluded(*brute, rays.make(mesh, RandomKey(7, 0, i)));
         }

@@ -22,7 +22,7 @@ struct NaiveHit {
     bool clear = true;  ///< no triangle was met near an edge, at a grazing angle, or at nearly the same t
 };
 
-NaiveHit naive_first_hit(const Mesh& mesh, const Ray& ray) {
+NaiveHit naive_first_hit(const TriangleMesh& mesh, const Ray& ray) {
     constexpr Real margin = 1e-6L;
     NaiveHit first;
     const RealVec dir(ray.dir), origin(ray.origin);
@@ -42,10 +42,10 @@ NaiveHit naive_first_hit(const Mesh& mesh, const Ray& ray) {
 
 TEST(Naive, MoellerTrumboreInLongDoubleAgreesAwayFromEdges) {
     const size_t count = run_size(4000, 200000);
-    for (const Mesh& source :
+    for (const TriangleMesh& source :
          {geodesic_sphere(4), torus(16, 10), soup(300, 0.3, 2), cube(5), moved(torus(16, 10), Vec3(2, 0.5, 1), Vec3(3, -5, 1), "moved torus")}) {
         for (const Precision precision : {Precision::float_, Precision::double_}) {
-            const Mesh mesh = source.read_at(precision);
+            const TriangleMesh mesh = source.read_at(precision);
             const auto brute = brute_force(mesh, precision);
             size_t clear_hits = 0;
             for (size_t i = 0; i < count; ++i) {

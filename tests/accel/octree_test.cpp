@@ -57,11 +57,11 @@ template <class R, class F> void for_each_leaf(const Tree<R>& tree, const F& lea
     EXPECT_EQ(next, tree.nodes.size());
 }
 
-std::vector<Mesh> meshes() { return {torus(30, 20), soup(2000, 0.2, 6), battens(150), stadium(4, 1), turned(moved(geodesic_sphere(6), Vec3(1e3, 1, 1), Vec3(0), ""), "needle askew")}; }
+std::vector<TriangleMesh> meshes() { return {torus(30, 20), soup(2000, 0.2, 6), battens(150), stadium(4, 1), turned(moved(geodesic_sphere(6), Vec3(1e3, 1, 1), Vec3(0), ""), "needle askew")}; }
 
 TYPED_TEST(OctreeOf, LeavesHoldEveryCorner) {
     using R = TypeParam;
-    for (const Mesh& mesh : meshes()) {
+    for (const TriangleMesh& mesh : meshes()) {
         const TriangleSource<R> source(mesh.view());
         const Tree<R> tree(source);
         std::set<std::pair<uint32_t, int>> corners;
@@ -84,7 +84,7 @@ TYPED_TEST(OctreeOf, LeavesHoldEveryCorner) {
 
 /// Triangles beside each other are cut nowhere; where long ones cross many boxes it pays.
 TYPED_TEST(OctreeOf, CutsLargeTrianglesAlone) {
-    const auto growth = [](const Mesh& mesh) {
+    const auto growth = [](const TriangleMesh& mesh) {
         const TriangleSource<TypeParam> source(mesh.view());
         const std::vector<uint32_t> order = Tree<TypeParam>(source).order;
         return double(order.size() - size_t(std::count(order.begin(), order.end(), kPadding))) / double(source.size());
@@ -103,8 +103,8 @@ TYPED_TEST(OctreeOf, EndsWhereNothingCanBeToldApart) {
         triangles.emplace_back(3 * i, 3 * i + 1, 3 * i + 2);
     }
     constexpr Precision precision = std::is_same_v<TypeParam, float> ? Precision::float_ : Precision::double_;
-    for (const Mesh& mesh : {Mesh("one triangle many times", same, triangles), Mesh("triangles in triangles", nested, triangles)}) {
-        const Mesh read = mesh.read_at(precision);
+    for (const TriangleMesh& mesh : {TriangleMesh("one triangle many times", same, triangles), TriangleMesh("triangles in triangles", nested, triangles)}) {
+        const TriangleMesh read = mesh.read_at(precision);
         const auto octree = build(*find_accelerator("octree"), read, {precision}), brute = brute_force(read, precision);
         EXPECT_LE(octree->stats().depth, size_t(kWideOctreeDepth + 11)) << mesh.name;
         for (size_t i = 0; i < run_size(30, 3000); ++i) {

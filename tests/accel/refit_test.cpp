@@ -17,7 +17,7 @@ using namespace numerics;
 
 namespace {
 
-Mesh with_vertices(const Mesh& mesh, std::vector<Vec3> vertices, Precision precision) { return Mesh(mesh.name, std::move(vertices), mesh.triangles).read_at(precision); }
+TriangleMesh with_vertices(const TriangleMesh& mesh, std::vector<Vec3> vertices, Precision precision) { return TriangleMesh(mesh.name, std::move(vertices), mesh.triangles).read_at(precision); }
 
 struct Pose {
     const char* name;
@@ -33,14 +33,14 @@ const Pose kPoses[] = {
     {"far away and small", [](const Vec3& v, uint32_t) { return v * 1e-3 + Vec3(100, -50, 7); }},
 };
 
-Mesh posed(const Mesh& mesh, const Pose& pose, Precision precision) {
+TriangleMesh posed(const TriangleMesh& mesh, const Pose& pose, Precision precision) {
     std::vector<Vec3> vertices = mesh.vertices;
     for (uint32_t i = 0; i < vertices.size(); ++i) vertices[i] = pose.of(vertices[i], i);
     return with_vertices(mesh, std::move(vertices), precision);
 }
 
-std::vector<Mesh> meshes() {
-    std::vector<Mesh> all = small_meshes();
+std::vector<TriangleMesh> meshes() {
+    std::vector<TriangleMesh> all = small_meshes();
     all.push_back(battens(60)), all.push_back(geodesic_sphere(8, 0.2));
     return all;
 }
@@ -54,12 +54,12 @@ class Refit : public testing::TestWithParam<std::tuple<const char*, Precision>> 
 /// One structure goes from pose to pose. It refuses where, and only where, other triangles than before cannot be hit; a new one goes on then.
 TEST_P(Refit, AnswersAsBruteForceOverTheNewPositions) {
     size_t refits = 0, refused = 0, hits = 0, asked = 0, splits = 0;
-    for (const Mesh& source : meshes()) {
-        const Mesh rest = source.read_at(precision());
+    for (const TriangleMesh& source : meshes()) {
+        const TriangleMesh rest = source.read_at(precision());
         auto structure = build(entry(), rest, {precision()});
         splits += structure->stats().splits;
         for (const Pose& pose : kPoses) {
-            const Mesh mesh = posed(rest, pose, precision());
+            const TriangleMesh mesh = posed(rest, pose, precision());
             const auto brute = brute_force(mesh, precision());
             const bool same = brute->stats().removed == structure->stats().removed;
             ASSERT_EQ(structure->refit(mesh.view(), 1 + int(refits % 3)), same) << mesh.name << ' ' << pose.name;
@@ -86,11 +86,11 @@ TEST_P(Refit, AnswersAsBruteForceOverTheNewPositions) {
 TEST_P(Refit, OtherTestsOfTrianglesAnswerAsANewStructure) {
     for (const Intersect how : {Intersect::robust, Intersect::fast}) {
         size_t unlike = 0, usual = 0;
-        for (const Mesh& source : {geodesic_sphere(8, 0.2), torus(16, 10), soup(300, 0.3, 2), battens(40)}) {
+        for (const TriangleMesh& source : {geodesic_sphere(8, 0.2), torus(16, 10), soup(300, 0.3, 2), battens(40)}) {
             const AccelOptions options{precision(), Isa::best, 1, how};
             const auto structure = build(entry(), source.read_at(precision()), options);
             for (const Pose& pose : kPoses) {
-                const Mesh mesh = posed(source, pose, precision());
+                const TriangleMesh mesh = posed(source, pose, precision());
                 ASSERT_TRUE(structure->refit(mesh.view()));
                 const auto fresh = build(entry(), mesh, options), other = build(*find_accelerator(std::string_view(entry().name) == "bvh" ? "hlbvh" : "bvh"), mesh, options);
                 for (const RayClass& of : ray_classes()) {
@@ -108,13 +108,13 @@ TEST_P(Refit, OtherTestsOfTrianglesAnswerAsANewStructure) {
 
 /// Boxes that tests of triangles need wider than they are, are so after a refit: nothing is lost at edges and vertices. From the origin, where only the boxes are widened, and from anywhere.
 TEST_P(Refit, ClosedMeshesDoNotLeak) {
-    const Mesh& rest = closed_meshes().front();
+    const TriangleMesh& rest = closed_meshes().front();
     for (const Intersect how : {Intersect::exact, Intersect::robust}) {
         const auto structure = build(entry(), rest.read_at(precision()), {precision(), Isa::best, 1, how});
         size_t poses = 0;
-        for (const Mesh& closed : closed_meshes()) {
+        for (const TriangleMesh& closed : closed_meshes()) {
             if (closed.triangles != rest.triangles) continue;   // of another form
-            const Mesh mesh = closed.read_at(precision());
+            const TriangleMesh mesh = closed.read_at(precision());
             if (!structure->refit(mesh.view())) continue;   // so far away, floats leave some without area
             ++poses;
             const bool around_origin = mesh.inside.contains(Vec3(0));
@@ -145,9 +145,9 @@ Shown shown(const Accelerator& structure) {
 
 /// Every box is the smallest one around what is below it, also where planes had cut triangles; and the cost is that of these boxes.
 TEST_P(Refit, BoxesAreTight) {
-    for (const Mesh& source : {geodesic_sphere(12, 0.2), battens(60)}) {
+    for (const TriangleMesh& source : {geodesic_sphere(12, 0.2), battens(60)}) {
         const auto structure = build(entry(), source.read_at(precision()), {precision()});
-        const Mesh mesh = posed(source, kPoses[1], precision());
+        const TriangleMesh mesh = posed(source, kPoses[1], precision());
         ASSERT_TRUE(structure->refit(mesh.view()));
         const Shown tree = shown(*structure);
         double cost = 0;
@@ -166,13 +166,13 @@ TEST_P(Refit, BoxesAreTight) {
 
 /// The way there and back changes nothing, where no plane had cut a triangle; and the cost tells when to build anew.
 TEST_P(Refit, CostTellsWhenToBuildAnew) {
-    const Mesh rest = soup(3000, 0.05, 3).read_at(precision());
+    const TriangleMesh rest = soup(3000, 0.05, 3).read_at(precision());
     std::vector<Vec3> vertices = rest.vertices;
     for (uint32_t i = 0; i < vertices.size(); ++i) {
         Draws draws(RandomKey(147, 0, i / 3, 0));   // a triangle's corners go together
         vertices[i] = vertices[i] * 0.2 + draws.in_box(Vec3(-1), Vec3(1));
     }
-    const Mesh torn = with_vertices(rest, std::move(vertices), precision());
+    const TriangleMesh torn = with_vertices(rest, std::move(vertices), precision());
     const auto structure = build(entry(), rest, {precision()});
     ASSERT_EQ(structure->stats().splits, 0u);
     const double built = structure->stats().sah_cost;
@@ -187,12 +187,12 @@ TEST_P(Refit, CostTellsWhenToBuildAnew) {
 
 /// Nothing is changed by what is refused.
 TEST_P(Refit, RefusesOtherTriangles) {
-    Mesh mesh = geodesic_sphere(4);
+    TriangleMesh mesh = geodesic_sphere(4);
     mesh.triangles.push_back(Index3(5, 5, 5));   // removed
     mesh = mesh.read_at(precision());
     const auto structure = build(entry(), mesh, {precision()}), untouched = build(entry(), mesh, {precision()});
     ASSERT_EQ(structure->stats().removed.size(), 1u);
-    const auto refused = [&](const char* what, const Mesh& other) {
+    const auto refused = [&](const char* what, const TriangleMesh& other) {
         EXPECT_FALSE(structure->refit(other.view())) << what;
         EXPECT_EQ(structure->stats().sah_cost, untouched->stats().sah_cost) << what;
         for (size_t i = 0; i < 100; ++i) {
@@ -209,7 +209,7 @@ TEST_P(Refit, RefusesOtherTriangles) {
     refused("without area", changed(t.x, mesh.vertices[t.y]));
     refused("not finite", changed(t.x, Vec3(std::nan(""), 0, 0)));
     refused("too large", changed(t.x, Vec3(0x1p500, 0, 0)));
-    Mesh more = mesh, fewer = mesh, good = mesh;
+    TriangleMesh more = mesh, fewer = mesh, good = mesh;
     more.triangles.push_back(t), fewer.triangles.pop_back(), good.triangles.back() = Index3(1, 2, 3);
     refused("one more", more);
     refused("one fewer", fewer);
@@ -221,7 +221,7 @@ class RefitFiles : public FolderTest {};
 
 /// Large enough that every thread has a part.
 TEST_F(RefitFiles, BitsDoNotDependOnThreads) {
-    const Mesh mesh = soup(40000, 0.05, 3), moved = posed(mesh, kPoses[2], Precision::float_);
+    const TriangleMesh mesh = soup(40000, 0.05, 3), moved = posed(mesh, kPoses[2], Precision::float_);
     for (const int threads : {1, 2, 5}) {
         const auto structure = build(*find_accelerator("bvh"), mesh.read_at(Precision::float_), {});
         ASSERT_TRUE(structure->refit(moved.view(), threads));
@@ -232,7 +232,7 @@ TEST_F(RefitFiles, BitsDoNotDependOnThreads) {
 
 /// A mapped structure is moved in memory, never in its file.
 TEST_F(RefitFiles, AMappedStructureBecomesACopy) {
-    const Mesh mesh = torus(16, 10).read_at(Precision::float_), moved = posed(mesh, kPoses[1], Precision::float_);
+    const TriangleMesh mesh = torus(16, 10).read_at(Precision::float_), moved = posed(mesh, kPoses[1], Precision::float_);
     ASSERT_TRUE(build(*find_accelerator("bvh"), mesh, {})->save(at("a"), mesh.view()));
     const std::string before = text("a");
     const auto loaded = load_accelerator(at("a"), mesh.view(), {});
@@ -247,7 +247,7 @@ TEST_F(RefitFiles, AMappedStructureBecomesACopy) {
 }
 
 TEST(RefitTable, OnlyBvhsOverTrianglesCan) {
-    const Mesh mesh = cube(2).read_at(Precision::float_);
+    const TriangleMesh mesh = cube(2).read_at(Precision::float_);
     for (const AcceleratorEntry& entry : accelerators()) {
         const std::string_view name = entry.name;
         EXPECT_EQ(build(entry, mesh, {})->refit(mesh.view()), name == "bvh" || name == "hlbvh") << name;

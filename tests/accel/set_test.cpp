@@ -55,7 +55,7 @@ std::vector<NamedSet> sets() {
 
 /// In [-2, 2]^3, with every restriction of the interval; a third of them axis-parallel at coordinates where faces lie.
 Ray ray_at_set(size_t i) {
-    static const Mesh box = moved(cube(4), Vec3(1), Vec3(0), "box");
+    static const TriangleMesh box = moved(cube(4), Vec3(1), Vec3(0), "box");
     const RayClass& rays = ray_classes()[i % ray_classes().size()];
     return rays.make(box, RandomKey(kSeed, 0, i, 0));
 }

@@ -151,7 +151,7 @@ struct SplitTree {
     BuildStats stats;
 };
 
-template <class R> LargeVector<BvhNode<R>> split_tree(const Mesh& mesh, const BvhLimits& limits, SplitTree& tree, BvhBuilder builder = BvhBuilder::sah) {
+template <class R> LargeVector<BvhNode<R>> split_tree(const TriangleMesh& mesh, const BvhLimits& limits, SplitTree& tree, BvhBuilder builder = BvhBuilder::sah) {
     const TriangleSource<R> source(mesh.view());
     LargeVector<BvhReference<R>> references;
     for (uint32_t id = 0; id < source.size(); ++id) {
@@ -161,10 +161,10 @@ template <class R> LargeVector<BvhNode<R>> split_tree(const Mesh& mesh, const Bv
     return builder == BvhBuilder::fast ? build_bvh_fast<R>(std::move(references), limits, tree.order, tree.stats, &source) : build_bvh<R>(std::move(references), limits, tree.order, tree.stats, &source);
 }
 
-template <class R> Mesh read_as(const Mesh& mesh) { return mesh.read_at(std::is_same_v<R, float> ? Precision::float_ : Precision::double_); }
+template <class R> TriangleMesh read_as(const TriangleMesh& mesh) { return mesh.read_at(std::is_same_v<R, float> ? Precision::float_ : Precision::double_); }
 
 /// No leaf names a triangle twice, and the budget is kept.
-template <class R> void expect_tree_holds(const Mesh& mesh, const LargeVector<BvhNode<R>>& nodes, const SplitTree& tree, double growth) {
+template <class R> void expect_tree_holds(const TriangleMesh& mesh, const LargeVector<BvhNode<R>>& nodes, const SplitTree& tree, double growth) {
     const size_t references = tree.order.size() - size_t(std::count(tree.order.begin(), tree.order.end(), kPadding));
     EXPECT_GT(references, mesh.triangles.size()) << mesh.name;
     EXPECT_LE(double(references), (1 + growth) * double(mesh.triangles.size())) << mesh.name;
@@ -184,8 +184,8 @@ template <class R> void expect_tree_holds(const Mesh& mesh, const LargeVector<Bv
 /// Each point of each triangle is in a leaf that names the triangle.
 TYPED_TEST(Spatial, LeavesHoldEveryPointOfEveryTriangle) {
     using R = TypeParam;
-    for (const Mesh& source : {battens(150), turned(moved(geodesic_sphere(5), Vec3(1e2, 1, 1), Vec3(0), ""), "needle askew"), moved(battens(100), Vec3(1e2), Vec3(1e5), "far battens")}) {
-        const Mesh mesh = read_as<R>(source);
+    for (const TriangleMesh& source : {battens(150), turned(moved(geodesic_sphere(5), Vec3(1e2, 1, 1), Vec3(0), ""), "needle askew"), moved(battens(100), Vec3(1e2), Vec3(1e5), "far battens")}) {
+        const TriangleMesh mesh = read_as<R>(source);
         for (const double growth : {0.2, 0.75, 3.0}) {
             SplitTree tree;
             const auto nodes = split_tree<R>(mesh, {kLanes, kLanes, Isa::best, growth}, tree);
@@ -196,8 +196,8 @@ TYPED_TEST(Spatial, LeavesHoldEveryPointOfEveryTriangle) {
 }
 
 /// Small triangles, and `large` among them that reach far.
-Mesh unlike(int large, const Vec3& scale, const Vec3& offset, int small = 4000) {
-    Mesh mesh = soup(small, 0.01, 3);
+TriangleMesh unlike(int large, const Vec3& scale, const Vec3& offset, int small = 4000) {
+    TriangleMesh mesh = soup(small, 0.01, 3);
     Draws draws(RandomKey(5, 0, 0, 0));
     for (int i = 0; i < large; ++i) {
         const auto first = uint32_t(mesh.vertices.size());
@@ -209,8 +209,8 @@ Mesh unlike(int large, const Vec3& scale, const Vec3& offset, int small = 4000) 
 
 TYPED_TEST(Spatial, WhatIsCutBeforeAFastBuildIsHeldToo) {
     using R = TypeParam;
-    for (const Mesh& source : {unlike(60, Vec3(1), Vec3(0)), unlike(300, Vec3(1e-30), Vec3(0)), unlike(60, Vec3(1), Vec3(1e5)), unlike(20, Vec3(1e25, 1e22, 1), Vec3(0)), unlike(200, Vec3(1), Vec3(0), 20000)}) {
-        const Mesh mesh = read_as<R>(source);
+    for (const TriangleMesh& source : {unlike(60, Vec3(1), Vec3(0)), unlike(300, Vec3(1e-30), Vec3(0)), unlike(60, Vec3(1), Vec3(1e5)), unlike(20, Vec3(1e25, 1e22, 1), Vec3(0)), unlike(200, Vec3(1), Vec3(0), 20000)}) {
+        const TriangleMesh mesh = read_as<R>(source);
         for (const double growth : {0.1, 0.75, 3.0}) {
             SplitTree tree, threads;
             const auto nodes = split_tree<R>(mesh, {kLanes, kLanes, Isa::best, growth}, tree, BvhBuilder::fast);
@@ -220,12 +220,12 @@ TYPED_TEST(Spatial, WhatIsCutBeforeAFastBuildIsHeldToo) {
         }
     }
     if (std::is_same_v<R, double>) {   // as wide as a mesh may be: areas do not fit float
-        const Mesh mesh = unlike(60, Vec3(0x1p478), Vec3(0));
+        const TriangleMesh mesh = unlike(60, Vec3(0x1p478), Vec3(0));
         SplitTree tree;
         const auto nodes = split_tree<R>(mesh, {kLanes, kLanes, Isa::best, 0.5}, tree, BvhBuilder::fast);
         EXPECT_GT(tree.order.size() - size_t(std::count(tree.order.begin(), tree.order.end(), kPadding)), mesh.triangles.size() * 5 / 4);
     }
-    for (const Mesh& source : {soup(4000, 0.01, 3), geodesic_sphere(30), torus(80, 40)}) {
+    for (const TriangleMesh& source : {soup(4000, 0.01, 3), geodesic_sphere(30), torus(80, 40)}) {
         SplitTree tree;
         split_tree<R>(read_as<R>(source), {kLanes, kLanes, Isa::best, 1}, tree, BvhBuilder::fast);
         EXPECT_EQ(tree.order.size() - size_t(std::count(tree.order.begin(), tree.order.end(), kPadding)), source.triangles.size()) << "nothing is cut where sizes are alike";
@@ -235,7 +235,7 @@ TYPED_TEST(Spatial, WhatIsCutBeforeAFastBuildIsHeldToo) {
 /// All cuts that the budget allows are made: each next plane is a finer one.
 TYPED_TEST(Spatial, TheBudgetOfCutsIsSpent) {
     using R = TypeParam;
-    const Mesh mesh = read_as<R>(unlike(60, Vec3(1), Vec3(1e3)));
+    const TriangleMesh mesh = read_as<R>(unlike(60, Vec3(1), Vec3(1e3)));
     const TriangleSource<R> source(mesh.view());
     LargeVector<BvhReference<R>> references;
     BoxEnds<R> all = BoxEnds<R>::none();
@@ -249,7 +249,7 @@ TYPED_TEST(Spatial, TheBudgetOfCutsIsSpent) {
 
 /// Rays of a tree that is built fast find no other hits for the cuts, and need fewer tests.
 TEST(Presplit, RaysMeetTheSameTriangles) {
-    const Mesh mesh = unlike(60, Vec3(1), Vec3(0)).read_at(Precision::float_);
+    const TriangleMesh mesh = unlike(60, Vec3(1), Vec3(0)).read_at(Precision::float_);
     const auto fast = build(*find_accelerator("hlbvh"), mesh, {}), brute = build(*find_accelerator("brute"), mesh, {});
     WorkCounters with, unused;
     for (const RayClass& rays : ray_classes()) {
@@ -267,7 +267,7 @@ TEST(Presplit, RaysMeetTheSameTriangles) {
 
 TYPED_TEST(Spatial, TreeIsTheSameForEveryIsa) {
     using R = TypeParam;
-    const Mesh mesh = battens(400);
+    const TriangleMesh mesh = battens(400);
     SplitTree want;
     const auto nodes = split_tree<R>(mesh, {kLanes, kLanes, Isa::scalar, 0.75}, want);
     for (const Isa isa : available_isas()) {
@@ -280,7 +280,7 @@ TYPED_TEST(Spatial, TreeIsTheSameForEveryIsa) {
 }
 
 /// The planes of all boxes of a split tree, by axis, and those that halve the whole and its halves, as an octree's.
-template <class R> std::array<std::vector<double>, 3> planes_of(const Mesh& mesh) {
+template <class R> std::array<std::vector<double>, 3> planes_of(const TriangleMesh& mesh) {
     SplitTree tree;
     const auto nodes = split_tree<R>(mesh, {kLanes, kLanes, Isa::best, kSplitGrowth}, tree);
     std::array<std::vector<double>, 3> planes;
@@ -293,7 +293,7 @@ template <class R> std::array<std::vector<double>, 3> planes_of(const Mesh& mesh
 }
 
 /// A ray through a point where an edge crosses a plane of a box; it may run in that plane.
-Ray ray_along_planes(const Mesh& mesh, const std::array<std::vector<double>, 3>& planes, Draws& draws) {
+Ray ray_along_planes(const TriangleMesh& mesh, const std::array<std::vector<double>, 3>& planes, Draws& draws) {
     const int axis = int(draws.below(3)), k = int(draws.below(3));
     const uint32_t triangle = draws.below(mesh.triangles.size());
     const Vec3 a = mesh.corner(triangle, k), b = mesh.corner(triangle, (k + 1) % 3);
@@ -320,8 +320,8 @@ TEST_P(SplitMeshes, AgreeWithBruteForceAtThePlanes) {
     size_t hits = 0;
     const size_t count = run_size(1500, 300000);
     for (const Precision precision : {Precision::float_, Precision::double_}) {
-        for (const Mesh& source : {battens(100), turned(moved(geodesic_sphere(5), Vec3(1e2, 1, 1), Vec3(0), ""), "needle askew"), stadium(4, 1)}) {
-            const Mesh mesh = moved(source, Vec3(scale), Vec3(offset), source.name).read_at(precision);
+        for (const TriangleMesh& source : {battens(100), turned(moved(geodesic_sphere(5), Vec3(1e2, 1, 1), Vec3(0), ""), "needle askew"), stadium(4, 1)}) {
+            const TriangleMesh mesh = moved(source, Vec3(scale), Vec3(offset), source.name).read_at(precision);
             const auto brute = brute_force(mesh, precision);
             const auto planes = precision == Precision::float_ ? planes_of<float>(mesh) : planes_of<double>(mesh);
             for (const AcceleratorEntry* entry : accelerators_under_test()) {
@@ -346,14 +346,14 @@ INSTANTIATE_TEST_SUITE_P(Places, SplitMeshes, testing::Values(std::tuple(1.0, 0.
 
 /// Spatial splits are tried where they pay, and cost nothing elsewhere.
 TEST(SplitChoice, FollowsTheTriangles) {
-    const auto stats = [](const Mesh& mesh) { return build(*find_accelerator("bvh"), mesh, {})->stats(); };
-    for (const Mesh& mesh : {geodesic_sphere(40, 0.1), torus(200, 100), soup(30000, 0.03, 4), cube(40), moved(cube(40), Vec3(1, 30, 1e-2), Vec3(0), "box")}) {
+    const auto stats = [](const TriangleMesh& mesh) { return build(*find_accelerator("bvh"), mesh, {})->stats(); };
+    for (const TriangleMesh& mesh : {geodesic_sphere(40, 0.1), torus(200, 100), soup(30000, 0.03, 4), cube(40), moved(cube(40), Vec3(1, 30, 1e-2), Vec3(0), "box")}) {
         const BuildStats built = stats(mesh);
         EXPECT_EQ(built.splits, 0u) << mesh.name;
         EXPECT_LE(built.split_candidates, built.nodes / 1000) << mesh.name;
         EXPECT_EQ(built.references, built.primitives) << mesh.name;
     }
-    for (const Mesh& mesh : {battens(1000), slivers(2000, 1e-3, 5), turned(moved(geodesic_sphere(40), Vec3(1e3, 1, 1), Vec3(0), ""), "needle askew")}) {
+    for (const TriangleMesh& mesh : {battens(1000), slivers(2000, 1e-3, 5), turned(moved(geodesic_sphere(40), Vec3(1e3, 1, 1), Vec3(0), ""), "needle askew")}) {
         const BuildStats built = stats(mesh);
         EXPECT_GT(built.splits, 3u) << mesh.name;
         EXPECT_LE(built.splits, built.split_candidates) << mesh.name;

@@ -194,7 +194,7 @@ StadiumScene teapots_in_a_stadium(const std::string& name, int shell, int fine, 
         teapots.emplace_back();
         for (size_t i = first; i < builder.vertices.size(); ++i) teapots.back().extend(builder.vertices[i]);
     }
-    return {Mesh("stadium, " + name, std::move(builder.vertices), std::move(builder.triangles)), std::move(teapots)};
+    return {TriangleMesh("stadium, " + name, std::move(builder.vertices), std::move(builder.triangles)), std::move(teapots)};
 }
 
 std::span<const StadiumCase> stadium_cases() { return kCases; }

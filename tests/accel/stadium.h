@@ -15,7 +15,7 @@ struct TeapotPlace {
 };
 
 struct StadiumScene {
-    numerics::Mesh mesh;
+    numerics::TriangleMesh mesh;
     std::vector<Bounds> teapots;
 };
 

@@ -14,7 +14,7 @@ using namespace numerics;
 namespace {
 
 /// Counters of `count` rays aimed at random points of the mesh.
-WorkCounters work_of(const Accelerator& accelerator, const Mesh& mesh, size_t count, bool any_hit = false) {
+WorkCounters work_of(const Accelerator& accelerator, const TriangleMesh& mesh, size_t count, bool any_hit = false) {
     WorkCounters work;
     for (size_t i = 0; i < count; ++i) {
         const Ray ray = ray_classes().front().make(mesh, RandomKey(51, 0, i, 0));
@@ -26,7 +26,7 @@ WorkCounters work_of(const Accelerator& accelerator, const Mesh& mesh, size_t co
 
 /// The counters count: brute force looks at every triangle.
 TEST(Work, OfBruteForceIsEveryTriangle) {
-    const Mesh mesh = torus(50, 40);
+    const TriangleMesh mesh = torus(50, 40);
     ASSERT_EQ(mesh.triangles.size(), 4000u);
     const WorkCounters work = work_of(*brute_force(mesh, Precision::float_), mesh, 100);
     EXPECT_EQ(work.filtered, work.rays * mesh.triangles.size());
@@ -40,7 +40,7 @@ class Work : public testing::TestWithParam<std::tuple<const AcceleratorEntry*, P
 
 TEST_P(Work, IsAtMostThreePercentOfTheTriangles) {
     const auto [entry, precision] = GetParam();
-    const std::pair<Mesh, double> limits[] = {{torus(50, 40), 0.03}, {geodesic_sphere(14), 0.03}, {soup(4000, 0.05, 6), 0.03}};
+    const std::pair<TriangleMesh, double> limits[] = {{torus(50, 40), 0.03}, {geodesic_sphere(14), 0.03}, {soup(4000, 0.05, 6), 0.03}};
     for (const auto& [mesh, limit] : limits) {
         const auto accelerator = build(*entry, mesh, {precision});
         const size_t count = 2000, n = mesh.triangles.size();
@@ -57,7 +57,7 @@ TEST_P(Work, IsAtMostThreePercentOfTheTriangles) {
 }
 
 struct Record {
-    Mesh mesh;
+    TriangleMesh mesh;
     double boxes, triangles;   ///< a ray
 };
 
@@ -95,7 +95,7 @@ TEST(RecordedWork, OfTheCompactBvhIsKept) {
 
 /// A triangle in several cells is decided once: no more of them than in the BVH, where each is in one leaf.
 TEST(Work, OfTrianglesInManyCellsIsDoneOnce) {
-    const Mesh mesh = geodesic_sphere(71, 0.2);
+    const TriangleMesh mesh = geodesic_sphere(71, 0.2);
     const auto decided = [&](const char* name) { return double(work_of(*build(*find_accelerator(name), mesh, {}), mesh, 2000).primitives) / 2000; };
     const double want = decided("bvh");
     for (const char* name : {"grid", "octree"}) {
@@ -120,7 +120,7 @@ double growth_exponent(const std::vector<std::pair<double, double>>& n_and_work)
 TEST_P(Work, GrowsSlowly) {
     const auto [entry, precision] = GetParam();
     const double limit = std::string_view(entry->name) == "bvh" ? 0.4 : 0.5;
-    using Make = Mesh (*)(double n);
+    using Make = TriangleMesh (*)(double n);
     const std::pair<const char*, Make> kinds[] = {
         {"surface", [](double n) { return geodesic_sphere(int(std::lround(std::sqrt(n / 20))), 0.1); }},
         {"soup", [](double n) { return soup(int(n), 0.5 / std::cbrt(n), 8); }},
@@ -129,7 +129,7 @@ TEST_P(Work, GrowsSlowly) {
         std::vector<std::pair<double, double>> n_and_work;
         for (const double n : {1e3, 1e4, 1e5, 1e6}) {
             if (n > 5e5 && (precision == Precision::double_ || runs_scaled_down())) continue;  // the float run has shown it, and the one without sanitizers
-            const Mesh mesh = make(n);
+            const TriangleMesh mesh = make(n);
             const size_t count = 1000;
             const auto accelerator = build(*entry, mesh, {precision});
             const WorkCounters work = work_of(*accelerator, mesh, count);
@@ -147,7 +147,7 @@ TEST_P(Work, GrowsSlowly) {
 TEST_P(Work, DoesNotGrowFarFromZero) {
     const auto [entry, precision] = GetParam();
     if (precision == Precision::float_) GTEST_SKIP() << "float cannot tell such vertices apart";
-    const Mesh near = geodesic_sphere(14), far = moved(near, Vec3(1), Vec3(1e9, -7e8, 3e8), "sphere + 1e9");
+    const TriangleMesh near = geodesic_sphere(14), far = moved(near, Vec3(1), Vec3(1e9, -7e8, 3e8), "sphere + 1e9");
     const WorkCounters there = work_of(*build(*entry, far, {precision}), far, 2000), here = work_of(*build(*entry, near, {precision}), near, 2000);
     EXPECT_LE(double(there.boxes + there.filtered), 1.5 * double(here.boxes + here.filtered));
     fmt::print("{} boxes and triangles near 0, {} far from it\n", here.boxes + here.filtered, there.boxes + there.filtered);

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "tests/eval/crossings.h"
 #include "tests/eval/shape_samples.h"
 
 #include <gtest/gtest.h>
@@ -6,17 +7,8 @@
 namespace alidade {
 namespace {
 
-Crossings crossings(const Extrusion& e, const Vec3& origin, const Vec3& dir) {
-    Ray ray;
-    ray.origin = origin, ray.dir = dir;
-    return find_shape(e)->crossings(e, ray);
-}
-
-void expect(const Crossings& got, std::initializer_list<double> want) {
-    ASSERT_EQ(size_t(got.count), want.size());
-    int i = 0;
-    for (const double t : want) EXPECT_NEAR(got.at[i++].t, t, 4e-15);
-}
+using test::crossings;
+using test::expect_at;
 
 /// Straight sides.
 Outline box(double low, double high) {
@@ -35,11 +27,11 @@ Outline reversed(const Outline& o) {
 
 TEST(Extrusion, CapsAndSides) {
     const Extrusion e{{box(0, 3), reversed(box(1, 2))}, 0, 2, false};
-    expect(crossings(e, Vec3(0.5, 0.5, -5), Vec3(0, 0, 1)), {5, 7});
-    expect(crossings(e, Vec3(1.5, 1.5, -5), Vec3(0, 0, 1)), {});
-    expect(crossings(e, Vec3(-1, 1.5, 1), Vec3(1, 0, 0)), {1, 2, 3, 4});
-    expect(crossings(e, Vec3(-1, 1.5, 2.5), Vec3(1, 0, 0)), {});
-    expect(crossings(e, Vec3(-1, 0.5, -0.5), Vec3(1, 0, 1)), {1, 2.5});
+    expect_at(crossings(e, Vec3(0.5, 0.5, -5), Vec3(0, 0, 1)), {5, 7});
+    expect_at(crossings(e, Vec3(1.5, 1.5, -5), Vec3(0, 0, 1)), {});
+    expect_at(crossings(e, Vec3(-1, 1.5, 1), Vec3(1, 0, 0)), {1, 2, 3, 4});
+    expect_at(crossings(e, Vec3(-1, 1.5, 2.5), Vec3(1, 0, 0)), {});
+    expect_at(crossings(e, Vec3(-1, 0.5, -0.5), Vec3(1, 0, 1)), {1, 2.5});
     EXPECT_EQ(find_shape(e)->surface(e, Vec3(0, 1.5, 1), crossings(e, Vec3(-1, 1.5, 1), Vec3(1, 0, 0)).at[0].part).normal, Vec3(-1, 0, 0));
     EXPECT_EQ(find_shape(e)->surface(e, Vec3(1, 1.5, 1), crossings(e, Vec3(-1, 1.5, 1), Vec3(1, 0, 0)).at[1].part).normal, Vec3(1, 0, 0));
 }
@@ -59,12 +51,12 @@ TEST(Extrusion, ArcsAreExact) {
     const Extrusion e{{{{Vec2(-1, 0), Vec2(0, 2), Vec2(1, 0), Vec2(1, 0)}}}, 0, 1, false};
     for (int i = 1; i < 10; ++i) {
         const double y = 0.1 * i, x = std::sqrt(1 - y);
-        expect(crossings(e, Vec3(-3, y, 0.5), Vec3(1, 0, 0)), {3 - x, 3 + x});
+        expect_at(crossings(e, Vec3(-3, y, 0.5), Vec3(1, 0, 0)), {3 - x, 3 + x});
         const Vec3 normal = find_shape(e)->surface(e, Vec3(x, y, 0.5), crossings(e, Vec3(-3, y, 0.5), Vec3(1, 0, 0)).at[1].part).normal;
         EXPECT_LT(length(normal - normalized(Vec3(2 * x, 1, 0))), 1e-14);
     }
-    expect(crossings(e, Vec3(-3, 1 + 1e-9, 0.5), Vec3(1, 0, 0)), {});
-    expect(crossings(e, Vec3(0.5, 5, 0.5), Vec3(0, -1, 0)), {4.25, 5});
+    expect_at(crossings(e, Vec3(-3, 1 + 1e-9, 0.5), Vec3(1, 0, 0)), {});
+    expect_at(crossings(e, Vec3(0.5, 5, 0.5), Vec3(0, -1, 0)), {4.25, 5});
 }
 
 /// A star of many rays: more crossings than a list holds without memory of its own, all of them in order and in pairs.
@@ -102,8 +94,8 @@ TEST(Extrusion, BrokenPointsAndRaysAreHarmless) {
         for (int i = 0; i < got.count; ++i) EXPECT_FALSE(std::isnan(got.at[i].t));
         EXPECT_EQ(crossings(none, Vec3(0.2, 0.2, 0.3), dir).count, 0);
     }
-    expect(crossings({{box(0, 1)}, 0, 1, false}, Vec3(0.5, 0.5, -1), Vec3(1e-200, 0, 1)), {1, 2});
-    EXPECT_EQ(crossings({{box(0, 1)}, 0, 1, false}, Vec3(-1e-30, 0.5, 0.5), Vec3(1e-30, 0, 0)).count, 2);
+    expect_at(crossings(Extrusion{{box(0, 1)}, 0, 1, false}, Vec3(0.5, 0.5, -1), Vec3(1e-200, 0, 1)), {1, 2});
+    EXPECT_EQ(crossings(Extrusion{{box(0, 1)}, 0, 1, false}, Vec3(-1e-30, 0.5, 0.5), Vec3(1e-30, 0, 0)).count, 2);
 }
 
 #ifdef ALIDADE_HAS_QUAD

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 /// Cylinders and cones.
+#include "tests/eval/crossings.h"
 #include "tests/eval/shape_samples.h"
 
 #include <gtest/gtest.h>
@@ -7,17 +8,13 @@
 namespace alidade {
 namespace {
 
-template <class Shape> Crossings crossings(const Shape& shape, const Vec3& origin, const Vec3& dir) {
-    Ray ray;
-    ray.origin = origin, ray.dir = dir;
-    return find_shape(shape)->crossings(shape, ray);
-}
+using test::crossings;
 
 struct Expected {
     double t;
     uint32_t part;
 };
-void expect(const Crossings& got, std::initializer_list<Expected> want) {
+void expect_parts(const Crossings& got, std::initializer_list<Expected> want) {
     ASSERT_EQ(size_t(got.count), want.size());
     int i = 0;
     for (const Expected& e : want) {
@@ -29,18 +26,18 @@ void expect(const Crossings& got, std::initializer_list<Expected> want) {
 
 TEST(Cylinder, SideAndCaps) {
     const Cylinder c{Vec3(0), Vec3(0, 4, 0), 2, false};
-    expect(crossings(c, Vec3(-5, 1, 0), Vec3(0.5, 0, 0)), {{6, 0}, {14, 0}});
-    expect(crossings(c, Vec3(1, -1, 0), Vec3(0, 1, 0)), {{1, 1}, {5, 2}});
-    expect(crossings(c, Vec3(1, 6, 0), Vec3(0, -1, 0)), {{2, 2}, {6, 1}});
-    expect(crossings(c, Vec3(0, -1, 0), Vec3(1, 1, 0)), {{1, 1}, {2, 0}});
-    expect(crossings(c, Vec3(3, -1, 0), Vec3(0, 1, 0)), {});
-    expect(crossings(c, Vec3(-5, 5, 0), Vec3(1, 0, 0)), {});
+    expect_parts(crossings(c, Vec3(-5, 1, 0), Vec3(0.5, 0, 0)), {{6, 0}, {14, 0}});
+    expect_parts(crossings(c, Vec3(1, -1, 0), Vec3(0, 1, 0)), {{1, 1}, {5, 2}});
+    expect_parts(crossings(c, Vec3(1, 6, 0), Vec3(0, -1, 0)), {{2, 2}, {6, 1}});
+    expect_parts(crossings(c, Vec3(0, -1, 0), Vec3(1, 1, 0)), {{1, 1}, {2, 0}});
+    expect_parts(crossings(c, Vec3(3, -1, 0), Vec3(0, 1, 0)), {});
+    expect_parts(crossings(c, Vec3(-5, 5, 0), Vec3(1, 0, 0)), {});
 }
 
 TEST(Cylinder, AnOpenOneHasNoCapsButTheSameInside) {
     const Cylinder c{Vec3(0), Vec3(0, 4, 0), -2, true};
-    expect(crossings(c, Vec3(1, -1, 0), Vec3(0, 1, 0)), {});
-    expect(crossings(c, Vec3(0, -1, 0), Vec3(1, 1, 0)), {{2, 0}});
+    expect_parts(crossings(c, Vec3(1, -1, 0), Vec3(0, 1, 0)), {});
+    expect_parts(crossings(c, Vec3(0, -1, 0), Vec3(1, 1, 0)), {{2, 0}});
     EXPECT_TRUE(find_shape(c)->inside(c, Vec3(1, 2, 1)));
     EXPECT_FALSE(find_shape(c)->inside(c, Vec3(1, 5, 1)));
     EXPECT_FALSE(find_shape(c)->solid(c));
@@ -49,27 +46,27 @@ TEST(Cylinder, AnOpenOneHasNoCapsButTheSameInside) {
 
 TEST(Cone, SideTipAndCaps) {
     const Cone c{Vec3(0), Vec3(0, 2, 0), 2, 0, false};
-    expect(crossings(c, Vec3(-5, 1, 0), Vec3(1, 0, 0)), {{4, 0}, {6, 0}});
-    expect(crossings(c, Vec3(1, 5, 0), Vec3(0, -1, 0)), {{4, 0}, {5, 1}});
-    expect(crossings(c, Vec3(-1, -1, 0), Vec3(1, 1, 0)), {{1, 1}, {2, 0}});   // parallel to a line of the side
-    expect(crossings(c, Vec3(-5, 3, 0), Vec3(1, 0, 0)), {});                  // the other half, beyond the tip
+    expect_parts(crossings(c, Vec3(-5, 1, 0), Vec3(1, 0, 0)), {{4, 0}, {6, 0}});
+    expect_parts(crossings(c, Vec3(1, 5, 0), Vec3(0, -1, 0)), {{4, 0}, {5, 1}});
+    expect_parts(crossings(c, Vec3(-1, -1, 0), Vec3(1, 1, 0)), {{1, 1}, {2, 0}});   // parallel to a line of the side
+    expect_parts(crossings(c, Vec3(-5, 3, 0), Vec3(1, 0, 0)), {});                  // the other half, beyond the tip
 }
 
 TEST(Cone, RadiiOfDifferentSignsMakeTwoCones) {
     const Cone c{Vec3(0, -1, 0), Vec3(0, 1, 0), -1, 1, false};
-    expect(crossings(c, Vec3(0.5, -2, 0), Vec3(0, 1, 0)), {{1, 1}, {1.5, 0}, {2.5, 0}, {3, 2}});
-    expect(crossings(c, Vec3(-5, 0.5, 0), Vec3(1, 0, 0)), {{4.5, 0}, {5.5, 0}});
+    expect_parts(crossings(c, Vec3(0.5, -2, 0), Vec3(0, 1, 0)), {{1, 1}, {1.5, 0}, {2.5, 0}, {3, 2}});
+    expect_parts(crossings(c, Vec3(-5, 0.5, 0), Vec3(1, 0, 0)), {{4.5, 0}, {5.5, 0}});
     EXPECT_TRUE(find_shape(c)->inside(c, Vec3(0.4, -0.5, 0)));
     EXPECT_FALSE(find_shape(c)->inside(c, Vec3(0.4, 0.1, 0)));
 }
 
 TEST(Cone, NegativeRadiiOfBothEndsDrawAsPositiveOnes) {
-    expect(crossings(Cone{Vec3(0), Vec3(0, 2, 0), -2, -1, false}, Vec3(-5, 0, 0), Vec3(1, 0, 0)), {{3, 0}, {7, 0}});
+    expect_parts(crossings(Cone{Vec3(0), Vec3(0, 2, 0), -2, -1, false}, Vec3(-5, 0, 0), Vec3(1, 0, 0)), {{3, 0}, {7, 0}});
 }
 
 TEST(Cone, WithoutLengthNothingIsHit) {
-    expect(crossings(Cone{Vec3(1), Vec3(1), 1, 1, false}, Vec3(1, 1, -5), Vec3(0, 0, 1)), {});
-    expect(crossings(Cylinder{Vec3(1), Vec3(1), 1, false}, Vec3(1, 1, -5), Vec3(0, 0, 1)), {});
+    expect_parts(crossings(Cone{Vec3(1), Vec3(1), 1, 1, false}, Vec3(1, 1, -5), Vec3(0, 0, 1)), {});
+    expect_parts(crossings(Cylinder{Vec3(1), Vec3(1), 1, false}, Vec3(1, 1, -5), Vec3(0, 0, 1)), {});
 }
 
 #ifdef ALIDADE_HAS_QUAD

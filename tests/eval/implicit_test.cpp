@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 /// Quadrics and polynomials, and the roots of polynomials of one variable.
 #include "eval/shapes/polynomial_roots.h"
+#include "tests/eval/crossings.h"
 #include "tests/eval/shape_samples.h"
 
 #include <gtest/gtest.h>
@@ -8,17 +9,8 @@
 namespace alidade {
 namespace {
 
-template <class Shape> Crossings crossings(const Shape& shape, const Vec3& origin, const Vec3& dir) {
-    Ray ray;
-    ray.origin = origin, ray.dir = dir;
-    return find_shape(shape)->crossings(shape, ray);
-}
-
-void expect(const Crossings& got, std::initializer_list<double> want, double tolerance = 4e-15) {
-    ASSERT_EQ(size_t(got.count), want.size());
-    int i = 0;
-    for (const double t : want) EXPECT_NEAR(got.at[i++].t, t, tolerance);
-}
+using test::crossings;
+using test::expect_at;
 
 /// (x - a) (x - b) ... as coefficients by rising powers.
 std::vector<double> product(const std::vector<double>& roots) {
@@ -107,13 +99,13 @@ TEST(PolynomialRoots, AreAllFound) {
 
 TEST(Quadric, ThoseOfTheBooks) {
     const Quadric hyperboloid{{1, -1, 1}, Vec3(0), Vec3(0), -1}, paraboloid{{1, 0, 1}, Vec3(0), {0, -1, 0}, 0}, cone{{1, -1, 1}, Vec3(0), Vec3(0), 0}, saddle{Vec3(0), {0, 1, 0}, {0, -1, 0}, 0};
-    expect(crossings(hyperboloid, Vec3(-5, 0, 0), Vec3(1, 0, 0)), {4, 6});
-    expect(crossings(hyperboloid, Vec3(-5, 1, 0), Vec3(2, 0, 0)), {2.5 - std::sqrt(0.5), 2.5 + std::sqrt(0.5)});
-    expect(crossings(hyperboloid, Vec3(0, -5, 0), Vec3(0, 1, 0)), {});
-    expect(crossings(paraboloid, Vec3(0, 5, 0), Vec3(0, -1, 0)), {5});
-    expect(crossings(paraboloid, Vec3(-5, 4, 0), Vec3(1, 0, 0)), {3, 7});
-    expect(crossings(cone, Vec3(-5, 1, 0), Vec3(1, 0, 0)), {4, 6});
-    expect(crossings(saddle, Vec3(0.5, 5, 0.5), Vec3(0, -1, 0)), {4.75});
+    expect_at(crossings(hyperboloid, Vec3(-5, 0, 0), Vec3(1, 0, 0)), {4, 6});
+    expect_at(crossings(hyperboloid, Vec3(-5, 1, 0), Vec3(2, 0, 0)), {2.5 - std::sqrt(0.5), 2.5 + std::sqrt(0.5)});
+    expect_at(crossings(hyperboloid, Vec3(0, -5, 0), Vec3(0, 1, 0)), {});
+    expect_at(crossings(paraboloid, Vec3(0, 5, 0), Vec3(0, -1, 0)), {5});
+    expect_at(crossings(paraboloid, Vec3(-5, 4, 0), Vec3(1, 0, 0)), {3, 7});
+    expect_at(crossings(cone, Vec3(-5, 1, 0), Vec3(1, 0, 0)), {4, 6});
+    expect_at(crossings(saddle, Vec3(0.5, 5, 0.5), Vec3(0, -1, 0)), {4.75});
     EXPECT_TRUE(find_shape(cone)->inside(cone, Vec3(0, 5, 1)));
     EXPECT_FALSE(find_shape(cone)->inside(cone, Vec3(2, 1, 0)));
 }
@@ -172,9 +164,9 @@ TEST(Polynomial, DegreesThatVanishAlongALine) {
     Polynomial f;   // x^3 - y, along y and across
     f.order = 3, f.coefficients.assign(Polynomial::terms(3), 0.0);
     f.coefficients[test::power_index(3, 3, 0, 0)] = 1, f.coefficients[test::power_index(3, 0, 1, 0)] = -1;
-    expect(crossings(f, Vec3(0.5, 5, 0), Vec3(0, -1, 0)), {4.875});
-    expect(crossings(f, Vec3(2, 8, -1), Vec3(0, 0, 1)), {});
-    expect(crossings(f, Vec3(-3, 0.125, 1), Vec3(1, 0, 0)), {3.5});
+    expect_at(crossings(f, Vec3(0.5, 5, 0), Vec3(0, -1, 0)), {4.875});
+    expect_at(crossings(f, Vec3(2, 8, -1), Vec3(0, 0, 1)), {});
+    expect_at(crossings(f, Vec3(-3, 0.125, 1), Vec3(1, 0, 0)), {3.5});
 }
 
 #ifdef ALIDADE_HAS_QUAD

@@ -91,8 +91,6 @@ std::string plain_file(const Grid& grid) {
     return file(fmt::format(R"({{{},"indices":2}})", kAttributes), accessors(R"("bufferView":0,)", R"("bufferView":1,)", R"("bufferView":2,)"), views, data);
 }
 
-const Mesh& mesh_of(const Scene& scene, size_t shape = 0) { return std::get<Mesh>(scene.shapes.at(shape).geometry); }
-
 /// The corners of all triangles with their attributes, in an order that does not depend on the numbers of vertices.
 std::vector<std::array<float, 21>> soup(const Mesh& m) {
     std::vector<std::array<float, 21>> out;

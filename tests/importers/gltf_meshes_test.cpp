@@ -24,12 +24,10 @@ std::string accessor(int component, const char* type, size_t count, size_t offse
 }
 const std::string kPositions = accessor(5126, "VEC3", 4, 0);
 
-std::string said(const std::string& members) {
+std::string said_of_mesh(const std::string& members) {
     const auto result = import_text(with_asset(members));
     return result ? result->diagnostics.text() : result.error().text();
 }
-const Mesh& mesh_of(const Scene& scene, size_t shape = 0) { return std::get<Mesh>(scene.shapes.at(shape).geometry); }
-
 std::string text(const std::vector<Index3>& triangles) {
     std::string out;
     for (const Index3& t : triangles) out += fmt::format("({} {} {})", t.x, t.y, t.z);
@@ -64,39 +62,39 @@ TEST(Meshes, BadIndicesAndAttributesAreErrors) {
     const auto with_indices = [&](const std::string& indices) {
         return mesh_file(bytes, kPositions + "," + indices, R"({"attributes":{"POSITION":0},"indices":1})");
     };
-    EXPECT_THAT(said(with_indices(accessor(5123, "SCALAR", 3, 48))),
+    EXPECT_THAT(said_of_mesh(with_indices(accessor(5123, "SCALAR", 3, 48))),
                 HasSubstr("/meshes/0/primitives/0/indices: error: index 2 is 4, but there are 4 vertices"));
-    EXPECT_THAT(said(with_indices(accessor(5123, "SCALAR", 1, 54))),
+    EXPECT_THAT(said_of_mesh(with_indices(accessor(5123, "SCALAR", 1, 54))),
                 HasSubstr("index 0 is 65535, but there are 4 vertices\nhint: glTF does not allow primitive restart values"));
-    EXPECT_THAT(said(with_indices(accessor(5126, "SCALAR", 3, 0))), HasSubstr("indices must be a SCALAR accessor of unsigned integers"));
-    EXPECT_THAT(said(with_indices(accessor(5123, "VEC2", 2, 48))), HasSubstr("indices must be a SCALAR accessor of unsigned integers"));
+    EXPECT_THAT(said_of_mesh(with_indices(accessor(5126, "SCALAR", 3, 0))), HasSubstr("indices must be a SCALAR accessor of unsigned integers"));
+    EXPECT_THAT(said_of_mesh(with_indices(accessor(5123, "VEC2", 2, 48))), HasSubstr("indices must be a SCALAR accessor of unsigned integers"));
 
     const auto with_attribute = [&](const char* name, const std::string& a) {
         return mesh_file(bytes, kPositions + "," + a, fmt::format(R"({{"attributes":{{"POSITION":0,"{}":1}}}})", name));
     };
-    EXPECT_THAT(said(with_attribute("NORMAL", accessor(5126, "VEC3", 3, 0))),
+    EXPECT_THAT(said_of_mesh(with_attribute("NORMAL", accessor(5126, "VEC3", 3, 0))),
                 HasSubstr("/meshes/0/primitives/0/attributes/NORMAL: error: 3 elements, but POSITION has 4"));
-    EXPECT_THAT(said(with_attribute("NORMAL", accessor(5126, "VEC2", 4, 0))), HasSubstr("/attributes/NORMAL: error: the accessor must be VEC3"));
-    EXPECT_THAT(said(with_attribute("COLOR_0", accessor(5126, "VEC2", 4, 0))),
+    EXPECT_THAT(said_of_mesh(with_attribute("NORMAL", accessor(5126, "VEC2", 4, 0))), HasSubstr("/attributes/NORMAL: error: the accessor must be VEC3"));
+    EXPECT_THAT(said_of_mesh(with_attribute("COLOR_0", accessor(5126, "VEC2", 4, 0))),
                 HasSubstr("/attributes/COLOR_0: error: the accessor must be VEC3 or VEC4"));
-    EXPECT_THAT(said(with_attribute("JOINTS_0", accessor(5126, "VEC4", 3, 0))),
+    EXPECT_THAT(said_of_mesh(with_attribute("JOINTS_0", accessor(5126, "VEC4", 3, 0))),
                 HasSubstr("/attributes/JOINTS_0: error: the accessor has the wrong component type"));
-    EXPECT_THAT(said(with_attribute("TEXCOORD_4000000000", accessor(5126, "VEC2", 4, 0))),
+    EXPECT_THAT(said_of_mesh(with_attribute("TEXCOORD_4000000000", accessor(5126, "VEC2", 4, 0))),
                 HasSubstr("/attributes/TEXCOORD_4000000000: warning: only 8 sets are supported"));
-    EXPECT_THAT(said(with_attribute("TEXCOORD_99999999999", accessor(5126, "VEC2", 4, 0))),
+    EXPECT_THAT(said_of_mesh(with_attribute("TEXCOORD_99999999999", accessor(5126, "VEC2", 4, 0))),
                 HasSubstr("/attributes/TEXCOORD_99999999999: warning: unknown attribute"));
-    EXPECT_THAT(said(with_attribute("UV", accessor(5126, "VEC2", 4, 0))), HasSubstr("/attributes/UV: warning: unknown attribute"));
-    EXPECT_THAT(said(with_attribute("_MINE", accessor(5126, "VEC2", 1, 0))), testing::Not(HasSubstr("_MINE"))) << "an application's own";
+    EXPECT_THAT(said_of_mesh(with_attribute("UV", accessor(5126, "VEC2", 4, 0))), HasSubstr("/attributes/UV: warning: unknown attribute"));
+    EXPECT_THAT(said_of_mesh(with_attribute("_MINE", accessor(5126, "VEC2", 1, 0))), testing::Not(HasSubstr("_MINE"))) << "an application's own";
 }
 
 TEST(Meshes, WithoutASurfaceAreNamed) {
-    EXPECT_THAT(said(mesh_file(kSquare, kPositions, R"({"attributes":{"POSITION":0},"mode":0})")),
+    EXPECT_THAT(said_of_mesh(mesh_file(kSquare, kPositions, R"({"attributes":{"POSITION":0},"mode":0})")),
                 HasSubstr("/meshes/0/primitives/0: warning: points have no surface"));
-    EXPECT_THAT(said(mesh_file(kSquare, kPositions, R"({"attributes":{"POSITION":0},"mode":3})")),
+    EXPECT_THAT(said_of_mesh(mesh_file(kSquare, kPositions, R"({"attributes":{"POSITION":0},"mode":3})")),
                 HasSubstr("/meshes/0/primitives/0: warning: lines have no surface"));
-    EXPECT_THAT(said(mesh_file(kSquare, kPositions, R"({"attributes":{}})")),
+    EXPECT_THAT(said_of_mesh(mesh_file(kSquare, kPositions, R"({"attributes":{}})")),
                 HasSubstr("/meshes/0/primitives/0: warning: the primitive has no POSITION"));
-    EXPECT_THAT(said(mesh_file(kSquare, kPositions, R"({"attributes":{"POSITION":0}})")),
+    EXPECT_THAT(said_of_mesh(mesh_file(kSquare, kPositions, R"({"attributes":{"POSITION":0}})")),
                 HasSubstr("warning: 4 vertices do not make whole triangles"));
 }
 
@@ -180,12 +178,12 @@ TEST(Meshes, MorphTargets) {
     EXPECT_EQ(mesh.morphs[0].positions[2], Vec3f(1, 1, 0));
     EXPECT_TRUE(mesh.morphs[1].positions.empty());
     EXPECT_EQ(mesh.morph_weights, (std::vector<double>{0.25, 0.5}));
-    EXPECT_THAT(said(mesh_file(bytes, accessors, R"({"attributes":{"POSITION":0},"mode":6,"targets":[{"POSITION":2}]})")),
+    EXPECT_THAT(said_of_mesh(mesh_file(bytes, accessors, R"({"attributes":{"POSITION":0},"mode":6,"targets":[{"POSITION":2}]})")),
                 HasSubstr("/meshes/0/primitives/0/targets/0/POSITION: error: a morph target needs a VEC3 accessor of 4 elements"));
-    EXPECT_THAT(said(mesh_file(bytes, accessors,
+    EXPECT_THAT(said_of_mesh(mesh_file(bytes, accessors,
                                R"({"attributes":{"POSITION":0},"mode":6,"targets":[{"POSITION":1}]},{"attributes":{"POSITION":0},"mode":6})")),
                 HasSubstr("/meshes/0/primitives/1: error: all primitives of a mesh need the same number of morph targets"));
-    EXPECT_THAT(said(mesh_file(bytes, accessors, R"({"attributes":{"POSITION":0},"mode":6})", R"(,"weights":[1])")),
+    EXPECT_THAT(said_of_mesh(mesh_file(bytes, accessors, R"({"attributes":{"POSITION":0},"mode":6})", R"(,"weights":[1])")),
                 HasSubstr("/meshes/0/weights: warning: 1 weights for 0 morph targets"));
 }
 

@@ -14,7 +14,7 @@ struct Rule {
 
 void PrintTo(const Rule& rule, std::ostream* out) { *out << rule.members; }
 
-std::string said(const std::string& members) {
+std::string said_of(const std::string& members) {
     const auto result = import_text(with_asset(members));
     return result ? result->diagnostics.text() : result.error().text();
 }
@@ -22,7 +22,7 @@ std::string said(const std::string& members) {
 class Rules : public testing::TestWithParam<Rule> {};
 
 TEST_P(Rules, IsReportedAtItsPlace) {
-    EXPECT_THAT(said(GetParam().members), testing::HasSubstr(std::string("test.gltf:") + GetParam().expected));
+    EXPECT_THAT(said_of(GetParam().members), testing::HasSubstr(std::string("test.gltf:") + GetParam().expected));
 }
 
 // ---- types, required properties, ranges: each kind of field once, and places where files go wrong ----

@@ -48,6 +48,8 @@ inline std::string buffer_json(const std::string& bytes) {
     return R"({"byteLength":)" + std::to_string(bytes.size()) + R"(,"uri":"data:application/octet-stream;base64,)" + base64(bytes) + "\"}";
 }
 
+inline const Mesh& mesh_of(const Scene& scene, size_t shape = 0) { return std::get<Mesh>(scene.shapes.at(shape).geometry); }
+
 /// A GLB with chunks that are padded as they must be.
 inline std::string glb(std::string json, std::string bin = {}) {
     const auto u32 = [](size_t v) {

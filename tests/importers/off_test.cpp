@@ -44,13 +44,13 @@ TEST(Off, ColoursOverOneAreBytes) {
     EXPECT_EQ(colors.at(2), Vec4f(1));
 }
 
-struct Bad {
+struct BadOff {
     std::string text;
     const char* error;   ///< how the messages begin
 };
 
 TEST(Off, ErrorsStandAtTheirPlace) {
-    const Bad table[] = {
+    const BadOff table[] = {
         {"", "a:1:1: error: the file ends before its first word"},
         {"OFT\n", "a:1:1: error: \"OFT\" is no first word of an OFF file"},
         {"nOFF\n3\n", "a:1:1: error: meshes of any dimension (nOFF) are not supported"},
@@ -74,7 +74,7 @@ TEST(Off, ErrorsStandAtTheirPlace) {
         {"OFF\n4 1 0\n" + kSquare + "18446744073709551615 0 1 2\n", "a:7:27: error: the line ends before the last index"},
         {"OFF\n4 1 0\n" + kSquare + "x 0 1 2\n", "a:7:1: error: \"x\" is not the number of a face's corners"},
     };
-    for (const Bad& bad : table) {
+    for (const BadOff& bad : table) {
         const ImportResult result = import_text(read_off, bad.text);
         ASSERT_FALSE(result) << bad.text;
         EXPECT_THAT(said(result), StartsWith(bad.error)) << bad.text;

@@ -16,11 +16,11 @@ using testing::StartsWith;
 
 const std::string kXyz = "property float x\nproperty float y\nproperty float z\n";
 const std::string kFaces = "property list uchar int vertex_indices\nend_header\n";
-const std::string kSquare = "0 0 0\n1 0 0\n1 1 0\n0 1 0\n";
+const std::string kSquareVertices = "0 0 0\n1 0 0\n1 1 0\n0 1 0\n";
 
 /// The text of a square whose faces are `faces`, one a line.
 std::string square(int count, const std::string& faces) {
-    return "ply\nformat ascii 1.0\nelement vertex 4\n" + kXyz + "element face " + std::to_string(count) + "\n" + kFaces + kSquare + faces;
+    return "ply\nformat ascii 1.0\nelement vertex 4\n" + kXyz + "element face " + std::to_string(count) + "\n" + kFaces + kSquareVertices + faces;
 }
 
 TEST(Ply, FacesAreCutIntoTriangles) {
@@ -67,7 +67,7 @@ TEST(Ply, FacesMayStandBeforeTheirVertices) {
 
 TEST(Ply, TextureCoordinatesOfCorners) {
     const Mesh mesh = mesh_of(read_ply, "ply\nformat ascii 1.0\nelement vertex 4\n" + kXyz + "element face 2\nproperty list uchar int vertex_indices\n" +
-                                            "property list uchar float texcoord\nend_header\n" + kSquare + "3 0 1 2 6 0 0 1 0 1 1\n3 0 2 3 6 0.5 0 0 0 0 1\n");
+                                            "property list uchar float texcoord\nend_header\n" + kSquareVertices + "3 0 1 2 6 0 0 1 0 1 1\n3 0 2 3 6 0.5 0 0 0 0 1\n");
     const auto& uv = mesh.uvs.at(0);
     EXPECT_EQ(uv.values.at(uv.index(0, 2, mesh.triangles[0])), Vec2f(1, 0));
     EXPECT_EQ(uv.values.at(uv.index(1, 0, mesh.triangles[1])), Vec2f(0.5f, 1));
@@ -75,7 +75,7 @@ TEST(Ply, TextureCoordinatesOfCorners) {
 
 TEST(Ply, StripsAlternate) {
     const Mesh mesh = mesh_of(read_ply, "ply\nformat ascii 1.0\nelement vertex 4\n" + kXyz + "element tristrips 1\nproperty list int int vertex_indices\nend_header\n" +
-                                            kSquare + "8 0 1 3 2 -1 2 1 0\n");
+                                            kSquareVertices + "8 0 1 3 2 -1 2 1 0\n");
     EXPECT_EQ(corners_of(mesh),
               (std::vector<Vec3>{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 1, 0}, {1, 0, 0}, {1, 1, 0}, {1, 1, 0}, {1, 0, 0}, {0, 0, 0}}));
 }
@@ -147,7 +147,7 @@ TEST(Ply, DataMayBeginWithALineEnd) {
     }
 }
 
-struct Bad {
+struct BadPly {
     std::string text;
     const char* error;   ///< how the messages begin
 };
@@ -155,7 +155,7 @@ struct Bad {
 const std::string kHead = "ply\nformat ascii 1.0\n";
 
 TEST(Ply, ErrorsStandAtTheirPlace) {
-    const Bad table[] = {
+    const BadPly table[] = {
         {"", "a:1:1: error: a PLY file begins with the line \"ply\""},
         {"plx\n", "a:1:1: error: a PLY file begins"},
         {"ply\n", "a:2:1: error: the file ends in its header"},
@@ -184,7 +184,7 @@ TEST(Ply, ErrorsStandAtTheirPlace) {
         {square(1, "1e9 0 1 2\n"), "a:14:1: error: a list of 1000000000 items: the file has bytes for 4 at most"},
         {square(2, "3 0 1 2\n"), "a:15:1: error: the file ends before its last element"},
     };
-    for (const Bad& bad : table) {
+    for (const BadPly& bad : table) {
         const ImportResult result = import_text(read_ply, bad.text);
         ASSERT_FALSE(result) << bad.text;
         EXPECT_THAT(said(result), StartsWith(bad.error)) << bad.text;

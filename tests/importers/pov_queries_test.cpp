@@ -98,7 +98,7 @@ std::string program(const Asked& asked) {
     return text;
 }
 
-std::vector<double> numbers(const std::string& text) {
+std::vector<double> debug_numbers(const std::string& text) {
     std::istringstream in(text);
     std::vector<double> all;
     for (std::string word; in >> word;) all.push_back(std::strtod(word.c_str(), nullptr));
@@ -155,7 +155,7 @@ TEST(PovQueries, EveryObjectAnswersAsInPovRay) {
     size_t count = 0;
     for (const Asked& asked : kAsked) scene += program(asked), count += count_of(asked);
     Diagnostics said;
-    const std::vector<double> ours = numbers(printed_by_us(scene, said)), theirs = numbers(povray_debug(scene));
+    const std::vector<double> ours = debug_numbers(printed_by_us(scene, said)), theirs = debug_numbers(povray_debug(scene));
     ASSERT_FALSE(said.has_errors()) << said.text();
     ASSERT_EQ(ours.size(), count);
     ASSERT_EQ(theirs.size(), count);

@@ -73,14 +73,14 @@ TEST(Stl, TextOfAnyCaseWithSeveralSolids) {
     EXPECT_EQ(mesh.positions.size(), 4u);
 }
 
-struct Bad {
+struct BadStl {
     std::string text;
     const char* error;   ///< how the messages begin
 };
 
 TEST(Stl, ErrorsStandAtTheirPlace) {
     const std::string begin = "solid\nfacet normal 0 0 1\nouter loop\n";
-    const Bad table[] = {
+    const BadStl table[] = {
         {"", "a: error: neither STL text nor binary STL"},
         {"solidity\n", "a: error: neither STL text nor binary STL"},
         {binary(fan(3)).substr(0, 84 + 149), "a: error: the file is cut off: it promises 3 triangles and holds 2"},
@@ -95,7 +95,7 @@ TEST(Stl, ErrorsStandAtTheirPlace) {
         {"solid\nendloop\n", "a:2:1: error: a loop ends that has 0 vertices"},
         {"solid\nendsolid\nouter loop\n", "a:3:1: error: a loop outside of a solid"},
     };
-    for (const Bad& bad : table) {
+    for (const BadStl& bad : table) {
         const ImportResult result = import_text(read_stl, bad.text);
         ASSERT_FALSE(result) << bad.text;
         EXPECT_THAT(said(result), StartsWith(bad.error)) << bad.text;

@@ -10,9 +10,9 @@
 namespace alidade {
 namespace {
 
-Mesh& mesh(Scene& s) { return std::get<Mesh>(s.shapes[3].geometry); }
-GltfPbr& gltf(Scene& s) { return std::get<GltfPbr>(s.materials[0].layers[0]); }
-PovFinish& pov(Scene& s) { return std::get<PovFinish>(s.materials[1].layers[0]); }
+using test::mesh;
+using test::gltf;
+using test::pov;
 ImageSignal& image(Scene& s) { return std::get<ImageSignal>(s.signals[1].what); }
 PatternSignal& pattern(Scene& s) { return std::get<PatternSignal>(s.signals[4].what); }
 PatternPicture& picture(Scene& s) {

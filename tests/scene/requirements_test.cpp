@@ -78,8 +78,8 @@ struct Use {
     void (*ask)(Scene&);
 };
 
-GltfPbr& gltf(Scene& s) { return std::get<GltfPbr>(s.materials[0].layers[0]); }
-PovFinish& pov(Scene& s) { return std::get<PovFinish>(s.materials[1].layers[0]); }
+using test::gltf;
+using test::pov;
 
 /// Each changes the sample scene, which does not require it before.
 const Use kUses[] = {

@@ -14,6 +14,11 @@ namespace alidade::test {
 ///         └── 8 camera
 Scene sample_scene();
 
+/// Parts of the sample scene.
+inline Mesh& mesh(Scene& s) { return std::get<Mesh>(s.shapes[3].geometry); }
+inline GltfPbr& gltf(Scene& s) { return std::get<GltfPbr>(s.materials[0].layers[0]); }
+inline PovFinish& pov(Scene& s) { return std::get<PovFinish>(s.materials[1].layers[0]); }
+
 /// A node that holds `what`.
 template <class Id> Node node_with(Id what) {
     Node node;

@@ -15,8 +15,8 @@ using testing::HasSubstr;
 constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
 constexpr float kNanF = std::numeric_limits<float>::quiet_NaN();
 
-Mesh& mesh(Scene& s) { return std::get<Mesh>(s.shapes[3].geometry); }
-GltfPbr& gltf(Scene& s) { return std::get<GltfPbr>(s.materials[0].layers[0]); }
+using test::mesh;
+using test::gltf;
 Channel& move(Scene& s) { return s.animations[0].channels[0]; }
 
 struct Fault {

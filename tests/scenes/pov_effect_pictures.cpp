@@ -6,23 +6,23 @@ namespace alidade::test {
 
 namespace {
 
-const std::string kHead = "#version 3.7; global_settings { assumed_gamma 1 } background { rgb <.3,.5,.7> }\n";
+const std::string kEffectHead = "#version 3.7; global_settings { assumed_gamma 1 } background { rgb <.3,.5,.7> }\n";
 const std::string kSun = "light_source { <10,20,-15> rgb <1,.9,.8> }\n";
 const std::string kView = "camera { location <0,2,-6> look_at <0,.5,0> angle 50 }\n";
-const std::string kFaces = kHead + "camera { location <0,1,-7> look_at <0,.4,0> angle 45 } sky_sphere { pigment { gradient y color_map { [0 rgb x] [1 rgb z] } scale 2 translate -1 } }\n";
+const std::string kFaces = kEffectHead + "camera { location <0,1,-7> look_at <0,.4,0> angle 45 } sky_sphere { pigment { gradient y color_map { [0 rgb x] [1 rgb z] } scale 2 translate -1 } }\n";
 const std::string kFloor = "plane { y, -1 pigment { checker rgb 1 rgb <1,0,0> } }\n";
 
 /// Looks at the point opposite of the sun, above a floor with a ball that mirrors it.
 std::string rainbow(const std::string& bows) {
-    return kHead + kSun + kFloor + "camera { location <0,2,-6> look_at <0,2,0> angle 95 } sphere { <1,.5,1>, 1 hollow pigment { rgb .2 } finish { reflection .8 } } sphere { <-2,0,-1>, 1 pigment { rgbt 1 } interior { ior 1.3 } }\n" + bows;
+    return kEffectHead + kSun + kFloor + "camera { location <0,2,-6> look_at <0,2,0> angle 95 } sphere { <1,.5,1>, 1 hollow pigment { rgb .2 } finish { reflection .8 } } sphere { <-2,0,-1>, 1 pigment { rgbt 1 } interior { ior 1.3 } }\n" + bows;
 }
 
 std::string bent(const std::string& camera) {
-    return kHead + kSun + kFloor + "camera { " + camera + " } sphere { <1,.5,1>, 1 pigment { rgb <.2,1,.3> } } box { <-2,-1,-1>, <-1,1,0> pigment { rgb <.2,.3,1> } }\n";
+    return kEffectHead + kSun + kFloor + "camera { " + camera + " } sphere { <1,.5,1>, 1 pigment { rgb <.2,1,.3> } } box { <-2,-1,-1>, <-1,1,0> pigment { rgb <.2,.3,1> } }\n";
 }
 
 std::string projected(const std::string& light) {
-    return kHead + kFloor + "camera { location <0,4,-7> look_at 0 angle 50 } light_source { " + light + " } sphere { <.5,0,0>, .5 pigment { rgb <.2,1,.3> } finish { phong 1 } } sphere { <-.8,1,.3>, .3 pigment { rgbf <1,1,.2,.7> } } "
+    return kEffectHead + kFloor + "camera { location <0,4,-7> look_at 0 angle 50 } light_source { " + light + " } sphere { <.5,0,0>, .5 pigment { rgb <.2,1,.3> } finish { phong 1 } } sphere { <-.8,1,.3>, .3 pigment { rgbf <1,1,.2,.7> } } "
            "plane { -z, -4 pigment { rgb .8 } }\n";
 }
 
@@ -30,10 +30,10 @@ std::string projected(const std::string& light) {
 
 std::vector<PovPicture> effect_pictures() {
     const std::string colours = "color_map { [0 rgbt <.6,0,1,.9>] [.3 rgbft <0,.4,1,.2,.4>] [.6 rgbt <1,1,0,.3>] [1 rgbf <1,0,0,.5>] } ";
-    const std::string mirrors = kHead + kSun + kFloor + "camera { location <0,2,-6> look_at <0,.5,0> angle 50 } ";
+    const std::string mirrors = kEffectHead + kSun + kFloor + "camera { location <0,2,-6> look_at <0,.5,0> angle 50 } ";
     return {
-        {"ShiftedSky", kHead + kView + kSun + "sky_sphere { pigment { wood scale .4 } pigment { gradient y color_map { [0 rgbt <1,0,0,.2>] [1 rgbt 1] } } scale 2 translate <.3,.5,0> rotate z*20 } sphere { 0, 1 pigment { rgb .5 } finish { reflection .5 } }"},
-        {"IridOfAnotherNoise", kHead + kView + kSun + "global_settings { noise_generator 3 } " + "sphere { <-1,1,0>, 1 pigment { rgb <.4,.6,.8> } finish { irid { .4 thickness .7 turbulence .5 } } } plane { y, -2 pigment { rgb 1 } finish { reflection .4 irid { .3 thickness .2 turbulence 1 } } }"},
+        {"ShiftedSky", kEffectHead + kView + kSun + "sky_sphere { pigment { wood scale .4 } pigment { gradient y color_map { [0 rgbt <1,0,0,.2>] [1 rgbt 1] } } scale 2 translate <.3,.5,0> rotate z*20 } sphere { 0, 1 pigment { rgb .5 } finish { reflection .5 } }"},
+        {"IridOfAnotherNoise", kEffectHead + kView + kSun + "global_settings { noise_generator 3 } " + "sphere { <-1,1,0>, 1 pigment { rgb <.4,.6,.8> } finish { irid { .4 thickness .7 turbulence .5 } } } plane { y, -2 pigment { rgb 1 } finish { reflection .4 irid { .3 thickness .2 turbulence 1 } } }"},
         {"RainbowAboveMirrorsAndGlass", rainbow("rainbow { direction <.1,-.2,1> angle 40 width 12 distance 30 " + colours + "}")},
         {"RainbowsThatMeet", rainbow("rainbow { direction <.1,-.2,1> angle 35 width 12 distance 30 " + colours + "} rainbow { direction <.1,-.2,2> angle 42 width 9 distance 1e4 color_map { [0 rgb x] [1 rgbt y+.5] } }")},
         {"ArcOfARainbow", rainbow("rainbow { direction <.3,-.2,1> angle 35 width 15 distance 1e3 up <.3,1,.1> arc_angle 150 falloff_angle 70 " + colours + "}")},
@@ -66,16 +66,16 @@ std::vector<PovPicture> effect_pictures() {
          "<.3,1,-1> } pigment { rgb 0 } normal { bumps .4 scale .2 } finish { reflection 1 ambient 0 } } mesh2 { vertex_vectors { 4, <-2,1,0>, <2,1,0>, <2,2,.5>, <-2,2,.5> } normal_vectors { 4, <-1,.5,-1>, <1,.5,-1>, <1,1,1>, <-1,1,.5> } face_indices { 2, "
          "<0,1,2>, <0,2,3> } pigment { rgbt 1 } finish { reflection .7 ambient 0 } interior { ior 1.4 } }"},
         {"WavesThatFaceAway", kFaces + "plane { y, -.5 hollow pigment { rgbt 1 } normal { waves .4 scale .6 } finish { ambient 0 diffuse 0 } interior { ior 1.33 } } sphere { <1,.5,0>, .6 pigment { rgbt 1 } normal { bumps 1.5 scale .2 } interior { ior 1.5 } }"},
-        {"UvMappedIsMovedNoMore", kHead + kView + kSun + "#declare G = texture { pigment { uv_mapping gradient x } } #declare PS = pigment { uv_mapping checker rgb 1 rgb x scale .2 } #declare UT = texture { uv_mapping pigment { checker rgb 1 rgb y } scale .1 } "
+        {"UvMappedIsMovedNoMore", kEffectHead + kView + kSun + "#declare G = texture { pigment { uv_mapping gradient x } } #declare PS = pigment { uv_mapping checker rgb 1 rgb x scale .2 } #declare UT = texture { uv_mapping pigment { checker rgb 1 rgb y } scale .1 } "
          "#declare N = normal { uv_mapping gradient x 1 scale .1 } sphere { -1.8*x, .8 texture { pigment { uv_mapping checker rgb 1 rgb x scale .3 } rotate z*45 scale .4 } } sphere { 0, .8 texture { G scale .3 } } sphere { 1.8*x, .8 pigment { PS rotate 20*z scale 2 } } "
          "sphere { <-2,1.6,0>, .7 texture { UT scale 3 } } sphere { <0,1.6,0>, .7 pigment { rgb 1 } normal { N scale 4 } } sphere { <2,1.6,0>, .7 material { texture { G scale .2 } } } sphere { <-1,.4,-2>, .3 pigment { PS turbulence .4 warp { repeat .3*x flip x } } normal { N .3 scale 2 bump_size 3 } } sphere { <1,.5,-2>, .4 texture { uv_mapping pigment { gradient y } scale .2 } rotate 30*x } "
          "box { <-1,.3,-2>, <-.5,.8,-1.5> texture { checker texture { G scale .3 } texture { UT scale 2 } scale .2 } }"},
-        {"FogThatIsTurned", kHead + kView + kSun + "fog { fog_type 2 distance 6 rgb 1 fog_offset .3 fog_alt .6 rotate z*10 scale <1,2,3> translate 4 } sphere { 0, 1 pigment { rgb y } }"},
-        {"WarpsOfLongVectors", kHead + kView + kSun + "sphere { -1.8*x, .8 pigment { checker rgb 1 rgb x scale .2 warp { cylindrical orientation 2.5*x } } } sphere { 0, .8 pigment { checker rgb 1 rgb y scale .2 warp { spherical orientation 3*y } } } "
+        {"FogThatIsTurned", kEffectHead + kView + kSun + "fog { fog_type 2 distance 6 rgb 1 fog_offset .3 fog_alt .6 rotate z*10 scale <1,2,3> translate 4 } sphere { 0, 1 pigment { rgb y } }"},
+        {"WarpsOfLongVectors", kEffectHead + kView + kSun + "sphere { -1.8*x, .8 pigment { checker rgb 1 rgb x scale .2 warp { cylindrical orientation 2.5*x } } } sphere { 0, .8 pigment { checker rgb 1 rgb y scale .2 warp { spherical orientation 3*y } } } "
          "sphere { 1.8*x, .8 pigment { checker rgb 1 rgb z scale .2 warp { planar 2*y, .3 } } } sphere { <0,1.6,0>, .8 pigment { checker rgb 1 rgb z scale .2 warp { toroidal orientation .5*z major_radius .5 } } }"},
-        {"UvMappedBeforeNames", kHead + kView + kSun + "#declare P = pigment { gradient x color_map { [0 rgb x] [.5 rgb y] [1 rgb z] } } #declare Q = pigment { uv_mapping P rotate 20*z } #declare N = normal { bumps 1 scale .2 } "
+        {"UvMappedBeforeNames", kEffectHead + kView + kSun + "#declare P = pigment { gradient x color_map { [0 rgb x] [.5 rgb y] [1 rgb z] } } #declare Q = pigment { uv_mapping P rotate 20*z } #declare N = normal { bumps 1 scale .2 } "
          "box { -.6, .6 pigment { uv_mapping P scale .5 } normal { uv_mapping N scale 2 } rotate 30*y } sphere { <-1.4,0,0>, .6 pigment { checker pigment { uv_mapping P } pigment { rgb 1 } scale .5 } } box { <1,-.5,-.5>, <2,.5,.5> texture { pigment { Q } normal { N } } rotate 10 }"},
-        {"UvMappedAround", kHead + kView + kSun + "#declare T = texture { pigment { checker rgb x rgb y scale .2 } finish { ambient .4 } } #declare B = sphere { 0, .7 texture { T } } union { object { B } sphere { x, .4 texture { T } } object { B scale .5 translate y texture { T } } sphere { -1.5*x, .7 pigment { gradient x } } "
+        {"UvMappedAround", kEffectHead + kView + kSun + "#declare T = texture { pigment { checker rgb x rgb y scale .2 } finish { ambient .4 } } #declare B = sphere { 0, .7 texture { T } } union { object { B } sphere { x, .4 texture { T } } object { B scale .5 translate y texture { T } } sphere { -1.5*x, .7 pigment { gradient x } } "
          "uv_mapping } object { B translate 1.5*x } mesh2 { vertex_vectors { 4, <-1,1,0>, <1,1,0>, <1,2,0>, <-1,2,0> } uv_vectors { 4, <0,0>, <3,0>, <3,2>, <0,2> } texture_list { 2, texture { T } texture { pigment { gradient y } } } face_indices { 2, <0,1,2>, "
          "0, <0,2,3>, 1 } uv_mapping } difference { box { <-.5,-1,-1>, <.5,-.3,0> texture { T } } sphere { <0,-.3,-.7>, .4 texture { T } } uv_mapping }"},
         {"BackgroundOfAFloat", "#version 3.7; global_settings { assumed_gamma 1 } background { .5 } " + kView + kSun + "#declare C = rgb <.4,.2,.8>; sphere { 0, 1 pigment { rgb .5 } finish { reflection .5 } } sphere { <-1.5,1,0>, .6 pigment { C.red } } sphere { <1.5,1,0>, .6 pigment { color C.red } finish { ambient C.green } }"},

@@ -21,7 +21,7 @@ namespace {
 
 using namespace test;
 
-constexpr int kWidth = 64, kHeight = 48;
+constexpr int kExportWidth = 64, kExportHeight = 48;
 
 class PovExport : public testing::TestWithParam<PovPicture> {
   protected:
@@ -35,7 +35,7 @@ class PovExport : public testing::TestWithParam<PovPicture> {
     /// The scene of a file, with the picture's size.
     static std::optional<Scene> read(const std::string& path) {
         ImportOptions options;
-        options.frame.image_width = kWidth, options.frame.image_height = kHeight;
+        options.frame.image_width = kExportWidth, options.frame.image_height = kExportHeight;
         auto imported = import_scene(path, options);
         EXPECT_TRUE(imported) << (imported ? "" : imported.error().text());
         if (!imported) return std::nullopt;
@@ -47,7 +47,7 @@ class PovExport : public testing::TestWithParam<PovPicture> {
         Diagnostics said;
         const auto compiled = compile(std::move(scene), {}, said);
         RenderOptions options;
-        options.width = kWidth, options.height = kHeight, options.threads = 1;
+        options.width = kExportWidth, options.height = kExportHeight, options.threads = 1;
         if (!compiled) return {};
         const auto film = render(*compiled, options);
         return film ? film->picture.values : std::vector<float>();
@@ -62,7 +62,7 @@ class PovExport : public testing::TestWithParam<PovPicture> {
 
     /// What POV-Ray says of a scene that it draws, or that it does not.
     std::string povray(const char* scene, const char* picture) const {
-        const std::string run = fmt::format("cd '{}' && povray +I{} +O{} +W{} +H{} -A -D +WT1 > said.txt 2>&1", folder_.string(), scene, picture, kWidth, kHeight);
+        const std::string run = fmt::format("cd '{}' && povray +I{} +O{} +W{} +H{} -A -D +WT1 > said.txt 2>&1", folder_.string(), scene, picture, kExportWidth, kExportHeight);
         return std::system(run.c_str()) == 0 ? text("said.txt") : "Error: " + text("said.txt");
     }
 
@@ -114,13 +114,13 @@ TEST_P(PovExportToPovRay, IsTaken) {
     const auto own = read_picture(path("out.png"), Encoding::linear), theirs = read_picture(path("scene.png"), Encoding::linear);
     ASSERT_TRUE(own && theirs);
     int differ = 0;
-    for (int y = 0; y < kHeight; ++y)
-        for (int x = 0; x < kWidth; ++x) {
+    for (int y = 0; y < kExportHeight; ++y)
+        for (int x = 0; x < kExportWidth; ++x) {
             double most = 0;
             for (int c = 0; c < 3; ++c) most = std::max(most, std::abs(double(own->at(x, y)[c]) - double(theirs->at(x, y)[c])));
             differ += most * 255 > 1.5;
         }
-    EXPECT_LE(differ, kWidth * kHeight / 200) << "pixels that differ by more than one step of 255";
+    EXPECT_LE(differ, kExportWidth * kExportHeight / 200) << "pixels that differ by more than one step of 255";
 }
 
 /// Two runs of POV-Ray are a second and a half: the shorter list takes each seventh scene.

@@ -6,11 +6,11 @@ namespace alidade::test {
 
 namespace {
 
-constexpr const char* kHead = "#version 3.7; global_settings { assumed_gamma 1 } background { rgb <.7,.8,1> } light_source { <-7,8,-6> 1 }\n";
+constexpr const char* kInsideHead = "#version 3.7; global_settings { assumed_gamma 1 } background { rgb <.7,.8,1> } light_source { <-7,8,-6> 1 }\n";
 constexpr const char* kFloor = "plane { y, -1.6 pigment { checker rgb 1 rgb <1,.2,.2> scale .5 } }\n";
 constexpr const char* kGlass = " pigment { rgbt <.5,.9,.4,.95> } interior { ior 1.4 } ";
 
-std::string seen(const std::string& objects, const char* camera = "camera { location <0,3,-4> look_at 0 }") { return std::string(kHead) + camera + "\n" + kFloor + objects; }
+std::string seen(const std::string& objects, const char* camera = "camera { location <0,3,-4> look_at 0 }") { return std::string(kInsideHead) + camera + "\n" + kFloor + objects; }
 
 /// Every kind of thing with interior_texture: sides of sheets and triangles, what is taken away, inverse, clipped, moved behind a texture, shadows, materials, layers.
 std::string two_sided() {

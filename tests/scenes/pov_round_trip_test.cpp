@@ -18,7 +18,7 @@
 namespace alidade {
 namespace {
 
-constexpr int kWidth = 96, kHeight = 72;
+constexpr int kTripWidth = 96, kTripHeight = 72;
 
 struct Layer {
     const Picture& picture;
@@ -37,7 +37,7 @@ std::optional<Picture> drawn(Scene scene) {
     const auto compiled = compile(std::move(scene), {}, said);
     EXPECT_TRUE(compiled) << said.text();
     RenderOptions options;
-    options.width = kWidth, options.height = kHeight, options.threads = 1, options.spp = 1;
+    options.width = kTripWidth, options.height = kTripHeight, options.threads = 1, options.spp = 1;
     options.aovs = {"depth", "uv", "albedo", "normal", "id", "coverage"};
     auto film = compiled ? render(*compiled, options) : tl::unexpected(std::string());
     EXPECT_TRUE(film);
@@ -120,8 +120,8 @@ TEST_P(PovRoundTrip, KeepsCoordinatesAndColours) {
     int hits = 0, depth = 0, coverage = 0, uv = 0, nudged = 0, bent = 0, colours = 0, ids = 0;
     float most = 0;
     std::map<float, float> id_of;
-    for (int y = 0; y < kHeight; ++y)
-        for (int x = 0; x < kWidth; ++x) {
+    for (int y = 0; y < kTripHeight; ++y)
+        for (int x = 0; x < kTripWidth; ++x) {
             const float there = *layer(pictures->before, "coverage.Y").at(x, y);
             coverage += (there == 0 || there == 1) && there != *layer(pictures->after, "coverage.Y").at(x, y);   // of POV-Ray's surfaces all is there that is no hole
             const bool hit = std::isfinite(*layer(pictures->before, "depth.Z").at(x, y));

@@ -13,7 +13,7 @@ namespace alidade::test {
 
 namespace {
 
-constexpr uint32_t kWidth = 7, kHeight = 5;
+constexpr uint32_t kSampleWidth = 7, kSampleHeight = 5;
 
 std::string big_endian(uint32_t n) { return {char(n >> 24), char(n >> 16), char(n >> 8), char(n)}; }
 
@@ -39,7 +39,7 @@ std::string stored(const std::string& data) {
 enum class Kind : char { grey = 0, rgb = 2, palette = 3, rgba = 6 };
 
 /// A PNG file; `samples` without the filters of the rows.
-std::string png(Kind kind, int bits, const std::string& samples, const std::string& chunks = "", uint32_t width = kWidth, uint32_t height = kHeight) {
+std::string png(Kind kind, int bits, const std::string& samples, const std::string& chunks = "", uint32_t width = kSampleWidth, uint32_t height = kSampleHeight) {
     std::string rows;
     const size_t stride = samples.size() / height;
     for (size_t y = 0; y < height; ++y) rows += '\0' + samples.substr(y * stride, stride);
@@ -71,7 +71,7 @@ void write(const std::filesystem::path& path, const std::string& bytes) { std::o
 }  // namespace
 
 void write_sample_pictures(const std::filesystem::path& folder) {
-    constexpr size_t kPixels = size_t(kWidth) * kHeight;
+    constexpr size_t kPixels = size_t(kSampleWidth) * kSampleHeight;
     const std::string colours = noise(3 * kPixels, 1);
     write(folder / "plain.png", png(Kind::rgb, 8, colours));
     write(folder / "srgb.png", png(Kind::rgb, 8, colours, chunk("sRGB", std::string(1, '\0'))));
@@ -82,7 +82,7 @@ void write_sample_pictures(const std::filesystem::path& folder) {
     for (char& n : numbers) n = char(uint8_t(n) % 3);
     const std::string three = std::string("\xff\x40\x20\x30\xe0\x50\x20\x60\xf0", 9), palette = chunk("PLTE", three) + chunk("tRNS", std::string("\xff\x80", 2));
     write(folder / "palette.png", png(Kind::palette, 8, numbers, palette));
-    write(folder / "palette.gif", gif_file({kWidth, kHeight}, three + std::string(3, '\x7f'), gif_clear(1) + gif_frame({kWidth, kHeight}, numbers)));
+    write(folder / "palette.gif", gif_file({kSampleWidth, kSampleHeight}, three + std::string(3, '\x7f'), gif_clear(1) + gif_frame({kSampleWidth, kSampleHeight}, numbers)));
     write(folder / "deep.png", png(Kind::rgb, 16, noise(6 * kPixels, 5)));
     write(folder / "deep_grey.png", png(Kind::grey, 16, noise(2 * kPixels, 6)));
     write(folder / "smooth.png", smooth());

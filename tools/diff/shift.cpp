@@ -31,7 +31,7 @@ Gray gray_of(const Picture& picture, int colors) {
 }
 
 /// The pixels that shifts are judged by: away from the border, of a large picture each so many-th row and column.
-struct Interior {
+struct InteriorPixels {
     int margin, step;
 
     template <class See>
@@ -48,7 +48,7 @@ struct Whole {
 };
 
 /// Of the shifts `about` +- most.
-Whole best_whole_shift(const Gray& reference, const Gray& test, const Interior& inside, int most, Whole about = {}) {
+Whole best_whole_shift(const Gray& reference, const Gray& test, const InteriorPixels& inside, int most, Whole about = {}) {
     Whole best;
     double least = INFINITY;
     for (int ring = 0; ring <= most; ++ring)   // from the middle: of equal ones the smallest
@@ -74,7 +74,7 @@ Gray shrunk(const Gray& picture, int times) {
 int most_of(const Gray& picture) { return std::min(8, (std::min(picture.width, picture.height) - 4) / 4); }
 
 /// Of a large picture, some rows and columns are enough.
-Interior interior(const Gray& picture, int margin) { return {margin, std::max(1, int(std::sqrt(double(picture.width) * picture.height / 60000)))}; }
+InteriorPixels interior(const Gray& picture, int margin) { return {margin, std::max(1, int(std::sqrt(double(picture.width) * picture.height / 60000)))}; }
 
 bool is_farthest(const Whole& w, int farthest) { return std::max(std::abs(w.x), std::abs(w.y)) == farthest; }
 
@@ -90,7 +90,7 @@ std::optional<Whole> far_shift(const Gray& reference, const Gray& test) {
 }
 
 /// One step of Lucas and Kanade: how much further test lies than `at`.
-Shift refined(const Gray& reference, const Gray& test, const Interior& inside, Shift at) {
+Shift refined(const Gray& reference, const Gray& test, const InteriorPixels& inside, Shift at) {
     double xx = 0, xy = 0, yy = 0, xe = 0, ye = 0;
     inside.each(reference, [&](int x, int y) {
         const double u = x + at.x, v = y + at.y;
@@ -103,7 +103,7 @@ Shift refined(const Gray& reference, const Gray& test, const Interior& inside, S
     return {at.x + std::clamp((yy * xe - xy * ye) / determinant, -0.5, 0.5), at.y + std::clamp((xx * ye - xy * xe) / determinant, -0.5, 0.5), 0};
 }
 
-double squared_error(const Gray& reference, const Gray& test, const Interior& inside, Shift at) {
+double squared_error(const Gray& reference, const Gray& test, const InteriorPixels& inside, Shift at) {
     double error = 0;
     inside.each(reference, [&](int x, int y) { error += square(test.at(x + at.x, y + at.y) - reference.at(x, y)); });
     return error;
@@ -113,13 +113,13 @@ double squared_error(const Gray& reference, const Gray& test, const Interior& in
 std::optional<Whole> whole_shift(const Gray& reference, const Gray& test) {
     const int most = most_of(reference);
     if (most < 1) return std::nullopt;
-    const auto error = [&](const Interior& inside, const Whole& w) { return squared_error(reference, test, inside, {double(w.x), double(w.y), 0}); };
-    const Interior inside = interior(reference, most + 3);
+    const auto error = [&](const InteriorPixels& inside, const Whole& w) { return squared_error(reference, test, inside, {double(w.x), double(w.y), 0}); };
+    const InteriorPixels inside = interior(reference, most + 3);
     const Whole near = best_whole_shift(reference, test, inside, most);
     if (!is_farthest(near, most) && error(inside, near) <= 0.05 * error(inside, {})) return near;
     const std::optional<Whole> far = far_shift(reference, test);
     if (!far) return is_farthest(near, most) ? std::nullopt : std::optional(near);
-    const Interior both = interior(reference, std::max({std::abs(far->x), std::abs(far->y), most}) + 3);
+    const InteriorPixels both = interior(reference, std::max({std::abs(far->x), std::abs(far->y), most}) + 3);
     return error(both, *far) < error(both, near) ? far : near;
 }
 
@@ -130,7 +130,7 @@ std::optional<Shift> find_shift(const PicturePair& pair) {
     const std::optional<Whole> found = whole_shift(reference, test);
     if (!found) return std::nullopt;
     const Whole whole = *found;
-    const Interior inside = interior(reference, std::max({std::abs(whole.x), std::abs(whole.y), most_of(reference)}) + 3);
+    const InteriorPixels inside = interior(reference, std::max({std::abs(whole.x), std::abs(whole.y), most_of(reference)}) + 3);
     const double before = squared_error(reference, test, inside, {});
     if (before == 0) return std::nullopt;
     Shift best{double(whole.x), double(whole.y), 0};

@@ -70,7 +70,7 @@ struct ShapeRow {
     BuiltShape (*build)(Build&, Cursor&);
 };
 
-constexpr ShapeRow kTable[] = {
+constexpr ShapeRow kShapes[] = {
     {"sphere"_w, sphere}, {"plane"_w, plane}, {"box"_w, box}, {"cylinder"_w, cylinder}, {"cone"_w, cone}, {"disc"_w, disc}, {"torus"_w, torus},
     {"quadric"_w, build_quadric}, {"cubic"_w, build_cubic}, {"quartic"_w, build_quartic}, {"poly"_w, build_poly}, {"polygon"_w, build_polygon},
     {"triangle"_w, build_triangle}, {"smooth_triangle"_w, build_smooth_triangle}, {"mesh"_w, build_mesh}, {"mesh2"_w, build_mesh2},
@@ -79,7 +79,7 @@ constexpr ShapeRow kTable[] = {
 }  // namespace
 
 std::optional<BuiltShape> build_shape(Build& build, WordId word, Cursor& at) {
-    for (const ShapeRow& row : kTable)
+    for (const ShapeRow& row : kShapes)
         if (row.word == word) return row.build(build, at);
     return std::nullopt;
 }

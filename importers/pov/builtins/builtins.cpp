@@ -23,10 +23,14 @@ Builtin find_builtin(WordId word) {
     return all[word];
 }
 
+void close(Parser& p) { p.expect(')', "behind the arguments of a function"); }
+
+Value of_three(const Vec3& v) { return Value::vector(3, {v.x, v.y, v.z}); }
+
 double one_float(Parser& p) {
     p.expect('(', "before the arguments of a function");
     const double x = parse_float(p);
-    p.expect(')', "behind the arguments of a function");
+    close(p);
     return x;
 }
 
@@ -38,7 +42,7 @@ double next_float(Parser& p) {
 Value one_value(Parser& p) {
     p.expect('(', "before the arguments of a function");
     Value value = parse_expression(p);
-    p.expect(')', "behind the arguments of a function");
+    close(p);
     return value;
 }
 

@@ -29,5 +29,9 @@ Builtin find_builtin(WordId word);
 double one_float(Parser& p);
 double next_float(Parser& p);
 Value one_value(Parser& p);
+/// The bracket behind them.
+void close(Parser& p);
+
+Value of_three(const Vec3& v);
 
 }  // namespace alidade::pov

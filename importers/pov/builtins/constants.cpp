@@ -31,7 +31,7 @@ Value now(Parser&, Place) {
     return Value::number(duration<double, days::period>(system_clock::now() - sys_days(year(2000) / 1 / 1)).count());
 }
 
-constexpr BuiltinEntry kTable[] = {
+constexpr BuiltinEntry kConstants[] = {
     {"pi"_w, pi}, {"true"_w, whole<1>}, {"yes"_w, whole<1>}, {"on"_w, whole<1>}, {"false"_w, whole<0>}, {"no"_w, whole<0>}, {"off"_w, whole<0>},
     {"x"_w, unit<0, 3>}, {"y"_w, unit<1, 3>}, {"z"_w, unit<2, 3>}, {"t"_w, unit<3, 4>}, {"u"_w, unit<0, 2>}, {"v"_w, unit<1, 2>},
     {"version"_w, version}, {"now"_w, now},
@@ -44,6 +44,6 @@ constexpr BuiltinEntry kTable[] = {
 
 }  // namespace
 
-std::span<const BuiltinEntry> constants() { return kTable; }
+std::span<const BuiltinEntry> constants() { return kConstants; }
 
 }  // namespace alidade::pov

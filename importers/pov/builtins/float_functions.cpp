@@ -21,7 +21,7 @@ template <double (*function)(double, double)>
 Value of_two(Parser& p, Place) {
     p.expect('(', "before the arguments of a function");
     const double a = parse_float(p), b = next_float(p);
-    p.expect(')', "behind the arguments of a function");
+    close(p);
     return Value::number(function(a, b));
 }
 
@@ -55,7 +55,7 @@ Value root(Parser& p, Place at) {
 Value power(Parser& p, Place at) {
     p.expect('(', "before the arguments of a function");
     const double a = parse_float(p), b = next_float(p);
-    p.expect(')', "behind the arguments of a function");
+    close(p);
     if (a == 0 && b == 0) p.fail(at, "0 to the power 0 has no value");
     return Value::number(std::pow(a, b));
 }
@@ -63,7 +63,7 @@ Value power(Parser& p, Place at) {
 Value angle(Parser& p, Place at) {
     p.expect('(', "before the arguments of a function");
     const double y = parse_float(p), x = next_float(p);
-    p.expect(')', "behind the arguments of a function");
+    close(p);
     if (x == 0 && y == 0) p.fail(at, "atan2(0, 0) has no value");
     return Value::number(std::atan2(y, x));
 }
@@ -74,7 +74,7 @@ Value of_many(Parser& p, Place) {
     p.expect('(', "before the arguments of a function");
     double all = parse_float(p);
     while (p.accept(',')) all = combine(all, parse_float(p));
-    p.expect(')', "behind the arguments of a function");
+    close(p);
     return Value::number(all);
 }
 
@@ -89,7 +89,7 @@ Value select_sign(Parser& p, Place) {
     p.expect('(', "before the arguments of a function");
     const double a = parse_float(p), negative = next_float(p), second = next_float(p);
     const double positive = p.accept(',') ? parse_float(p) : second;
-    p.expect(')', "behind the arguments of a function");
+    close(p);
     return Value::number(a < 0 ? negative : a > 0 ? positive : second);
 }
 
@@ -139,7 +139,7 @@ Value dimension_size(Parser& p, Place) {
     return Value::number(array.sizes[size_t(which) - 1]);
 }
 
-constexpr BuiltinEntry kTable[] = {
+constexpr BuiltinEntry kFloatFunctions[] = {
     {"abs"_w, of_one<std::fabs>}, {"acosh"_w, of_one<std::acosh>}, {"asinh"_w, of_one<std::asinh>}, {"atanh"_w, of_one<std::atanh>},
     {"atan"_w, of_one<std::atan>}, {"ceil"_w, of_one<std::ceil>}, {"cos"_w, of_one<std::cos>}, {"cosh"_w, of_one<std::cosh>},
     {"exp"_w, of_one<std::exp>}, {"floor"_w, of_one<std::floor>}, {"int"_w, of_one<truncated>}, {"sin"_w, of_one<std::sin>},
@@ -153,6 +153,6 @@ constexpr BuiltinEntry kTable[] = {
 
 }  // namespace
 
-std::span<const BuiltinEntry> float_functions() { return kTable; }
+std::span<const BuiltinEntry> float_functions() { return kFloatFunctions; }
 
 }  // namespace alidade::pov

@@ -11,8 +11,6 @@ namespace alidade::pov {
 
 namespace {
 
-Value of_three(const Vec3& v) { return Value::vector(3, {v.x, v.y, v.z}); }
-
 Vec3 next_point(Parser& p) {
     p.accept(',');
     const auto c = parse_vector(p);
@@ -40,8 +38,6 @@ ObjectQueries& queries(Parser& p) {
     if (!p.objects) p.objects = std::make_unique<ObjectQueries>(p);
     return *p.objects;
 }
-
-void close(Parser& p) { p.expect(')', "behind the arguments of a function"); }
 
 Value is_inside(Parser& p, Place at) {
     const Value object = first_object(p);
@@ -75,10 +71,10 @@ Value extent(Parser& p, Place) {
     return of_three(high ? box.max : box.min);
 }
 
-constexpr BuiltinEntry kTable[] = {{"inside"_w, is_inside}, {"max_extent"_w, extent<true>}, {"min_extent"_w, extent<false>}, {"trace"_w, trace}};
+constexpr BuiltinEntry kObjectFunctions[] = {{"inside"_w, is_inside}, {"max_extent"_w, extent<true>}, {"min_extent"_w, extent<false>}, {"trace"_w, trace}};
 
 }  // namespace
 
-std::span<const BuiltinEntry> object_functions() { return kTable; }
+std::span<const BuiltinEntry> object_functions() { return kObjectFunctions; }
 
 }  // namespace alidade::pov

@@ -46,7 +46,7 @@ std::string formatted(double x, double width, double precision) {
 std::string one_string(Parser& p) {
     p.expect('(', "before the arguments of a function");
     std::string s = parse_string(p);
-    p.expect(')', "behind the arguments of a function");
+    close(p);
     return s;
 }
 
@@ -166,7 +166,7 @@ Value file_exists(Parser& p, Place) { return Value::number(p.finder.find(one_str
 
 Value input_file_name(Parser& p, Place) { return Value::string(std::filesystem::path(p.stream.source(0).path()).filename().string()); }
 
-constexpr BuiltinEntry kTable[] = {
+constexpr BuiltinEntry kStringFunctions[] = {
     {"str"_w, str}, {"vstr"_w, vstr}, {"concat"_w, concat}, {"chr"_w, chr}, {"asc"_w, asc}, {"val"_w, val}, {"strlen"_w, strlen_}, {"strcmp"_w, strcmp_},
     {"substr"_w, substr}, {"strlwr"_w, changed_case<std::tolower>}, {"strupr"_w, changed_case<std::toupper>}, {"datetime"_w, datetime},
     {"file_exists"_w, file_exists}, {"input_file_name"_w, input_file_name},
@@ -174,6 +174,6 @@ constexpr BuiltinEntry kTable[] = {
 
 }  // namespace
 
-std::span<const BuiltinEntry> string_functions() { return kTable; }
+std::span<const BuiltinEntry> string_functions() { return kStringFunctions; }
 
 }  // namespace alidade::pov

@@ -11,8 +11,6 @@ namespace {
 
 using Components = std::array<double, 5>;
 
-Value of_three(const Vec3& v) { return Value::vector(3, {v.x, v.y, v.z}); }
-
 Vec3 next_vector(Parser& p) {
     p.accept(',');
     const Components c = parse_vector(p);
@@ -23,8 +21,6 @@ Vec3 first_vector(Parser& p) {
     p.expect('(', "before the arguments of a function");
     return next_vector(p);
 }
-
-void close(Parser& p) { p.expect(')', "behind the arguments of a function"); }
 
 Value vcross(Parser& p, Place) {
     const Vec3 a = first_vector(p), b = next_vector(p);
@@ -78,13 +74,13 @@ Value vturbulence(Parser& p, Place) {
     return of_three(vector_turbulence(at, t));
 }
 
-constexpr BuiltinEntry kTable[] = {
+constexpr BuiltinEntry kVectorFunctions[] = {
     {"vcross"_w, vcross}, {"vdot"_w, vdot}, {"vlength"_w, vlength}, {"vnormalize"_w, vnormalize}, {"vrotate"_w, vrotate}, {"vaxis_rotate"_w, vaxis_rotate},
     {"vturbulence"_w, vturbulence},
 };
 
 }  // namespace
 
-std::span<const BuiltinEntry> vector_functions() { return kTable; }
+std::span<const BuiltinEntry> vector_functions() { return kVectorFunctions; }
 
 }  // namespace alidade::pov
