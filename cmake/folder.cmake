@@ -21,8 +21,8 @@ if(ALIDADE_SANITIZE)
   target_sources(alidade_flags INTERFACE $<$<STREQUAL:$<TARGET_PROPERTY:TYPE>,EXECUTABLE>:${PROJECT_SOURCE_DIR}/cmake/sanitizer_options.cpp>)
 endif()
 
-# Eight files of a folder are compiled as one (preset `debug`: each alone): what they instantiate is most of the work, and is done once. So names that are a file's own
-# differ from those of its neighbours. GCC takes only the outer file for one whose anonymous namespaces are its own.
+# Eight files of a folder are compiled as one: what they instantiate is most of the work, and is done once. So the names that are a file's own differ from its
+# neighbours'. Not so in preset `debug`, and where rays and colours are computed. GCC takes the anonymous namespaces of the outer file alone for a file's own.
 if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
   target_compile_options(alidade_flags INTERFACE $<$<BOOL:${CMAKE_UNITY_BUILD}>:-Wno-subobject-linkage>)
 endif()
