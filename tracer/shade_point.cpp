@@ -33,6 +33,9 @@ void place_on_shape(const Geometry& geometry, const Instance& instance, const Ra
     // A position in the world may be as coarse as the whole shape.
     p.on_shape = {geometry.ops, geometry.source, instance.inexact ? instance.local(ray).at(hit.t) : instance.local(p.position), hit.part};
     p.geometric_normal = p.shading_normal = normalized(instance.to_local.transposed(geometry.ops->normal_at(*geometry.source, p.on_shape.point, hit.part)));
+    if (!geometry.ops->shading_normal) return;
+    p.shading_normal = normalized(instance.to_local.transposed(geometry.ops->shading_normal(*geometry.source, p.on_shape.point)));
+    if (dot(p.shading_normal, p.geometric_normal) < 0) p.geometric_normal = -p.geometric_normal;
 }
 
 void place(const CompiledScene& scene, const Instance& instance, const Ray& ray, const Hit& hit, ShadePoint& p) {

@@ -51,7 +51,7 @@ struct ShapeOps {
     ErrorBound (*error)(const ShapeGeometry&, const Ray&, double t, uint32_t part);
     SurfacePoint (*surface)(const ShapeGeometry&, const Vec3& point, uint32_t part);
     bool (*inside)(const ShapeGeometry&, const Vec3& point);             ///< on the surface counts as inside
-    /// Do the crossings bound what is inside, so that the line is in and out by turns? Not those of a disc, nor of a cylinder or cone without caps.
+    /// Do the crossings bound what is inside, so that the line is in and out by turns? Not those of a disc, of a cylinder or cone without caps, or of a torus that overlaps itself.
     bool (*solid)(const ShapeGeometry&);
     /// A box around what is inside (`outside`: outside or on the surface) of the shape within a box, whose sides may be infinite. Null: `bounds` says all.
     Bounds (*narrow)(const ShapeGeometry&, bool outside, const Bounds& box) = nullptr;
@@ -62,6 +62,8 @@ struct ShapeOps {
     Crossings (*wanted)(const ShapeGeometry&, const Bounds& own, const Ray&, Wanted) = nullptr;
     bool convex = false;                                                 ///< what is between points that are inside is inside, too
     bool sheet = false;                                                  ///< nothing is inside, like in a mesh, also of one that is turned inside out
+    /// Which way the surface is shaded, and faces, where that is not by its normal. Null: it is.
+    Vec3 (*shading_normal)(const ShapeGeometry&, const Vec3& point) = nullptr;
 
     /// As `wanted`, for directions of any length: the forms multiply them with themselves, which must neither overflow nor be lost.
     Crossings crossings_wanted(const ShapeGeometry& shape, const Bounds& own, const Ray& ray, Wanted what) const {

@@ -32,16 +32,28 @@ struct Brackets {
     }
 };
 
+/// With a minor radius larger than the major one the tube overlaps itself around the axis, and its surface goes on within: a spindle. Without a major radius it
+/// is a sphere.
+bool is_spindle(double major, double minor) { return minor > major && major > 0; }
+bool is_spindle(const Torus& torus) { return is_spindle(std::abs(torus.major), std::abs(torus.minor)); }
+
 /// A line relative to the centre: p + s u with |u| = 1, p being near the centre.
 struct TorusLine {
     Vec3 p, u;
     double major, minor;
 
-    /// The distance from the surface, negative inside, and its derivative by s.
+    /// The distance from the surface, negative in the tube but for where that overlaps itself, and its derivative by s.
     std::pair<double, double> distance(double s) const {
         const Vec3 at = p + s * u;
-        const double around = planar_length(at.x, at.z), off = around - major, from_circle = planar_length(off, at.y);
-        return {from_circle - minor, (off * (at.x * u.x + at.z * u.z) / around + at.y * u.y) / from_circle};
+        const double around = planar_length(at.x, at.z);
+        const auto from_tube = [&](double off) {   // `off` outwards from the tube's middle, here and across the axis
+            const double from_circle = planar_length(off, at.y);
+            return std::pair(from_circle - minor, (off * (at.x * u.x + at.z * u.z) / around + at.y * u.y) / from_circle);
+        };
+        const std::pair<double, double> here = from_tube(around - major);
+        if (!is_spindle(major, minor) || here.first >= 0) return here;
+        const std::pair<double, double> across = from_tube(around + major);
+        return across.first >= 0 && here.first >= -across.first ? here : std::pair(-across.first, -across.second);
     }
 
     double size() const { return major + minor; }
@@ -110,8 +122,10 @@ ErrorBound torus_error(const ShapeGeometry& geometry, const Ray& ray, double t, 
     const Torus& torus = std::get<Torus>(geometry);
     const Vec3 p = ray.at(t) - torus.center;
     const double major = std::abs(torus.major), minor = std::abs(torus.minor);
-    const double off = planar_length(planar_length(p.x, p.z) - major, p.y) - minor;
-    return {std::abs(off) + gamma_bound(10) * (length(p) + major + minor) + at_rounding(ray, t)};
+    const double around = planar_length(p.x, p.z);
+    double off = std::abs(planar_length(around - major, p.y) - minor);
+    if (is_spindle(torus)) off = std::min(off, std::abs(planar_length(around + major, p.y) - minor));
+    return {off + gamma_bound(10) * (length(p) + major + minor) + at_rounding(ray, t)};
 }
 
 /// Units    the shape's space; `t` counts multiples of |ray.dir|.
@@ -119,6 +133,7 @@ ErrorBound torus_error(const ShapeGeometry& geometry, const Ray& ray, double t, 
 ///          and the crossing is found by bracketed Newton steps on the distance from the surface itself, which carries no fourth powers and cannot lose a
 ///          root to cancellation. (A quartic whose coefficients are formed at the ray's origin fails for every ray from 1e4 radii away.)
 /// Error    of t: <= 4 units of 2^-52 (|t| + (R + r) / |d|) / cosine of the angle to the normal. Held by tests/eval/torus_test.cpp against 113-bit arithmetic.
+/// Spindles are crossed where they are in POV-Ray 3.7, up to four times; inside, to it, is all of the tube. So they are no solids.
 /// Crossings pair, since both ends of the range that is looked at are outside; a tangent is none or two.
 Crossings torus_wanted(const ShapeGeometry& geometry, const Bounds& own, const Ray& ray, Wanted wanted) {
     const Torus& torus = std::get<Torus>(geometry);
@@ -154,6 +169,22 @@ struct AroundTube {
     Vec3 normal() const { return normalized(cosine * outwards + Vec3(0, sine, 0)); }
 };
 
+/// Of the sheet of a spindle that is nearer.
+Vec3 torus_normal(const ShapeGeometry& geometry, const Vec3& point, uint32_t) {
+    const Torus& torus = std::get<Torus>(geometry);
+    const Vec3 p = point - torus.center;
+    const AroundTube at(torus, p);
+    const double across = at.around + std::abs(torus.major), minor = std::abs(torus.minor);
+    if (!is_spindle(torus) || std::abs(planar_length(across, p.y) - minor) >= std::abs(at.tube - minor)) return at.normal();
+    return normalized(across * at.outwards + Vec3(0, p.y, 0));
+}
+
+/// POV-Ray 3.7 shades the inner sheets of a spindle as if they were of the tube's near side.
+Vec3 torus_shading_normal(const ShapeGeometry& geometry, const Vec3& point) {
+    const Torus& torus = std::get<Torus>(geometry);
+    return AroundTube(torus, point - torus.center).normal();
+}
+
 /// u = 1 - (atan2(z, x) + pi) / 2 pi around the axis, v = (atan2(y, rho - R) + pi) / 2 pi around the tube, 0 and 1 on its inner side.
 /// Source   POV-Ray 3.7, measured from renders with uv_mapping.
 SurfacePoint torus_surface(const ShapeGeometry& geometry, const Vec3& point, uint32_t) {
@@ -161,17 +192,14 @@ SurfacePoint torus_surface(const ShapeGeometry& geometry, const Vec3& point, uin
     const Vec3 p = point - torus.center;
     const AroundTube at(torus, p);
     SurfacePoint out;
-    out.normal = at.normal();
+    out.normal = torus_normal(geometry, point, 0);
     out.uv = {1 - (std::atan2(p.z, p.x) + kPi) / (2 * kPi), (std::atan2(p.y, at.off) + kPi) / (2 * kPi)};
     out.dpdu = (2 * kPi * (at.around > 0 ? at.around : at.tube)) * Vec3(at.outwards.z, 0, -at.outwards.x);
     out.dpdv = (2 * kPi * at.tube) * (Vec3(0, at.cosine, 0) - at.sine * at.outwards);
     return out;
 }
 
-Vec3 torus_normal(const ShapeGeometry& geometry, const Vec3& point, uint32_t) {
-    const Torus& torus = std::get<Torus>(geometry);
-    return AroundTube(torus, point - torus.center).normal();
-}
+bool torus_solid(const ShapeGeometry& geometry) { return !is_spindle(std::get<Torus>(geometry)); }
 
 bool torus_inside(const ShapeGeometry& geometry, const Vec3& point) {
     const Torus& torus = std::get<Torus>(geometry);
@@ -181,6 +209,6 @@ bool torus_inside(const ShapeGeometry& geometry, const Vec3& point) {
 
 }  // namespace
 
-const ShapeOps kTorusOps = {"torus", "all points near a circle", kind_of<Torus>(), torus_bounds, torus_crossings, torus_error, torus_surface, torus_inside, always_solid, nullptr, true, torus_normal, torus_wanted};
+const ShapeOps kTorusOps = {"torus", "all points near a circle", kind_of<Torus>(), torus_bounds, torus_crossings, torus_error, torus_surface, torus_inside, torus_solid, nullptr, true, torus_normal, torus_wanted, false, false, torus_shading_normal};
 
 }  // namespace alidade

@@ -159,6 +159,36 @@ TEST(Polynomial, AQuarticTorusIsATorus) {
     }
 }
 
+/// The tube of a spindle goes on within: so does its quartic, which is negative in the tube once and positive where that overlaps itself.
+TEST(Polynomial, ASpindleHasTheCrossingsOfItsQuartic) {
+    test::Draw draw(72);
+    for (const double distance : {4.0, 1e4}) {
+        int inner = 0, undecided = 0;
+        for (int i = 0; i < 4000; ++i) {
+            const double major = draw(0.3, 2);
+            const Torus torus{Vec3(0), major, major * draw(1.05, 3)};
+            const Ray ray = test::ray_from(distance, draw);
+            const Polynomial f = quartic_torus(torus.major, torus.minor);
+            const Crossings want = find_shape(f)->crossings(f, ray), got = find_shape(torus)->crossings(torus, ray);
+            double gap = kInf;
+            for (const Crossings* one : {&want, &got})
+                for (int k = 1; k < one->count; ++k) gap = std::min(gap, (one->at[k].t - one->at[k - 1].t) * length(ray.dir));
+            if (gap < 1e-5) {   // a tangent, or near the axis: the crossings are together within a root of the rounding
+                ++undecided;
+                continue;
+            }
+            ASSERT_EQ(got.count, want.count) << i;
+            inner += got.count == 4;
+            for (int k = 0; k < got.count; ++k) {
+                const double cosine = std::abs(dot(find_shape(f)->surface(f, ray.at(want.at[k].t), 0).normal, normalized(ray.dir)));
+                ASSERT_NEAR(got.at[k].t * length(ray.dir), want.at[k].t * length(ray.dir), (1e-12 + 1e-15 * distance) / std::max(cosine, 1e-6)) << i;
+            }
+        }
+        EXPECT_GT(inner, 300) << distance;
+        EXPECT_LT(undecided, 20) << distance;
+    }
+}
+
 /// A highest power that is only rounding makes no crossing at the end of the world.
 TEST(Polynomial, DegreesThatVanishAlongALine) {
     Polynomial f;   // x^3 - y, along y and across

@@ -42,8 +42,9 @@ inline Quad distance(const Cone& c, const QuadVec& p, uint32_t part) {
 inline Quad distance(const Cylinder& c, const QuadVec& p, uint32_t part) { return distance(Cone{c.a, c.b, c.radius, c.radius, c.open}, p, part); }
 inline Quad distance(const Torus& t, const QuadVec& at, uint32_t) {
     const QuadVec p = at - QuadVec(t.center);
-    const Quad off = sqrtq(p.x * p.x + p.z * p.z) - fabsq(t.major);
-    return fabsq(sqrtq(off * off + p.y * p.y) - fabsq(t.minor));
+    const Quad around = sqrtq(p.x * p.x + p.z * p.z), major = fabsq(t.major), minor = fabsq(t.minor);
+    const auto from = [&](Quad off) { return fabsq(sqrtq(off * off + p.y * p.y) - minor); };
+    return minor > major ? fminq(from(around - major), from(around + major)) : from(around - major);
 }
 /// To the first order: the value over the length of the gradient.
 inline Quad distance(const Quadric& q, const QuadVec& p, uint32_t) {

@@ -26,12 +26,20 @@ TEST(Torus, ThroughTheTubeAlongAndAcross) {
     expect(crossings({Vec3(1, 2, 3), -2, -0.5}, Vec3(-4, 2, 3), Vec3(1, 0, 0)), {2.5, 3.5, 6.5, 7.5});
 }
 
-/// With a minor radius larger than the major one the middle is filled, and what lies inside is not met.
-TEST(Torus, ASpindleIsMetOnItsOuterSideAlone) {
-    const Torus t{Vec3(0), 1, 2};
-    expect(crossings(t, Vec3(-5, 0, 0), Vec3(1, 0, 0)), {2, 8});
-    expect(crossings(t, Vec3(0, 5, 0), Vec3(0, -1, 0)), {5 - std::sqrt(3.0), 5 + std::sqrt(3.0)});
-    EXPECT_TRUE(find_shape(t)->inside(t, Vec3(0)));
+/// With a minor radius larger than the major one the tube overlaps itself: its inner sheets are met, but the middle is filled. Crossings and normals are those
+/// of POV-Ray's trace().
+TEST(Torus, ASpindleIsMetWithinToo) {
+    const Torus t{Vec3(0), 0.5, 1};
+    const ShapeOps& ops = *find_shape(t);
+    expect(crossings(t, Vec3(-5, 0, 0), Vec3(1, 0, 0)), {3.5, 4.5, 5.5, 6.5});
+    expect(crossings(t, Vec3(0.1, 5, 0), Vec3(0, -1, 0)), {5 - std::sqrt(0.84), 4.2, 5.8, 5 + std::sqrt(0.84)});
+    const Vec3 at(std::sqrt(0.91) - 0.5, 0.3, 0), within = ops.shading_normal(t, at);
+    EXPECT_LT(length(ops.normal_at(t, at, 0) - Vec3(std::sqrt(0.91), 0.3, 0)), 1e-15);
+    EXPECT_NEAR(within.x, -0.151758, 1e-6);
+    EXPECT_NEAR(within.y, 0.988418, 1e-6);
+    EXPECT_TRUE(ops.inside(t, Vec3(0)));
+    EXPECT_FALSE(ops.solid(t)) << "to POV-Ray, what is within is inside";
+    EXPECT_TRUE(ops.solid(Torus{Vec3(0), 1, -1}));
 }
 
 TEST(Torus, WithoutAMajorRadiusItIsASphere) {
@@ -74,8 +82,10 @@ class ExactTorus {
 
     Quad operator()(Quad t) const {
         const QuadVec p = QuadVec(ray_.origin) + t * QuadVec(ray_.dir) - QuadVec(torus_.center);
-        const Quad off = sqrtq(p.x * p.x + p.z * p.z) - fabsq(torus_.major);
-        return sqrtq(off * off + p.y * p.y) - fabsq(torus_.minor);
+        const Quad around = sqrtq(p.x * p.x + p.z * p.z), major = fabsq(torus_.major), minor = fabsq(torus_.minor);
+        const auto from = [&](Quad off) { return sqrtq(off * off + p.y * p.y) - minor; };
+        const Quad here = from(around - major), across = from(around + major);
+        return here >= 0 || major >= minor ? here : fmaxq(here, -fabsq(across)) * (across < 0 ? -1 : 1);
     }
 
     /// False if the line comes so near to a tangent that samples could miss two roots.
