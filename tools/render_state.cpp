@@ -40,7 +40,7 @@ bool read_at(int file, uint64_t at, std::byte* to, size_t size) {
     return true;
 }
 
-std::string as_text(const Identity& identity) {
+std::string identity_text(const Identity& identity) {
     std::string out;
     for (const auto& [name, value] : identity) out += fmt::format("{} {}\n", name, value);
     return out;
@@ -79,7 +79,7 @@ std::unique_ptr<RenderState> RenderState::open(const std::string& path, const Ti
     struct stat status {};
     if (::fstat(file, &status) != 0 || !S_ISREG(status.st_mode)) return without("it is not a regular file");
     if (::flock(file, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK) return without("another process is rendering this picture");
-    const std::string head = as_text(identity);
+    const std::string head = identity_text(identity);
     const bool anew = !continued || status.st_size == 0;
     const std::string why = anew ? "" : state->take(head);
     if (!why.empty()) warn(fmt::format("{} cannot be continued: {}; the picture is made from its beginning", path, why));
