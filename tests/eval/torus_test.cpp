@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "tests/eval/crossings.h"
 #include "tests/eval/shape_samples.h"
 
 #include <gtest/gtest.h>
@@ -6,24 +7,15 @@
 namespace alidade {
 namespace {
 
-Crossings crossings(const Torus& t, const Vec3& origin, const Vec3& dir) {
-    Ray ray;
-    ray.origin = origin, ray.dir = dir;
-    return find_shape(t)->crossings(t, ray);
-}
-
-void expect(const Crossings& got, std::initializer_list<double> want) {
-    ASSERT_EQ(size_t(got.count), want.size());
-    int i = 0;
-    for (const double t : want) EXPECT_NEAR(got.at[i++].t, t, 4e-15);
-}
+using test::crossings;
+using test::expect_at;
 
 TEST(Torus, ThroughTheTubeAlongAndAcross) {
     const Torus t{Vec3(0), 2, 0.5};
-    expect(crossings(t, Vec3(-5, 0, 0), Vec3(1, 0, 0)), {2.5, 3.5, 6.5, 7.5});
-    expect(crossings(t, Vec3(2, 3, 0), Vec3(0, -2, 0)), {1.25, 1.75});
-    expect(crossings(t, Vec3(0, 3, 0), Vec3(0, -1, 0)), {});
-    expect(crossings({Vec3(1, 2, 3), -2, -0.5}, Vec3(-4, 2, 3), Vec3(1, 0, 0)), {2.5, 3.5, 6.5, 7.5});
+    expect_at(crossings(t, Vec3(-5, 0, 0), Vec3(1, 0, 0)), {2.5, 3.5, 6.5, 7.5});
+    expect_at(crossings(t, Vec3(2, 3, 0), Vec3(0, -2, 0)), {1.25, 1.75});
+    expect_at(crossings(t, Vec3(0, 3, 0), Vec3(0, -1, 0)), {});
+    expect_at(crossings(Torus{Vec3(1, 2, 3), -2, -0.5}, Vec3(-4, 2, 3), Vec3(1, 0, 0)), {2.5, 3.5, 6.5, 7.5});
 }
 
 /// With a minor radius larger than the major one the tube overlaps itself: its inner sheets are met, but the middle is filled. Crossings and normals are those
@@ -31,8 +23,8 @@ TEST(Torus, ThroughTheTubeAlongAndAcross) {
 TEST(Torus, ASpindleIsMetWithinToo) {
     const Torus t{Vec3(0), 0.5, 1};
     const ShapeOps& ops = *find_shape(t);
-    expect(crossings(t, Vec3(-5, 0, 0), Vec3(1, 0, 0)), {3.5, 4.5, 5.5, 6.5});
-    expect(crossings(t, Vec3(0.1, 5, 0), Vec3(0, -1, 0)), {5 - std::sqrt(0.84), 4.2, 5.8, 5 + std::sqrt(0.84)});
+    expect_at(crossings(t, Vec3(-5, 0, 0), Vec3(1, 0, 0)), {3.5, 4.5, 5.5, 6.5});
+    expect_at(crossings(t, Vec3(0.1, 5, 0), Vec3(0, -1, 0)), {5 - std::sqrt(0.84), 4.2, 5.8, 5 + std::sqrt(0.84)});
     const Vec3 at(std::sqrt(0.91) - 0.5, 0.3, 0), within = ops.shading_normal(t, at);
     EXPECT_LT(length(ops.normal_at(t, at, 0) - Vec3(std::sqrt(0.91), 0.3, 0)), 1e-15);
     EXPECT_NEAR(within.x, -0.151758, 1e-6);
@@ -43,8 +35,8 @@ TEST(Torus, ASpindleIsMetWithinToo) {
 }
 
 TEST(Torus, WithoutAMajorRadiusItIsASphere) {
-    expect(crossings({Vec3(0), 0, 1}, Vec3(-5, 0, 0), Vec3(1, 0, 0)), {4, 6});
-    expect(crossings({Vec3(0), 1, 0}, Vec3(-5, 0, 0), Vec3(1, 0, 0)), {});
+    expect_at(crossings(Torus{Vec3(0), 0, 1}, Vec3(-5, 0, 0), Vec3(1, 0, 0)), {4, 6});
+    expect_at(crossings(Torus{Vec3(0), 1, 0}, Vec3(-5, 0, 0), Vec3(1, 0, 0)), {});
 }
 
 /// A line across the top of the tube, in closed form: it meets the circle's plane distance R +- sqrt(r^2 - y^2).
