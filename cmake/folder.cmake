@@ -22,7 +22,8 @@ if(ALIDADE_SANITIZE)
 endif()
 
 # Eight files of a folder are compiled as one: what they instantiate is most of the work, and is done once. So the names that are a file's own differ from its
-# neighbours', and from those outside of the anonymous namespace, which they would hide. Not so in preset `debug`, and where rays and colours are computed. GCC takes the anonymous namespaces of the outer file alone for a file's own.
+# neighbours', and from those outside of the anonymous namespace, which they would hide. Not so in preset `debug`, and where rays and
+# colours are computed. GCC takes the anonymous namespaces of the outer file alone for a file's own.
 if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
   target_compile_options(alidade_flags INTERFACE $<$<BOOL:${CMAKE_UNITY_BUILD}>:-Wno-subobject-linkage>)
 endif()

@@ -29,6 +29,10 @@ TEST(Torus, ASpindleIsMetWithinToo) {
     EXPECT_LT(length(ops.normal_at(t, at, 0) - Vec3(std::sqrt(0.91), 0.3, 0)), 1e-15);
     EXPECT_NEAR(within.x, -0.151758, 1e-6);
     EXPECT_NEAR(within.y, 0.988418, 1e-6);
+    Ray ray;
+    ray.origin = Vec3(-5, 0.3, 0), ray.dir = Vec3(1, 0, 0);
+    const Crossings all = ops.crossings(t, ray);
+    for (int i = 0; i < all.count; ++i) EXPECT_LT(ops.error(t, ray, all.at[i].t, 0).along_normal, 1e-13) << "the sheet that is met, not the other";
     EXPECT_TRUE(ops.inside(t, Vec3(0)));
     EXPECT_FALSE(ops.solid(t)) << "to POV-Ray, what is within is inside";
     EXPECT_TRUE(ops.solid(Torus{Vec3(0), 1, -1}));
