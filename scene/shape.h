@@ -51,7 +51,8 @@ struct Cone {
     bool open = false;
 };
 
-/// All points within |minor| of the circle of radius |major| around `center`, in the plane y = center.y. If minor is the larger, the middle is filled.
+/// All points within |minor| of the circle of radius |major| around `center`, in the plane y = center.y. If minor is the larger, the middle is filled, and the
+/// tube is seen within, too, where it overlaps itself.
 struct Torus {
     Vec3 center{0};
     double major = 1, minor = 0.25;
