@@ -33,19 +33,23 @@ endif()
 target_compile_definitions(alidade_flags INTERFACE $<TARGET_PROPERTY:fmt::fmt,INTERFACE_COMPILE_DEFINITIONS>)
 target_compile_options(alidade_flags INTERFACE "$<$<CXX_COMPILER_ID:Clang>:SHELL:-Xclang -fno-pch-timestamp>")
 
-# alidade_folder(<folder> SOURCES ... [PUBLIC libs...] [PRIVATE libs...]): alidade::<folder>, here and where it is installed.
+# alidade_folder(<folder> [COLD] SOURCES ... [PUBLIC libs...] [PRIVATE libs...]): alidade::<folder>, here and where it is installed. COLD: it asks other
+# folders for the work, so a compiler's full effort, a third of its time, or half of it under sanitizers, would buy nothing.
 function(alidade_folder folder)
-  cmake_parse_arguments(ARG "" "" "SOURCES;PUBLIC;PRIVATE" ${ARGN})
+  cmake_parse_arguments(ARG "COLD" "" "SOURCES;PUBLIC;PRIVATE" ${ARGN})
   add_library(alidade_${folder} STATIC ${ARG_SOURCES})
   target_include_directories(alidade_${folder} PUBLIC $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}> $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}/alidade>)
   target_link_libraries(alidade_${folder} PUBLIC ${ARG_PUBLIC} PRIVATE $<BUILD_INTERFACE:alidade_flags> ${ARG_PRIVATE})
   set_target_properties(alidade_${folder} PROPERTIES EXPORT_NAME ${folder})
+  if(ARG_COLD)
+    target_compile_options(alidade_${folder} PRIVATE $<IF:$<BOOL:${ALIDADE_SANITIZE}>,-O0,$<$<CONFIG:Release>:-O2>>)
+  endif()
   # The fuzzer sees its way by the readers' branches alone, and code that it watches takes no headers from code that it does not.
   if(ALIDADE_FUZZ AND folder STREQUAL importers)
     set(watched ON)
     target_compile_options(alidade_importers PRIVATE -fsanitize=fuzzer-no-link)
   endif()
-  if(watched OR folder STREQUAL core)
+  if(watched OR folder STREQUAL core OR (ARG_COLD AND ALIDADE_SANITIZE))   # a header that is compiled at another level is refused
     target_precompile_headers(alidade_${folder} PRIVATE ${PROJECT_SOURCE_DIR}/cmake/precompiled.h)
   else()
     target_precompile_headers(alidade_${folder} REUSE_FROM alidade_core)

@@ -2,6 +2,7 @@
 /// The registry, and what a finished structure says of itself.
 #include "numerics/triangles/compare.h"
 #include "numerics/triangles/rays.h"
+#include "tests/core/run_size.h"
 
 #include <gtest/gtest.h>
 
@@ -86,7 +87,7 @@ TEST(Build, KeepsNothingOfTheCallersArrays) {
 
 /// The structure does not depend on the threads that built it: not its sizes, not its hits, not a single step of a ray.
 TEST(Build, DoesNotDependOnThreads) {
-    for (const TriangleMesh& mesh : {geodesic_sphere(40, 0.2), soup(30000, 0.03, 9)}) {
+    for (const TriangleMesh& mesh : {geodesic_sphere(run_scale() < 1 ? 20 : 40, 0.2), soup(run_scale() < 1 ? 8000 : 30000, 0.03, 9)}) {
         for (const AcceleratorEntry* entry : accelerators_under_test()) {
             const auto one = build(*entry, mesh, {Precision::float_, Isa::best, 1}), many = build(*entry, mesh, {Precision::float_, Isa::best, 4});
             const BuildStats &a = one->stats(), &b = many->stats();

@@ -3,7 +3,7 @@
 #include "accel/bvh/bvh.h"
 #include "core/draws.h"
 #include "numerics/triangles/meshes.h"
-#include "tests/accel/run_size.h"
+#include "tests/core/run_size.h"
 
 #include <gtest/gtest.h>
 

@@ -4,7 +4,7 @@
 
 #include "core/draws.h"
 #include "numerics/triangles/rational.h"
-#include "tests/accel/run_size.h"
+#include "tests/core/run_size.h"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>

@@ -5,7 +5,7 @@
 #include "numerics/triangles/compare.h"
 #include "numerics/triangles/rational.h"
 #include "numerics/triangles/rays.h"
-#include "tests/accel/run_size.h"
+#include "tests/core/run_size.h"
 #include "tests/accel/test_name.h"
 
 #include <fmt/format.h>

@@ -2,7 +2,7 @@
 /// Where brute force cannot follow, the structures check each other: they share the triangle test, but no line of build or traversal.
 #include "numerics/triangles/compare.h"
 #include "numerics/triangles/rays.h"
-#include "tests/accel/run_size.h"
+#include "tests/core/run_size.h"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -15,22 +15,23 @@ namespace {
 
 constexpr uint64_t kSeed = 20250202;
 
+/// `make(k)` has about k * k times the triangles of `make(1)`.
 /// `cost`: how much dearer a ray is here for structures that cannot adapt; there are so many times fewer of them.
 struct LargeMesh {
     const char* name;
-    TriangleMesh (*make)();
+    TriangleMesh (*make)(double k);
     size_t cost;
 };
 
 constexpr LargeMesh kMeshes[] = {
-    {"geodesic_sphere", [] { return geodesic_sphere(71, 0.2); }, 1},
-    {"soup", [] { return soup(100000, 0.02, 4); }, 2},
-    {"cube", [] { return cube(90); }, 1},
-    {"stretched_torus", [] { return moved(torus(400, 120), Vec3(3, 2, 1), Vec3(1e3, 0, -1e4), "torus, stretched, + 1e4"); }, 1},
-    {"cube_lattice", [] { return cube_lattice(20, 20, 20); }, 4},
-    {"slivers", [] { return slivers(20000, 1e-3, 5); }, 8},
-    {"battens", [] { return battens(4000); }, 4},
-    {"stadium", [] { return stadium(16, 16); }, 20},
+    {"geodesic_sphere", [](double k) { return geodesic_sphere(int(71 * k), 0.2); }, 1},
+    {"soup", [](double k) { return soup(int(100000 * k * k), 0.02 / k, 4); }, 2},
+    {"cube", [](double k) { return cube(int(90 * k)); }, 1},
+    {"stretched_torus", [](double k) { return moved(torus(int(400 * k), int(120 * k)), Vec3(3, 2, 1), Vec3(1e3, 0, -1e4), "torus, stretched, + 1e4"); }, 1},
+    {"cube_lattice", [](double k) { return cube_lattice(int(20 * k), int(20 * k), 20); }, 4},
+    {"slivers", [](double k) { return slivers(int(20000 * k * k), 1e-3, 5); }, 8},
+    {"battens", [](double k) { return battens(int(4000 * k * k)); }, 4},
+    {"stadium", [](double k) { return stadium(int(16 * k), 16); }, 20},
 };
 
 class LargeMeshes : public testing::TestWithParam<std::tuple<size_t, Precision>> {};
@@ -38,7 +39,7 @@ class LargeMeshes : public testing::TestWithParam<std::tuple<size_t, Precision>>
 /// 2e5 rays over all meshes and both precisions; 1e7 in a full run.
 TEST_P(LargeMeshes, AllAcceleratorsAgree) {
     const auto [index, precision] = GetParam();
-    const TriangleMesh mesh = kMeshes[index].make().read_at(precision);
+    const TriangleMesh mesh = kMeshes[index].make(std::max(0.25, std::min(1.0, std::sqrt(run_scale())))).read_at(precision);
     AccelOptions options;
     options.precision = precision;
     std::vector<std::unique_ptr<Accelerator>> structures;

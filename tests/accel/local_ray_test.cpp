@@ -2,7 +2,7 @@
 /// The ray that structures see, made by vectors and one number at a time.
 #include "accel/local_ray.h"
 #include "core/draws.h"
-#include "tests/accel/run_size.h"
+#include "tests/core/run_size.h"
 
 #include <gtest/gtest.h>
 

@@ -3,7 +3,7 @@
 /// where a ray stays clear of edges and does not graze: there the hits must be the same.
 #include "numerics/triangles/compare.h"
 #include "numerics/triangles/rays.h"
-#include "tests/accel/run_size.h"
+#include "tests/core/run_size.h"
 
 #include <gtest/gtest.h>
 

@@ -3,7 +3,7 @@
 #include "accel/octree/wide_octree.h"
 #include "numerics/triangles/compare.h"
 #include "numerics/triangles/rays.h"
-#include "tests/accel/run_size.h"
+#include "tests/core/run_size.h"
 
 #include <gtest/gtest.h>
 

@@ -4,7 +4,7 @@
 #include "core/draws.h"
 #include "numerics/triangles/compare.h"
 #include "numerics/triangles/rays.h"
-#include "tests/accel/run_size.h"
+#include "tests/core/run_size.h"
 #include "tests/core/folder_test.h"
 
 #include <gtest/gtest.h>

@@ -3,7 +3,7 @@
 #include "core/draws.h"
 #include "numerics/triangles/compare.h"
 #include "numerics/triangles/rays.h"
-#include "tests/accel/run_size.h"
+#include "tests/core/run_size.h"
 #include "tests/accel/toy_set.h"
 
 #include <fmt/format.h>

@@ -2,7 +2,7 @@
 /// Shafts leave out nothing that one of their rays hits, and are worth their name.
 #include "accel/shaft.h"
 #include "core/draws.h"
-#include "tests/accel/run_size.h"
+#include "tests/core/run_size.h"
 #include "tests/accel/toy_set.h"
 
 #include <gtest/gtest.h>

@@ -6,7 +6,7 @@
 #include "numerics/triangles/compare.h"
 #include "numerics/triangles/rational.h"
 #include "numerics/triangles/rays.h"
-#include "tests/accel/run_size.h"
+#include "tests/core/run_size.h"
 #include "tests/accel/test_name.h"
 
 #include <fmt/format.h>
@@ -176,7 +176,8 @@ template <class R> void expect_tree_holds(const TriangleMesh& mesh, const LargeV
     }
     for (size_t id = 0; id < boxes.size(); ++id) {
         const Corners corners{mesh.corner(id, 0), mesh.corner(id, 1), mesh.corner(id, 2)};
-        for (const RationalVec& p : points_of(corners, 7))
+        const int steps = boxes[id].size() == 1 ? 1 : 7;   // one box is convex: it holds what has its corners in it
+        for (const RationalVec& p : points_of(corners, steps))
             ASSERT_TRUE(std::any_of(boxes[id].begin(), boxes[id].end(), [&](const auto& box) { return holds(box, p); })) << mesh.name << ", triangle " << id;
     }
 }

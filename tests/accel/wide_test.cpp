@@ -2,7 +2,7 @@
 /// Eight boxes at once are eight times one box, bit for bit, and the wide tree holds what the binary one held.
 #include "accel/bvh/wide.h"
 #include "core/draws.h"
-#include "tests/accel/run_size.h"
+#include "tests/core/run_size.h"
 
 #include <gtest/gtest.h>
 

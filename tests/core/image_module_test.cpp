@@ -2,6 +2,7 @@
 /// Pictures that go through the OpenImageIO module. A program of its own: once the module is open, it stays so.
 #include "core/image.h"
 #include "tests/core/gif.h"
+#include "tests/core/run_size.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -180,12 +181,12 @@ TEST_F(ModuleFiles, TruncatedOrDamagedIsAnErrorOrAPicture) {
         ASSERT_TRUE(write_picture(path(ending), gradient(false)));
         const std::vector<std::byte> whole = *read_file(path(ending));
         const std::vector<float> pixels = decode_picture(whole, Encoding::automatic)->values;
-        for (size_t length = 0; length < whole.size(); length += 7) {
+        for (size_t length = 0; length < whole.size(); length += run_scale() < 1 ? 101 : 7) {
             const auto picture = decode_picture(std::span(whole).first(length), Encoding::automatic);
             ASSERT_TRUE(!picture || picture->values == pixels) << "half a picture, of " << length << " bytes, was taken for a whole one";
         }
         std::mt19937 random(1);
-        for (int round = 0; round < 200; ++round) {
+        for (int round = 0; round < 200; round += run_scale() < 1 ? 10 : 1) {
             std::vector<std::byte> damaged = whole;
             for (int i = 0; i <= round / 70; ++i) damaged[random() % std::min<size_t>(damaged.size(), 300)] = std::byte(random());
             const auto picture = decode_picture(damaged, Encoding::automatic);
@@ -239,7 +240,7 @@ TEST(ModuleGif, DamagedHasAllNumbersOrNone) {
     std::mt19937 random(1);
     const std::string whole = gif_of(frame_of(kRows, false));
     const size_t last_number = whole.size() - 4;
-    for (size_t round = 0; round < 3000; ++round) {
+    for (size_t round = 0; round < 3000; round += run_scale() < 1 ? 20 : 1) {
         std::string damaged = round < whole.size() ? whole.substr(0, round) : whole;
         for (size_t i = whole.size(); i < round; i += 500) damaged[6 + random() % (damaged.size() - 6)] = char(random());
         const auto stored = decode_stored_picture(std::as_bytes(std::span(damaged)));

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 /// All that set operations leave of their surfaces, and what is not solid: discs, cylinders and cones without caps.
+#include "tests/core/run_size.h"
 #include "tests/eval/csg_leaves.h"
 
 #include <gtest/gtest.h>
@@ -59,7 +60,7 @@ void left(const ShapeLeaves& leaves, const CsgExpression& e, bool inverted, cons
 TEST(Csg, SurfacesAreThoseOfTheirParts) {
     test::Draw draw(11);
     int found = 0, finite = 0;
-    for (int round = 0; round < 9000; ++round) {
+    for (size_t round = 0; round < run_size(9000); ++round) {
         ShapeLeaves leaves;
         leaves.solid_alone = round % 3 != 0;
         const CsgExpression e = random_expression(leaves, draw, 1 + round % 4, false, round % 3 == 1);
@@ -72,8 +73,8 @@ TEST(Csg, SurfacesAreThoseOfTheirParts) {
         ASSERT_EQ(distances(surfaces(e, leaves, ray)), expected) << "round " << round;
         found += int(expected.size()), finite += CsgTree(e, leaves.narrow()).bounds().finite();
     }
-    EXPECT_GT(found, 3000);
-    EXPECT_GT(finite, 2000);
+    EXPECT_GT(found, 3000 * run_scale());
+    EXPECT_GT(finite, 2000 * run_scale());
 }
 
 /// What is open or flat has a box for its surface, wherever its inside ends.

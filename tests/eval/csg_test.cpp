@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 /// Set operations on a line, against what is inside at every point of it.
+#include "tests/core/run_size.h"
 #include "tests/eval/csg_leaves.h"
 
 #include <algorithm>
@@ -15,7 +16,7 @@ using namespace test;
 TEST(Csg, SurfacesAreWhereTheWholeChanges) {
     test::Draw draw(1);
     int changes = 0, inner = 0;
-    for (int round = 0; round < 3000; ++round) {
+    for (size_t round = 0; round < run_size(3000); ++round) {
         ShapeLeaves leaves;
         const bool outline = round % 2;
         const CsgExpression e = random_expression(leaves, draw, 1 + round % 4, outline, round % 3 == 0);
@@ -33,8 +34,8 @@ TEST(Csg, SurfacesAreWhereTheWholeChanges) {
         }
         changes += int(expected.size()), inner += int(found.size() - std::min(expected.size(), found.size()));
     }
-    EXPECT_GT(changes, 2000);
-    EXPECT_GT(inner, 100) << "unions must be among them";
+    EXPECT_GT(changes, 2000 * run_scale());
+    EXPECT_GT(inner, 100 * run_scale()) << "unions must be among them";
 }
 
 /// A cap of a sphere above a plane: the line leaves the sphere below the plane, and comes into a corner of the cap's box after that.
@@ -52,7 +53,7 @@ TEST(Csg, WhereALineIsInThePartsOneAfterTheOtherThereIsNothing) {
 TEST(Csg, TheFirstSurfaceIsTheFirstOfAll) {
     test::Draw draw(2);
     int found = 0;
-    for (int round = 0; round < 3000; ++round) {
+    for (size_t round = 0; round < run_size(3000); ++round) {
         ShapeLeaves leaves;
         const CsgExpression e = random_expression(leaves, draw, 1 + round % 4, false, round % 3 == 0);
         Ray ray = test::ray_from(draw(0, 6), draw);
@@ -67,7 +68,7 @@ TEST(Csg, TheFirstSurfaceIsTheFirstOfAll) {
         ASSERT_EQ(hit.t, first->t);
         ASSERT_EQ(hit.instance, first->instance);
     }
-    EXPECT_GT(found, 500);
+    EXPECT_GT(found, 500 * run_scale());
 }
 
 /// A box that rays stay in, and what its corners and the boxes of shapes tell of it.
@@ -95,7 +96,7 @@ class BoxRegion final : public CsgRegion {
 TEST(Csg, KnownSidesChangeNothing) {
     test::Draw draw(9);
     int found = 0, known = 0, inner = 0, whole = 0;
-    for (int round = 0; round < 8000; ++round) {
+    for (size_t round = 0; round < run_size(8000); ++round) {
         ShapeLeaves leaves;
         const CsgExpression e = random_expression(leaves, draw, 1 + round % 4, false, round % 3 == 0);
         const CsgTree tree(e, leaves.narrow());
@@ -120,10 +121,10 @@ TEST(Csg, KnownSidesChangeNothing) {
             found += hit;
         }
     }
-    EXPECT_GT(found, 1000);
-    EXPECT_GT(known, 1000);
-    EXPECT_GT(inner, 100);
-    EXPECT_GT(whole, 100);
+    EXPECT_GT(found, 1000 * run_scale());
+    EXPECT_GT(known, 1000 * run_scale());
+    EXPECT_GT(inner, 100 * run_scale());
+    EXPECT_GT(whole, 100 * run_scale());
 }
 
 /// Of many parts that all are near, not all are looked at, and what was not looked at varies; groups of them are seen by the rays that see the whole.
@@ -178,7 +179,7 @@ TEST(Csg, FacesThatCoincideAreOne) {
 TEST(Csg, DeMorgan) {
     test::Draw draw(7);
     int found = 0;
-    for (int round = 0; round < 2000; ++round) {
+    for (size_t round = 0; round < run_size(2000); ++round) {
         ShapeLeaves leaves;
         const CsgExpression a = random_expression(leaves, draw, 1, true, false), b = random_expression(leaves, draw, 1, true, false);
         const Ray ray = whole_line(test::ray_from(6, draw));
@@ -192,7 +193,7 @@ TEST(Csg, DeMorgan) {
         same(of(CsgOp::difference, {a, b}), of(CsgOp::intersection, {a, inverse(b)}));
         same(inverse(inverse(a)), a);
     }
-    EXPECT_GT(found, 1000);
+    EXPECT_GT(found, 1000 * run_scale());
 }
 
 /// An open cylinder has no caps, and is inside what it was: it drills a hole. A disc is a half space.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 /// What is asked of subtrees of a scene, beside an oracle that evaluates the operations point by point.
 #include "eval/solid_query.h"
+#include "tests/core/run_size.h"
 
 #include <gtest/gtest.h>
 #include <random>
@@ -124,7 +125,7 @@ TEST(SolidQuery, PointsAreInsideWhereTheOperationsSaySo) {
 /// Along the ray, the sides of the surface that is found differ, the normal leads out, and nothing changes before it.
 TEST(SolidQuery, TheFirstSurfaceIsWhereTheInsideChangesFirst) {
     size_t hits = 0, misses = 0;
-    for (unsigned seed = 1; seed <= 30; ++seed) {
+    for (unsigned seed = 1; seed <= std::max(test::run_size(30), size_t(6)); ++seed) {
         RandomSolids make(seed);
         const NodeId root = make.node(3);
         as_merges(make.scene, root);
@@ -150,8 +151,8 @@ TEST(SolidQuery, TheFirstSurfaceIsWhereTheInsideChangesFirst) {
             ASSERT_NEAR(length(found->normal), 1, 1e-12);
         }
     }
-    EXPECT_GT(hits, 300u);
-    EXPECT_GT(misses, 50u);
+    EXPECT_GT(hits, (hits + misses) / 4);
+    EXPECT_GT(misses, (hits + misses) / 24);
 }
 
 TEST(SolidQuery, AMeshIsAskedThroughItsAccelerator) {

@@ -5,6 +5,7 @@
 #include "importers/importer.h"
 #include "scene/queries.h"
 #include "tests/core/folder_test.h"
+#include "tests/core/run_size.h"
 #include "tests/exporters/canonical.h"
 #include "tests/exporters/samples.h"
 
@@ -116,7 +117,7 @@ TEST_F(RoundTrip, SameTriangles) {
                 if (HasFatalFailure()) return;
             }
     }
-    EXPECT_GT(triangles, 10'000u);
+    EXPECT_GT(triangles, 10'000 * run_scale());
 }
 
 TEST_F(RoundTrip, SurveyedCoordinatesKeepTheirDigits) {

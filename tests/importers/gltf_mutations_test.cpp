@@ -3,7 +3,9 @@
 #include "core/image.h"
 #include "importers/gltf/gltf.h"
 #include "scene/queries.h"
+#include "tests/core/run_size.h"
 
+#include <algorithm>
 #include <cstring>
 #include <filesystem>
 #include <gtest/gtest.h>
@@ -53,9 +55,9 @@ TEST_P(Mutations, Truncated) {
 /// Bytes of the JSON chunk: most damage it, some only change a number, a name or a reference.
 TEST_P(Mutations, BytesOfTheJson) {
     size_t loaded = 0;
-    for (int i = 0; i < 1000; ++i) {
+    for (size_t i = 0; i < std::max(test::run_size(1000), size_t(200)); ++i) {
         Bytes damaged = file_;
-        for (int k = 0; k <= i % 3; ++k) damaged[20 + random_() % (json_bytes_ - 20)] = std::byte(random_());
+        for (size_t k = 0; k <= i % 3; ++k) damaged[20 + random_() % (json_bytes_ - 20)] = std::byte(random_());
         survive(damaged, loaded);
     }
     EXPECT_GT(loaded, 0u) << "a changed name is no damage";
@@ -64,9 +66,9 @@ TEST_P(Mutations, BytesOfTheJson) {
 /// Digits replaced by digits keep the JSON valid: wrong offsets, counts, types and indices everywhere.
 TEST_P(Mutations, DigitsOfTheJson) {
     size_t loaded = 0;
-    for (int i = 0; i < 1000; ++i) {
+    for (size_t i = 0; i < std::max(test::run_size(1000), size_t(200)); ++i) {
         Bytes damaged = file_;
-        for (int k = 0; k <= i % 5;) {
+        for (size_t k = 0; k <= i % 5;) {
             std::byte& b = damaged[20 + random_() % (json_bytes_ - 20)];
             if (b < std::byte('0') || b > std::byte('9')) continue;
             b = std::byte('0' + random_() % 10), ++k;

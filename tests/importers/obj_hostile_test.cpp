@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 /// Damaged and malicious OBJ files, and the files that others collected. Never a crash, never a hang, always a scene that validates or an error.
+#include "tests/core/run_size.h"
 #include "tests/importers/obj_files.h"
 
+#include <algorithm>
 #include <ctime>
 #include <fstream>
 #include <random>
@@ -62,14 +64,15 @@ TEST_F(ObjFiles, RandomStatements) {
 /// Small files that would take quadratic time in a careless reader.
 TEST_F(ObjFiles, MaliciousSizesEndSoon) {
     std::vector<std::string> texts(5, "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 1 1 0.5\n");
-    for (int i = 0; i < 100000; ++i) {
+    const size_t many = std::max(test::run_size(100000), size_t(20000));
+    for (size_t i = 0; i < many; ++i) {
         texts[0] += "o x\nf 1 2 3\n";                                             // many objects
         texts[1] += "usemtl m" + std::to_string(i) + "\nf 1 2 3\n";               // many materials
         texts[2] += "s " + std::to_string(i + 1) + "\nf 1 2 3 4\n";               // many smoothing groups
         texts[3] += "word" + std::to_string(i) + "\n";                            // many unknown statements
     }
     texts[4] += "f";
-    for (int i = 0; i < 200000; ++i) texts[4] += i % 2 ? " 1 2" : " 4 3";         // one polygon that is all self-crossings
+    for (size_t i = 0; i < 2 * many; ++i) texts[4] += i % 2 ? " 1 2" : " 4 3";         // one polygon that is all self-crossings
     texts[4] += "\n";
     for (size_t i = 0; i < texts.size(); ++i) {
         const std::clock_t start = std::clock();

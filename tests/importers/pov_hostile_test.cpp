@@ -4,6 +4,7 @@
 
 #include "core/diagnostics.h"
 #include "tests/core/folder_test.h"
+#include "tests/core/run_size.h"
 
 #include <algorithm>
 #include <cstdlib>
@@ -85,8 +86,7 @@ class PovHostile : public testing::TestWithParam<Hostile> {};
 
 /// CPU seconds that a hostile scene may take: more where the tests run at a part of their sizes, which means under a sanitizer.
 double allowed_seconds() {
-    const char* scale = std::getenv("ALIDADE_TEST_SCALE");
-    return scale ? 10 / std::min(std::atof(scale), 1.0) : 10;
+    return 10 / std::min(test::run_scale(), 1.0);
 }
 
 }  // namespace

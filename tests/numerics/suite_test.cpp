@@ -2,7 +2,7 @@
 #include "numerics/peers.h"
 #include "numerics/suite.h"
 
-#include "tests/accel/run_size.h"
+#include "tests/core/run_size.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>

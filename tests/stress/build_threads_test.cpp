@@ -3,7 +3,9 @@
 #include "accel/bvh/bvh.h"
 #include "core/fingerprint.h"
 #include "stress/rays.h"
+#include "tests/core/run_size.h"
 
+#include <algorithm>
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -42,7 +44,7 @@ class Threads : public testing::TestWithParam<const StressKind*> {};
 
 /// With as many references as in some tens of subtrees, and more than one pass takes on one thread.
 TEST_P(Threads, MakeTheSameTree) {
-    const StressScene scene = GetParam()->make(60000, 2);
+    const StressScene scene = GetParam()->make(std::max(run_size(60000), size_t(6000)), 2);
     size_t splits = 0;
     for (const double growth : {-1.0, 0.0, 0.1, kSplitGrowth}) {
         for (const StressMesh& mesh : scene.meshes) {
@@ -62,7 +64,7 @@ TEST_P(Threads, MakeTheSameTree) {
 
 /// All of an accelerator: which triangles are left out, the bounds, and the packed leaves, seen by rays' hits and work.
 TEST_P(Threads, MakeTheSameAccelerator) {
-    const StressScene scene = GetParam()->make(40000, 3);
+    const StressScene scene = GetParam()->make(std::max(run_size(40000), size_t(6000)), 3);
     for (const AcceleratorEntry& entry : accelerators().subspan(1)) {
         const auto one = entry.over_triangles(scene.mesh().view(), {Precision::float_, Isa::best, 1}), many = entry.over_triangles(scene.mesh().view(), {Precision::float_, Isa::best, 3});
         EXPECT_EQ(numbers(many->stats()), numbers(one->stats())) << entry.name;

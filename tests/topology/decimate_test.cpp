@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 /// Decimation keeps what it must: the count that was asked for, closedness, the shape, borders, seams and material slots.
+#include "tests/core/run_size.h"
 #include "tests/topology/surfaces.h"
 #include "topology/decimate.h"
 #include "topology/half_edges.h"
@@ -77,6 +78,7 @@ TEST(Decimation, ASphereStaysClosedRoundAndAsCoarseAsAsked) {
     const Mesh ball = sphere(32, 16);
     const SurfaceReport before = examine(ball);
     for (const double ratio : {0.5, 0.2, 0.1}) {
+        if (test::run_scale() < 1 && ratio != 0.2) continue;
         const Mesh coarse = decimated(ball, ratio);
         const SurfaceReport after = examine(coarse);
         const double wanted = ratio * double(before.triangles - before.degenerate);
@@ -85,8 +87,9 @@ TEST(Decimation, ASphereStaysClosedRoundAndAsCoarseAsAsked) {
         EXPECT_EQ(after.genus(), 0);
         EXPECT_EQ(after.refused + after.degenerate, 0u);
         const double edge = std::sqrt(16 * kPi / std::sqrt(3.0) / double(after.triangles));   // of equal triangles that cover the sphere
-        EXPECT_LT(hausdorff(ball, coarse), 2 * edge * edge / 3) << "how far the centre of a triangle of twice that edge lies inside";
-        EXPECT_LT(hausdorff(ball, coarse), 1.25 * hausdorff(ball, by_openmesh(ball, after.triangles)));
+        const double distance = hausdorff(ball, coarse);
+        EXPECT_LT(distance, 2 * edge * edge / 3) << "how far the centre of a triangle of twice that edge lies inside";
+        EXPECT_LT(distance, 1.25 * hausdorff(ball, by_openmesh(ball, after.triangles)));
         for (const Vec3f& p : coarse.positions) EXPECT_NEAR(length(Vec3(p)), 1, 1e-6) << "vertices stay where they were";
     }
 }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 /// The half-edge mesh holds what it can of a surface, and says what it cannot; no triangle is lost, moved or turned on the way.
+#include "tests/core/run_size.h"
 #include "tests/topology/surfaces.h"
 #include "topology/half_edges.h"
 
@@ -41,7 +42,7 @@ void expect_same_triangles(const std::string& name, const Mesh& mesh) {
 }
 
 TEST(HalfEdges, HoldTheTrianglesOfEveryFile) {
-    const size_t meshes = for_each_mesh_file(size_t(8) << 20, expect_same_triangles);
+    const size_t meshes = for_each_mesh_file(test::run_size(8 << 20), expect_same_triangles);
     EXPECT_GE(meshes, 3u) << "the assets are always here";
     RecordProperty("meshes", int(meshes));
 }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 /// The report against numbers known on paper, and against counting by brute force.
+#include "tests/core/run_size.h"
 #include "tests/topology/surfaces.h"
 #include "topology/half_edges.h"
 #include "topology/report.h"
@@ -254,7 +255,7 @@ TEST(Report, AnyMessAsBruteForceCountsIt) {
 
 TEST(Report, FilesAsBruteForceCountsThem) {
     size_t compared = 0;
-    for_each_mesh_file(size_t(1) << 20, [&](const std::string& name, const Mesh& mesh) {
+    for_each_mesh_file(test::run_size(1 << 20), [&](const std::string& name, const Mesh& mesh) {
         const bool finite = std::all_of(mesh.positions.begin(), mesh.positions.end(), [](const Vec3f& p) { return is_finite(p); });
         if (mesh.triangles.size() > 3000 || !finite || !mesh.exact_positions.empty()) return;
         expect_brute_force(name, mesh);
@@ -266,7 +267,7 @@ TEST(Report, FilesAsBruteForceCountsThem) {
 /// OpenMesh, where it takes the whole surface, walks the same holes and finds the same pieces manifold.
 TEST(Report, AgreesWithOpenMesh) {
     size_t compared = 0;
-    for_each_mesh_file(size_t(4) << 20, [&](const std::string& name, const Mesh& mesh) {
+    for_each_mesh_file(test::run_size(4 << 20), [&](const std::string& name, const Mesh& mesh) {
         topology::HalfEdges edges = topology::half_edges(topology::weld(mesh));
         const SurfaceReport r = examine(mesh);
         EXPECT_EQ(edges.refused.size(), r.refused) << name;

@@ -127,11 +127,11 @@ TEST(Regions, AreCutsOfTheWholePicture) {
 /// POV-Ray's antialiasing compares pixels with their neighbours: those beyond a part's border count as they do in the whole.
 TEST(Regions, AreCutsOfTheWholePictureUnderAntialiasingToo) {
     const auto scene = compiled(everything());
-    for (const int method : {1, 2})
+    for (const int method : {1, 2}) {
+        RenderOptions o = small_render();
+        o.supersampling = Supersampling{.method = method, .threshold = 0.1, .jitter = 1};   // some pixels differ from the next alone
+        const Film whole = *render(*scene, o);
         for (const Region part : {Region{13, 7, 40, 31}, Region{20, 20, 21, 21}, Region{17, 0, 18, 47}, Region{0, 25, 61, 26}, Region{32, 32, 61, 47}, Region{31, 31, 33, 33}}) {
-            RenderOptions o = small_render();
-            o.supersampling = Supersampling{.method = method, .threshold = 0.1, .jitter = 1};   // some pixels differ from the next alone
-            const Film whole = *render(*scene, o);
             o.region = part;
             const Film cut = *render(*scene, o);
             for (int y = part.y0; y < part.y1; ++y)
@@ -140,6 +140,7 @@ TEST(Regions, AreCutsOfTheWholePictureUnderAntialiasingToo) {
             EXPECT_LT(cut.stats.camera_rays, whole.stats.camera_rays);
             EXPECT_EQ(cut.stats.pixels, uint64_t(part.x1 - part.x0) * uint64_t(part.y1 - part.y0));
         }
+    }
 }
 
 /// Tiles that are known are not rendered; each of the others is kept once, with its pixels.

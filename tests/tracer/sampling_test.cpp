@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 /// Samplers, lights with an extent, skies and lenses, against what they converge to.
+#include "tests/core/run_size.h"
 #include "tests/tracer/scene_builder.h"
 #include "tracer/cameras.h"
 #include "tracer/lights.h"
@@ -323,7 +324,7 @@ TEST(Lenses, CircleOfConfusion) {
     b.object(Sphere{{0, 0, -10}, 1e-3}, b.material(lamp));
     b.camera({0, 0, 0}, {0, 0, -1}, 20);
     RenderOptions o = centre_rays(64);
-    o.spp = 4096;
+    o.spp = int(std::max(run_size(4096), size_t(512)));
     o.aperture = 0.4;
     o.focus = 5;
     o.sampler = "sobol";

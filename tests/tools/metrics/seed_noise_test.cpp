@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 /// Pictures whose noise is known: how often the test of pixels is wrong, and what it finds.
 #include "core/vec.h"
+#include "tests/core/run_size.h"
 #include "tests/tools/metrics/pairs.h"
 #include "tools/metrics/seed_noise.h"
 #include "tools/metrics/student.h"
@@ -100,6 +101,7 @@ struct Trial {
 
 /// One in a hundred; of several hundred the number is Poisson's.
 TEST(SeedNoise, AlarmsAsOftenAsItSays) {
+    if (run_scale() < 1) GTEST_SKIP() << "how often is counted in the ordinary run";
     constexpr int kTrials = 600;   // 6 are expected; more than 15 come once in 2000
     for (const ReferenceNoise noise : {ReferenceNoise::none, ReferenceNoise::like_ours, ReferenceNoise::measured}) {
         int alarms = 0;
