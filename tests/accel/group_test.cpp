@@ -115,7 +115,7 @@ TEST_P(Together, GiveTheHitsOfEachByItself) {
                 AccelOptions options;
                 options.precision = precision, options.isa = isa;
                 const auto accelerator = build(*GetParam(), mesh, options);
-                for (size_t n = 0; n < run_size(200, 20000); ++n) {
+                for (size_t n = 0; n < std::max(run_size(200, 20000), size_t(40)); ++n) {
                     Draws draws(RandomKey(kSeed, 1, n, 0));
                     auto rays = square_of_rays(mesh, draws);
                     if (n % 7 == 0) rays.resize(kGroup - draws.below(kGroup));

@@ -2,6 +2,7 @@
 /// Scenes exported from Blender, beside what Cycles saw of the same files.
 #include "core/image.h"
 #include "importers/importer.h"
+#include "tests/core/run_size.h"
 #include "tracer/render.h"
 
 #include <filesystem>
@@ -65,6 +66,7 @@ class BlenderScene : public testing::TestWithParam<const char*> {};
 /// cannot tell the two apart; ours can, so an object of ours that sends less light than the faintest pixel of Cycles' is left undecided.
 /// Everywhere else, away from edges, both see the same objects.
 TEST_P(BlenderScene, CoversWhatCyclesSees) {
+    if (test::run_scale() < 1) GTEST_SKIP() << "so many samples are taken in the ordinary run";
     const std::string name = GetParam();
     if (!std::filesystem::exists(kData / "blender" / (name + ".glb"))) GTEST_SKIP() << "the reference scenes are not there";
     const auto reference = read_picture((kData / "blender" / (name + "_roundtrip_cycles.exr")).string(), Encoding::linear);

@@ -4,6 +4,7 @@
 #include "core/image.h"
 #include "importers/importer.h"
 #include "scene/queries.h"
+#include "tests/core/run_size.h"
 #include "tests/importers/manifest.h"
 #include "tracer/render.h"
 
@@ -134,9 +135,10 @@ TEST(Collection, WhateverHasTrianglesShows) {
     options.width = options.height = 24, options.spp = 1;
     options.integrator = "cast";
     options.aovs = {"coverage"};
-    size_t shown = 0;
+    const bool sampled = test::run_scale() < 1;
+    size_t good = 0, shown = 0;
     for (const auto& row : rows) {
-        if (row.kind != "good") continue;
+        if (row.kind != "good" || (sampled && ++good % 4 != 0)) continue;   // a picture of each takes minutes under a sanitizer
         auto imported = import_scene(data + "/" + row.file);
         if (!imported) continue;
         const auto box = extent(imported->scene);
@@ -151,7 +153,7 @@ TEST(Collection, WhateverHasTrianglesShows) {
         EXPECT_TRUE(std::any_of(coverage.begin(), coverage.end(), [](float c) { return c > 0; })) << row.file << " shows nothing";
         ++shown;
     }
-    EXPECT_GE(shown, 100u);
+    EXPECT_GE(shown, sampled ? 25u : 100u);
 }
 
 }  // namespace

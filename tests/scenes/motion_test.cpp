@@ -3,6 +3,7 @@
 #include "core/image.h"
 #include "importers/importer.h"
 #include "scene/queries.h"
+#include "tests/core/run_size.h"
 #include "tracer/render.h"
 
 #include <fmt/format.h>
@@ -40,6 +41,7 @@ class Motion : public testing::TestWithParam<double> {};
 
 /// Coverage against Cycles': where Cycles' pixel is wholly in or out, so is ours, but for the rim; on the rim the shares of the pixel agree.
 TEST_P(Motion, CoversWhatBlenderCovers) {
+    if (test::run_scale() < 1) GTEST_SKIP() << "so many samples are taken in the ordinary run";
     const auto mask = read_picture(fmt::format("{}/tests/scenes/motion/mask_{:.2f}.png", kRoot, GetParam()), Encoding::linear);
     ASSERT_TRUE(mask) << mask.error();
     const Film film = rendered(pose(motion(), GetParam()), 64);
