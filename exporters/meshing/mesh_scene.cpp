@@ -11,6 +11,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 namespace alidade::meshing {
 namespace {
@@ -99,6 +100,9 @@ class SceneMesher {
         const ShapeGeometry& geometry = scene_.shapes[id.index].geometry;
         const bool endless = !bounds(geometry).finite();
         losses_.add("endless shapes", endless, "cut near the rest of the scene");
+        const auto* torus = std::get_if<Torus>(&geometry);
+        const bool overlaps = torus && torus->major != 0 && std::abs(torus->minor) > std::abs(torus->major);
+        losses_.add("the inner sheets of tori whose tubes overlap themselves", overlaps, "the outer sheets alone");
         auto made = shape_mesh(geometry, segments_, local_region(to_world, kPlaneSize));
         if (made) losses_.add("spheres, planes, boxes and other closed forms", 1, fmt::format("meshes of {} segments a circle", segments_));
         else made = contour_shape(id, to_world);

@@ -97,8 +97,9 @@ class Parser {
     SourceFinder finder;
     double version = 3.7;             ///< as #version has set it; what POV-Ray starts with
     bool version_given = false;
-    /// Version 3.7 that is told from outside (`+MV3.7`) goes before the scene's own in that colours are corrected without an assumed_gamma, too.
-    bool told_of_gamma() const { return options.version && *options.version >= 3.7 - 1e-9; }
+    bool is_old() const { return !version_given || version < 3.7 - 1e-9; }
+    /// Without assumed_gamma an old scene's numbers are what its files hold: no correction at all. But not where version 3.7 is told from outside (`+MV3.7`).
+    bool lacks_gamma() const { return is_old() && !(options.version && *options.version >= 3.7 - 1e-9); }
     bool charset_utf8 = false;        ///< as global_settings has said
     bool keep_names = false;          ///< in function{}: names that nobody declared are parameters
     uint64_t loop_turns = 0;

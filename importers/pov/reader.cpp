@@ -32,7 +32,6 @@ class Reader {
         }
         if (const auto failed = p_.files.flush()) p_.said.error({}, fmt::format("the file {} cannot be written", *failed));
         for (const auto& [place, block] : p_.defaults) program_.defaults.push_back(block);
-        program_.version = p_.version, program_.version_given = p_.version_given;
         for (size_t i = 0; i < p_.stream.sources(); ++i) program_.files.push_back({p_.stream.source(uint16_t(i)).path()});
         return std::move(program_);
     }

@@ -11,8 +11,6 @@ namespace alidade::pov {
 struct Program {
     std::vector<Ref<Block>> blocks;                   ///< of the top level, in order
     std::vector<Value> defaults;                      ///< blocks of #default, in order; Block::defaults tells how many of them stood before a block
-    double version = 3.7;
-    bool version_given = false;
     std::vector<SourceFile> files;                    ///< by Place::source
 };
 

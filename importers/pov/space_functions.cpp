@@ -42,9 +42,9 @@ NoiseGenerator usual_noise(const Parser& p) {
 
 namespace {
 
-/// What the colours of pictures become: as the last global_settings has it.
+/// What the colours of pictures become: as the first assumed_gamma has it.
 void set_usual_gamma(const Parser& p, Build& build) {
-    build.uncorrected = (!p.version_given || p.version < 3.7 - 1e-9) && !p.told_of_gamma();
+    build.uncorrected = p.lacks_gamma();
     for (const Value& settings : p.globals) {
         const std::span<const Item> items = settings.as<Block>().items();
         for (size_t i = 0; i + 1 < items.size(); ++i) {
@@ -53,6 +53,7 @@ void set_usual_gamma(const Parser& p, Build& build) {
             build.uncorrected = false;
             build.scene.settings.srgb_coded = what.kind == Item::Kind::word;
             if (what.value_kind() == Kind::number && what.number() > 0) build.scene.settings.assumed_gamma = what.number();
+            return;
         }
     }
 }

@@ -249,6 +249,14 @@ TEST(Meshing, TheRestStaysAsItWas) {
     EXPECT_TRUE(meshing::needs_meshes(before));
 }
 
+TEST(Meshing, TheInnerSheetOfASpindleIsToldAsLost) {
+    for (const auto& [torus, told] : {std::pair(Torus{Vec3(0), 1, 0.5}, false), {Torus{Vec3(0), 0.5, 1}, true}, {Torus{Vec3(0), -0.5, 1}, true}, {Torus{Vec3(0), 0, 1}, false}}) {
+        Losses losses;
+        ASSERT_TRUE(meshing::mesh_scene(scene_of_shape(torus), kSegments, losses));
+        EXPECT_EQ(std::any_of(losses.list().begin(), losses.list().end(), [](const Loss& l) { return l.what.starts_with("the inner sheets"); }), told) << torus.major;
+    }
+}
+
 TEST(Meshing, TooManyTrianglesAreRefused) {
     Scene s;
     for (uint32_t i = 0; i < 40; ++i) {

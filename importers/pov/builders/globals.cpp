@@ -28,17 +28,15 @@ bool is_silent(const Cursor& at) {
 
 }  // namespace
 
-void begin_settings(Build& build, const Program& program) {
+void begin_settings(Build& build) {
     RenderSettings& s = build.scene.settings;
     s.default_spp = 1;
     s.default_light = false, s.first_box_shows = true;
     s.max_depth = 4;
     s.adc_bailout = 1.0 / 255;
-    const bool old = !program.version_given || program.version < 3.7 - 1e-9;
-    s.srgb_coded = old && !build.p.told_of_gamma();   // without assumed_gamma an old scene's numbers are what the file holds: no correction at all
-    build.uncorrected = s.srgb_coded;
-    s.filter_dims_by_colour = old;
-    if (program.version_given && program.version < 3.5 - 1e-9) s.noise = NoiseGenerator::original;
+    s.srgb_coded = build.uncorrected = build.p.lacks_gamma();
+    s.filter_dims_by_colour = build.p.is_old();
+    if (build.p.version_given && build.p.version < 3.5 - 1e-9) s.noise = NoiseGenerator::original;
     s.generator = "POV-Ray";
 }
 

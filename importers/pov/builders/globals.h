@@ -3,12 +3,11 @@
 #pragma once
 
 #include "importers/pov/builders/build.h"
-#include "importers/pov/reader.h"
 
 namespace alidade::pov {
 
 /// What POV-Ray takes where the scene says nothing, which depends on its version.
-void begin_settings(Build& build, const Program& program);
+void begin_settings(Build& build);
 void read_globals(Build& build, const Block& block);
 
 }  // namespace alidade::pov

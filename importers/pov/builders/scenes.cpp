@@ -75,7 +75,7 @@ void add_camera(Build& build, const std::optional<Camera>& camera) {
 Scene build_scene(Parser& parser, const Program& program) {
     Build build(parser);
     build.defaults = program.defaults;
-    begin_settings(build, program);
+    begin_settings(build);
     std::optional<Camera> camera;
     for (const Ref<Block>& block : program.blocks) {
         parser.reset_nesting();
