@@ -59,7 +59,7 @@ TEST_P(Threads, MakeTheSameTree) {
             splits += one.stats.splits;
         }
     }
-    EXPECT_TRUE(splits > 100 || std::string_view(GetParam()->name) != "architecture") << "the test must exercise splits in space";
+    EXPECT_TRUE(splits > run_size(100) || std::string_view(GetParam()->name) != "architecture") << "the test must exercise splits in space";
 }
 
 /// All of an accelerator: which triangles are left out, the bounds, and the packed leaves, seen by rays' hits and work.

@@ -116,6 +116,7 @@ class Measurements(InFolder):
         said = document(self.scene, *self.WORDS, "--vary", "intersect=exact,robust,fast", "--vary", "accel=bvh,grid", "--reference", "self:64")
         self.assertEqual((said["free_axes"], said["not_free"], len(said["rows"])), (["accel"], [], 7), "six, and the default")
 
+    @unittest.skipIf(SANITIZED, "so many samples are taken in the ordinary run")
     def test_more_samples_are_more_accurate_and_accelerators_are_free(self):
         said = document(self.scene, *self.WORDS, "--vary", "spp=1,4,64", "--vary", "accel=bvh,grid", "--vary", "threads=1,2", "--reference", "self:512")
         self.assertEqual(said["schema"], 1)
@@ -219,6 +220,7 @@ class Measurements(InFolder):
             self.assertIn(option, help_text)
             self.assertIn(f"`{option}", text)
 
+    @unittest.skipIf(SANITIZED, "so many samples are taken in the ordinary run")
     def test_noise_is_variance_and_a_shorter_path_is_bias(self):
         said = document("analytic:sphere-plane", "--size", "16x16", "--repeat", 1, "--vary", "spp=4,16", "--sampler", "random", "--seeds", 16)
         rows = by(said["rows"], "spp")
@@ -256,6 +258,7 @@ class ClosedForms(unittest.TestCase):
                 self.assertLess(rows[("128",)]["errors"]["rmse"], most)
                 self.assertLessEqual(rows[("128",)]["errors"]["rmse"], rows[("4",)]["errors"]["rmse"])
 
+    @unittest.skipIf(SANITIZED, "so many samples are taken in the ordinary run")
     def test_random_samples_converge_as_they_must_and_ours_are_nowhere_worse(self):
         counts = [4 ** k for k in range(1, 7)]
         said = document("analytic:disc-disc", "--size", "6x6", "--repeat", 1, "--seeds", 16, "--threads", 0, "--spp", 4, "--vary", "sampler=random,sobol",
@@ -266,6 +269,7 @@ class ClosedForms(unittest.TestCase):
         for ours, theirs in zip(error["sobol"], error["random"]):
             self.assertLessEqual(ours, theirs)
 
+    @unittest.skipIf(SANITIZED, "so many samples are taken in the ordinary run")
     def test_a_pixel_and_a_light_that_go_together_are_sampled_together(self):
         """Both discs in one pixel: which point of the light counts most goes with the place in the pixel, so that good samples of each alone are no better than chance."""
         said = document("analytic:disc-disc", "--size", "1x1", "--repeat", 1, "--seeds", 64, "--threads", 0, "--spp", 64, "--vary", "sampler=random,sobol", "--vary", "spp=64,1024")
