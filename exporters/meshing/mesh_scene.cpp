@@ -2,6 +2,7 @@
 #include "exporters/meshing/mesh_scene.h"
 
 #include "eval/csg_expression.h"
+#include "eval/shapes/shape_ops.h"
 #include "eval/solid_query.h"
 #include "exporters/meshing/dual_contouring.h"
 #include "exporters/meshing/shape_mesh.h"
@@ -11,7 +12,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 
 namespace alidade::meshing {
 namespace {
@@ -100,9 +100,8 @@ class SceneMesher {
         const ShapeGeometry& geometry = scene_.shapes[id.index].geometry;
         const bool endless = !bounds(geometry).finite();
         losses_.add("endless shapes", endless, "cut near the rest of the scene");
-        const auto* torus = std::get_if<Torus>(&geometry);
-        const bool overlaps = torus && torus->major != 0 && std::abs(torus->minor) > std::abs(torus->major);
-        losses_.add("the inner sheets of tori whose tubes overlap themselves", overlaps, "the outer sheets alone");
+        const bool has_inner_sheets = std::holds_alternative<Torus>(geometry) && !find_shape(geometry)->solid(geometry);
+        losses_.add("the inner sheets of tori whose tubes overlap themselves", has_inner_sheets, "the outer sheets alone");
         auto made = shape_mesh(geometry, segments_, local_region(to_world, kPlaneSize));
         if (made) losses_.add("spheres, planes, boxes and other closed forms", 1, fmt::format("meshes of {} segments a circle", segments_));
         else made = contour_shape(id, to_world);

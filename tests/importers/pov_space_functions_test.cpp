@@ -3,6 +3,7 @@
 #include "importers/pov/reader.h"
 
 #include "core/diagnostics.h"
+#include "core/image.h"
 #include "tests/povray/povray.h"
 
 #include <cmath>
@@ -48,7 +49,7 @@ std::string printed_by_us(const std::string& scene, Diagnostics& said) {
     std::string printed;
     ReadOptions options;
     options.print = [&](TextStream, const std::string& text) { printed += text; };
-    read_program_text("scene.pov", scene, options, said);
+    read_program_text(testing::TempDir() + "scene.pov", scene, options, said);
     return printed;
 }
 
@@ -102,6 +103,18 @@ TEST(PovSpaceFunctions, PigmentsAreColoursAsInPovRay) {
                              "#for (I, 1, {}) #local P = Place(); #local C = F(P.x, P.y, P.z); Put(C.red) Put(C.green) Put(C.blue) Put(C.filter) Put(C.transmit) Put(F(P.x, P.y, P.z).gray) Put(G(P.x, P.y, P.z))\n"
                              "#local C = eval_pigment(pigment {{ {} }}, P); Put(C.green) #end #undef F #undef G\n", number++, pigment, kPoints, pigment);
     expect_same(scene, 2e-7, std::size(kPigments) * (8 * kPoints + 1));
+}
+
+/// The first holds, wherever it stands.
+TEST(PovSpaceFunctions, PicturesGoByTheFirstAssumedGamma) {
+    if (!povray_is_installed()) GTEST_SKIP() << "povray is not installed";
+    const std::string file = testing::TempDir() + "function_picture.png";
+    Picture picture(1, 1, {"R", "G", "B"});
+    picture.values = {0.2f, 0.05f, 0.6f};
+    ASSERT_TRUE(write_picture(file, picture));
+    for (const char* settings : {"assumed_gamma 1", "assumed_gamma 2.2", "assumed_gamma 1 } global_settings { assumed_gamma 2.2", "assumed_gamma 2.2 } global_settings { assumed_gamma 1"})
+        expect_same(fmt::format("#version 3.7; global_settings {{ {} }}\n#declare F = function {{ pigment {{ image_map {{ png \"{}\" }} }} }}\n"
+                                "#debug concat(str(F(.5, .5, 0).red, 0, 9), \"\\n\", str(F(.5, .5, 0).green, 0, 9), \"\\n\")\n", settings, file), 1e-5, 2);
 }
 
 TEST(PovSpaceFunctions, ThoseOfTheIncludeFileAreKnown) {
