@@ -8,6 +8,8 @@ if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU" AND CMAKE_CXX_COMPILER_VERSION VERSION_L
 endif()
 # Every geometric result is a contract, bit for bit: no fused multiply-add that the source does not spell.
 target_compile_options(alidade_flags INTERFACE -ffp-contract=off)
+# Nobody asks for errno after a square root, and nobody replaces one of our functions while the program is loaded: so g++ inlines them, as clang does.
+target_compile_options(alidade_flags INTERFACE -fno-math-errno -fno-semantic-interposition)
 if(CMAKE_SYSTEM_PROCESSOR MATCHES "x86_64|AMD64|amd64")
   # In bits. On processors of Intel's a single vector of 512 slows down all that comes near it. The corners of a triangle were copied in one, and rays were a tenth slower (bench/results/accel_peers.md).
   target_compile_options(alidade_flags INTERFACE -mprefer-vector-width=256)

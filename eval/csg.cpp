@@ -51,7 +51,11 @@ class Walk {
     /// Calls visit(hit) for the surfaces of the whole, in order of t; `one_place`: for the one that is seen of those of the first place that has any.
     template <class Visit> void run(const Bounds& bounds, bool one_place, const Visit& visit) {
         if (bounds.empty()) return;
-        const LineInterval box = inside_bounds(ray_, bounds);   // as accelerators compute it
+        const LineInterval box = inside_bounds(ray_, bounds);   // as accelerators compute it, and as they expect of hits
+        const auto show = [&](Hit hit) {
+            hit.t = std::clamp(hit.t, box.entry, box.exit);
+            visit(hit);
+        };
         range_ = {std::max(ray_.tmin, box.entry), std::min(ray_.tmax, box.exit)};
         if (box.empty() || range_.empty()) return;
         range_ = widened(range_);
@@ -61,14 +65,21 @@ class Walk {
         for (size_t first = 0, end; first < all.size() && all[first].hit.t <= range_.exit; first = end) {
             for (end = first + 1; end < all.size() && coincide(all[end - 1], all[end]); ) ++end;
             const std::span<const CsgCrossing> place(all.data() + first, end - first);
+            if (place.size() == 1 && s_.at_points.empty() && nodes_[place[0].node].inside == CsgInside::by_crossings) {
+                if (step_alone(place[0].node) && in_range(place[0].hit.t)) {
+                    show(place[0].hit);
+                    if (one_place) return;
+                }
+                continue;
+            }
             step(place);
             const CsgCrossing* seen = nullptr;
             for (const CsgCrossing& c : place) {
                 if (!in_range(c.hit.t) || !shown(c, one_place)) continue;
-                if (!one_place) visit(c.hit);
+                if (!one_place) show(c.hit);
                 else if (!seen || nodes_[c.node].rank > nodes_[seen->node].rank) seen = &c;
             }
-            if (seen) return visit(seen->hit);
+            if (seen) return show(seen->hit);
         }
     }
 
@@ -209,6 +220,25 @@ class Walk {
             uint32_t& first = state.inside ? parent.first_in : parent.first_out;
             first = std::min(first, nodes_[n].place);
         }
+    }
+
+    /// The same for a crossing of leaf `n` that stands alone, and whether it is shown: only what is above it changes, and siblings are the same on both sides.
+    bool step_alone(uint32_t n) {
+        bool is_shown = true, changes = true;
+        s_.states[n].inside = !s_.states[n].inside;
+        for (; n != 0 && (changes || is_shown); n = nodes_[n].parent) {
+            const CsgNode& above = nodes_[nodes_[n].parent];
+            State& all = s_.states[nodes_[n].parent];
+            const bool inside = s_.states[n].inside;
+            if (changes) all.count = inside ? all.count + 1 : all.count - 1;
+            const uint32_t siblings = all.count - inside;
+            if (above.op == CsgOp::clip && nodes_[n].place > 0) is_shown = false;
+            else if (above.op != CsgOp::union_) is_shown = is_shown && siblings == (meets(above) ? above.children - 1 : 0);
+            const bool was = all.inside;
+            all.inside = meets(above) ? all.count == above.children : all.count > 0;
+            changes = changes && all.inside != was;
+        }
+        return is_shown;
     }
 
     void keep_before(uint32_t n) {

@@ -124,7 +124,7 @@ class CsgTree {
     const Bounds& bounds() const { return bounds_; }
     /// Appends the sides of the nodes in a region, one for each of nodes(), to be given to first(). The side of the root: if it does not vary, rays in the region meet no surface.
     CsgSide sides(const CsgRegion& region, std::vector<CsgSide>& out) const;
-    /// The first surface with tmin <= t <= tmax that the ray's mask sees; of several at one place the one of the highest rank. `known`: the sides that the nodes have where the ray goes, or nothing.
+    /// The first surface with tmin <= t <= tmax that the ray's mask sees; of several at one place the one of the highest rank. In bounds(), as inside_bounds() has it. `known`: the sides that the nodes have where the ray goes, or nothing.
     bool first(const Ray& ray, const CsgLeaves& leaves, Hit& hit, std::span<const CsgSide> known = {}) const;
     /// All of them, appended in order of t.
     void all(const Ray& ray, const CsgLeaves& leaves, std::vector<Hit>& hits) const;

@@ -58,7 +58,6 @@ bool InstanceSet::is_seen_before(const Ray& ray, double t, uint32_t instance, ui
     if (hit.t < ray.tmax) shortened.tmax = std::min(ray.tmax, hit.t + instance_slack(ray, hit.t));
     Hit candidate;
     if (!s.tree.first(shortened, InstanceLeaves(scene_, work), candidate, known)) return false;
-    candidate.t = clamp_to_bounds(candidate.t, ray, s.tree.bounds());
     if (!is_seen_before(ray, candidate.t, candidate.instance, candidate.primitive, hit)) return false;
     hit = candidate;
     return true;
@@ -110,7 +109,6 @@ void InstanceSet::all_hits(std::span<const uint32_t> ids, const Ray& ray, std::v
         if (is_solid(id)) {
             const Solid& s = solid(id);
             if (s.mask & ray.mask) s.tree.all(ray, InstanceLeaves(scene_, work), hits);
-            for (size_t i = first; i < hits.size(); ++i) hits[i].t = clamp_to_bounds(hits[i].t, ray, s.tree.bounds());
             continue;
         }
         const Instance& instance = scene_.instances[id];
