@@ -17,9 +17,8 @@ uint32_t LightGroups::set_of(const std::vector<NodeId>& path) {
     Set set;
     for (const NodeId id : path) {
         const Node& node = scene_.nodes[id.index];
-        if (node.light_group.empty() && node.global_lights) continue;
-        set.lights = node.light_group;   // of groups in groups the innermost has its own lights alone
         set.global = set.global && node.global_lights;
+        if (!node.light_group.empty()) set.lights = node.light_group;   // of groups in groups the innermost with lights has those alone
     }
     const auto same = [&](const Set& s) { return s.lights == set.lights && s.global == set.global; };
     const auto found = std::find_if(sets_.begin(), sets_.end(), same);

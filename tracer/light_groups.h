@@ -17,7 +17,7 @@ class LightGroups {
 
   private:
     struct Set {
-        std::vector<LightId> lights;   ///< of the innermost group on the path
+        std::vector<LightId> lights;   ///< of the innermost group on the path that has any
         bool global = true;            ///< those that are in no group, too: if all groups on the path want them
     };
     bool reaches(const Set& set, LightId light) const;

@@ -28,6 +28,33 @@ TEST_F(PovBuilders, ValuesThatMeanNothingAreErrors) {
         EXPECT_EQ(said(fine), "") << fine;
 }
 
+TEST_F(PovBuilders, ObjectsThatFollowAModifierAreErrors) {
+    for (const Refusal& r : {Refusal{"sphere { 0, 1 pigment { rgb 1 } plane { y, 0 } }", "1:33: error: plane cannot stand here in sphere"}, {"sphere { 0, 1 light_source { y, 1 } }", "light_source cannot stand here in sphere"},
+                             {"union { sphere { 0, 1 } pigment { rgb 1 } box { 0, 1 } }", "box cannot stand here in union"}, {"object { sphere { 0, 1 } box { 0, 1 } }", "box cannot stand here in object"},
+                             {"mesh { triangle { 0, x, y } sphere { 0, 1 } }", "sphere cannot stand here in mesh"}, {"transform { translate x }", "1:1: error: an object or a directive is expected, not transform"},
+                             {"color_map { [0 rgb 1] }", "an object or a directive is expected, not color_map"}, {"looks_like { sphere { 0, 1 } }", "an object or a directive is expected, not looks_like"}})
+        EXPECT_THAT(said(r.scene), HasSubstr(r.message)) << r.scene;
+    EXPECT_THAT(said("media { }"), HasSubstr("is not modelled yet"));
+}
+
+TEST_F(PovBuilders, WhatIsNoPatternIsAnError) {
+    for (const Refusal& r : {Refusal{"sphere { 0, 1 texture { plane { y, 1 } } }", "plane cannot stand in this texture"}, {"sphere { 0, 1 pigment { sphere { 0, 1 } } }", "sphere cannot stand in this pigment"},
+                             {"sphere { 0, 1 texture { pigment { rgb 1 } no_shadow } }", "no_shadow cannot stand in this texture"}, {"sphere { 0, 1 pigment { checker color_map { [0 rgb 1] } } }", "color_map cannot stand behind the pattern checker"},
+                             {"sphere { 0, 1 pigment { brick pigment_map { [0 rgb 1] } } }", "pigment_map cannot stand behind the pattern brick"}, {"sphere { 0, 1 pigment { average color_map { [0 rgb 1] } } }", "color_map cannot stand behind the pattern average"}})
+        EXPECT_THAT(said(r.scene), HasSubstr(r.message)) << r.scene;
+}
+
+TEST_F(PovBuilders, IndicesOfAMesh2FitItsTriangles) {
+    const std::string mesh = "mesh2 { vertex_vectors { 4, 0, x, y, x+y } ", faces = "face_indices { 2, <0,1,2>, <1,3,2> } ";
+    for (const Refusal& r : {Refusal{"normal_vectors { 1, z } FACES normal_indices { 3, 0, 0, 0 } }", "there are 3 normal_indices for 2 triangles"}, {"uv_vectors { 1, <1,0> } FACES uv_indices { 1, 0 } }", "there are 1 uv_indices for 2 triangles"},
+                             {"uv_vectors { 1, <1,0> } FACES }", "there are 1 uv_vectors for 4 vertices: uv_indices are missing"}}) {
+        std::string text = mesh + r.scene;
+        text.replace(text.find("FACES"), 5, faces);
+        EXPECT_THAT(said(text), HasSubstr(r.message)) << text;
+    }
+    EXPECT_EQ(said(mesh + "normal_vectors { 1, z } " + faces + "normal_indices { 1, 0 } }"), "");
+}
+
 /// What is not modelled is left out with all its values, and a warning.
 TEST_F(PovBuilders, PatternsThatAreNotModelledAreNoErrors) {
     for (const char* text : {"sphere { 0, 1 pigment { rgb 1 } normal { function { x } .5 } }", "sphere { 0, 1 normal { function { x } } }", "sphere { 0, 1 normal { slope { y } .5 } }", "sphere { 0, 1 normal { object { sphere { 0, 1 } }, .5 } }",

@@ -183,7 +183,7 @@ TEST_F(PovBuilders, MeshesHaveTextureCoordinatesAndTexturesThatAreMixed) {
     const Mesh indexed = mesh_in(corners + "uv_indices { 1, <0, 1, 1> } }");
     EXPECT_EQ(indexed.uvs.at(0).values, (std::vector<Vec2f>{{0.25f, 0.875f}, {1, 1}})) << "v grows downwards here";
     EXPECT_EQ(indexed.uvs.at(0).corners, (std::vector<uint32_t>{0, 1, 1}));
-    EXPECT_THAT(said(corners + "}"), HasSubstr("another number of texture coordinates than of vertices or triangles"));
+    EXPECT_THAT(said(corners + "}"), HasSubstr("error: there are 2 uv_vectors for 3 vertices: uv_indices are missing"));
     EXPECT_THAT(said(corners + "uv_indices { 1, <0, 1, 2> } }"), HasSubstr("error: there is no vector 2: the mesh has 2"));
     const std::string textures = "#declare A = texture { pigment { rgb x } } #declare B = texture { pigment { rgb y } }\n";
     const Mesh mixed = mesh_in(textures + "mesh { triangle { 0, x, y } triangle { 0, x, y uv_vectors <1, 0>, <0, 1>, <1, 1> texture_list { A B A } } triangle { 0, x, z texture { B } } }");

@@ -47,6 +47,12 @@ std::vector<PovPicture> flag_pictures() {
          "translate <0,.3,-.5> pigment { rgb <1,1,0> } } pigment { rgb z } translate <1.6,.5,-.5> rotate y*10 } merge { object { D scale .6 } object { M scale .7 translate x*.5 } pigment { rgb <1,1,.6> } translate <-1,1.8,0> } object { M clipped_by { sphere { "
          ".3, .7 } } pigment { rgb <0,1,1> } translate <1,1.5,0> } sphere { 0, .5 clipped_by { object { D scale .6 inverse } } pigment { rgb <1,0,1> } translate <-.7,-.4,-2> } intersection { object { M scale .5 inverse } sphere { 0, .45 } pigment { rgb <1,.5,0> } "
          "translate <.9,-.4,-2> }"},
+        {"LightsOfSetsInLightGroups", usual + "#declare B = sphere { 0, .6 pigment { rgb 1 } } #declare R = light_source { <9,5,-5> rgb <.8,.1,0> } #declare G = light_source { <0,9,-5> rgb <0,.5,.1> } "
+         "light_group { light_source { G } union { light_source { R } object { B } } object { B translate 1.3*x } } object { B translate -1.3*x } light_group { light_source { G translate x } object { union { light_source { R } "
+         "object { B } } } global_lights on translate 1.3*y } light_group { light_source { G } light_group { object { B } union { object { B translate 1.3*x } } } translate <-1,1.3,-2> }"},
+        {"MeshesThatAreSmoothAtFirst", usual + "#macro M(Some) mesh2 { vertex_vectors { 5, <-1,-1,0>, <1,-1,0>, <1,1,0>, <-1,1,0>, <0,0,-.4> } normal_vectors { 5, <-1,-1,-1>, <1,-1,-1>, <1,1,-1>, <-1,1,-1>, -z } "
+         "face_indices { 4, <0,1,4>, <1,2,4>, <2,3,4>, <3,0,4> } #if (Some) normal_indices { 2, <0,1,4>, <1,2,4> } #else normal_indices { 0, } #end pigment { rgb <1,.7,.4> } finish { phong .6 } } #end "
+         "object { M(yes) translate -1.1*x } object { M(no) translate 1.1*x }"},
         {"LightGroupsByName", usual + "#declare G = light_group { light_source { <-5,5,-5> rgb <.2,.4,1> } sphere { 0, .7 pigment { rgb 1 } } global_lights on } light_group { G translate x } object { G translate -x }"},
         {"DeclaredLightGroups", usual + "#declare G = light_group { light_source { <-5,5,-5> rgb <.5,0,0> } sphere { 0, .7 pigment { rgb 1 } } } light_group { G global_lights on translate <-1.5,0,0> } light_group { G } light_group { light_group { light_source { <5,5,-5> "
          "rgb <0,.5,0> } sphere { 0, .5 pigment { rgb 1 } } global_lights off } sphere { x, .4 pigment { rgb y } } global_lights on translate <1.5,0,0> } "

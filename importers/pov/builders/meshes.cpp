@@ -227,36 +227,52 @@ void take_faces(Build& build, const Block& block, const std::vector<uint32_t>& t
     announced.check(build, block, mesh.triangles.size());
 }
 
-/// The indices of an attribute, and whether there are as many as the mesh takes: else nothing is left of it but a warning.
-template <class T> void take_corners(Build& build, const Block* indices, const char* what, const char* instead, Mesh& mesh, Attribute<T>& out, Place place) {
-    if (indices) {
-        Cursor at(build, *indices);
-        const Announced announced(at);
-        while (!at.done()) {
-            const Index3 i = take_indices(build, at, out.values.size());
-            out.corners.insert(out.corners.end(), {i.x, i.y, i.z});
-        }
-        announced.check(build, *indices, out.corners.size() / 3);
+/// The indices of an attribute, three for each triangle. Returns the number of triangles that have them.
+template <class T> size_t take_corners(Build& build, const Block& indices, Attribute<T>& out) {
+    Cursor at(build, indices);
+    const Announced announced(at);
+    while (!at.done()) {
+        const Index3 i = take_indices(build, at, out.values.size());
+        out.corners.insert(out.corners.end(), {i.x, i.y, i.z});
     }
-    const size_t values = out.values.size(), corners = out.corners.size();
-    if (corners ? corners == 3 * mesh.triangles.size() : values == mesh.positions.size()) return;
-    build.p.warn(place, fmt::format("the mesh has another number of {} than of vertices or triangles: {}", what, instead));
-    out = {};
+    announced.check(build, indices, out.corners.size() / 3);
+    return out.corners.size() / 3;
+}
+
+/// Triangles from `first` on get their own normal, as those that POV-Ray has no indices for.
+void fill_normals_from(size_t first, Mesh& mesh) {
+    for (size_t t = first; t < mesh.triangles.size(); ++t) {
+        const std::array<Vec3, 3> places = corners_of(mesh, mesh.triangles[t]);
+        mesh.normals.corners.insert(mesh.normals.corners.end(), 3, uint32_t(mesh.normals.values.size()));
+        mesh.normals.values.emplace_back(normalized(cross(places[1] - places[0], places[2] - places[0])));
+    }
 }
 
 void take_normals(Build& build, const Mesh2Parts& parts, Mesh& mesh, Place place) {
     if (!parts.normals) return;
     for (const Vec3& n : take_vectors(build, *parts.normals)) mesh.normals.values.push_back(unit_normal(n));
-    if (!mesh.normals.values.empty()) take_corners(build, parts.normal_indices, "normals", "it is drawn flat", mesh, mesh.normals, place);
-    if (mesh.normals.present()) flatten(mesh);
+    if (mesh.normals.values.empty()) return;
+    if (parts.normal_indices) {   // those of the first triangles are enough: the others are flat
+        const size_t smooth = take_corners(build, *parts.normal_indices, mesh.normals), count = mesh.triangles.size();
+        if (smooth > count) build.p.fail(parts.normal_indices->place, fmt::format("there are {} normal_indices for {} triangles", smooth, count));
+        if (smooth == 0) return void(mesh.normals = {});
+        fill_normals_from(smooth, mesh);
+    } else if (mesh.normals.values.size() != mesh.positions.size()) {
+        build.p.warn(place, "the mesh has another number of normals than of vertices or triangles: it is drawn flat");
+        return void(mesh.normals = {});
+    }
+    flatten(mesh);
 }
 
-void take_uvs(Build& build, const Mesh2Parts& parts, Mesh& mesh, Place place) {
+void take_uvs(Build& build, const Mesh2Parts& parts, Mesh& mesh) {
     if (!parts.uvs) return;
     Attribute<Vec2f> uvs;
     for (const Vec3& uv : take_vectors(build, *parts.uvs, 2)) uvs.values.push_back(uv_of(uv));
-    if (!uvs.values.empty()) take_corners(build, parts.uv_indices, "texture coordinates", "they are left out", mesh, uvs, place);
-    if (uvs.present()) mesh.uvs.push_back(std::move(uvs));
+    if (uvs.values.empty()) return;
+    const size_t count = parts.uv_indices ? take_corners(build, *parts.uv_indices, uvs) : uvs.values.size(), wanted = parts.uv_indices ? mesh.triangles.size() : mesh.positions.size();
+    if (count != wanted)
+        build.p.fail((parts.uv_indices ? parts.uv_indices : parts.uvs)->place, parts.uv_indices ? fmt::format("there are {} uv_indices for {} triangles", count, wanted) : fmt::format("there are {} uv_vectors for {} vertices: uv_indices are missing", count, wanted));
+    mesh.uvs.push_back(std::move(uvs));
 }
 
 }  // namespace
@@ -324,7 +340,7 @@ BuiltShape build_mesh2(Build& build, Cursor& at) {
     }
     take_faces(build, *parts.faces, textures, mesh);
     take_normals(build, parts, mesh, place);
-    take_uvs(build, parts, mesh, place);
+    take_uvs(build, parts, mesh);
     mesh.inside_vector = parts.inside_vector;
     drop_exact_copies(mesh);
     return {std::move(mesh), slots.take()};

@@ -133,10 +133,11 @@ bool is_hint(const Cursor& at) {
     return item.word == "sturm"_w || item.word == "hierarchy"_w || item.word == "no_radiosity"_w;
 }
 
-/// The lights of `light_group` shine on what stands in it, but not in a group in it; others do not, unless `global_lights` says so.
+/// The lights of `light_group` shine on what stands in it, but not in a group in it that has lights; others do not, unless `global_lights` says so. Lights of sets
+/// in it are not its own: they shine on the whole scene (probed).
 void gather_lights(const Scene& scene, NodeId id, std::vector<LightId>& out) {
     const Node& node = scene.nodes[id.index];
-    if (!node.light_group.empty() || !node.global_lights) return;
+    if (!node.light_group.empty() || !node.global_lights || node.csg != CsgKind::none) return;
     if (const auto* light = std::get_if<LightId>(&node.what)) out.push_back(*light);
     for (const NodeId child : node.children) gather_lights(scene, child, out);
 }
@@ -192,6 +193,11 @@ void take_cutaway(Build& build, Draft& d, Place place) {
     d.node.cutaway_textures = true;
 }
 
+void refuse_object(const Build& build, const Cursor& at) {
+    const WordId word = at.block().word;
+    build.p.fail(at.place(), fmt::format("{} cannot stand here in {}", kWords[at.any_block()->word], kWords[word]), csg_of(word) != CsgKind::none ? "the parts of a set stand before what modifies it" : "a } is missing before it, or a union around both");
+}
+
 void take_modifiers(Build& build, Draft& d, Cursor& at) {
     while (!at.done()) {
         if (at.at_transform()) d.transform = at.transform() * d.transform;
@@ -202,6 +208,7 @@ void take_modifiers(Build& build, Draft& d, Cursor& at) {
         else if (at.accept("split_union"_w)) d.split = at.flag();
         else if (is_hint(at)) at.skip();
         else if (at.at_colour() && !d.is_group) at.skip_quick_colour();
+        else if (at.any_block() && is_object(at.any_block()->word)) refuse_object(build, at);
         else at.skip_unmodelled();
     }
 }

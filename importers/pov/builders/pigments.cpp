@@ -65,10 +65,17 @@ PatternSignal& modified(Signal& pigment, PatternSignal& loose) {
     return pattern ? *pattern : loose;
 }
 
+/// Patterns of blocks have lists of their own, and an average has pigments: POV-Ray takes no map of colours there.
+void check_map(Build& build, const Cursor& at, const PatternSignal& s) {
+    const WordId map = at.any_block()->word;
+    if (list_length(s) || (s.pattern == "average" && map != "pigment_map"_w)) build.p.fail(at.place(), fmt::format("{} cannot stand behind the pattern {}", kWords[map], s.pattern));
+}
+
 /// False where what stands there is none of a pattern's, and nothing is read.
 bool take_patterned(Build& build, Cursor& at, Signal& pigment, PatternSignal& loose) {
     const bool known = std::holds_alternative<PatternSignal>(pigment.what);
     PatternSignal& s = modified(pigment, loose);
+    if (at.at_block("color_map"_w) || at.at_block("colour_map"_w) || at.at_block("pigment_map"_w)) check_map(build, at, s);
     if (!take_pattern(build, at, s)) return take_maps(build, at, s) || take_pattern_modifier(build, at, s);
     read_list(build, at, s);
     if (!known) pigment.what = std::exchange(loose, {});
@@ -132,9 +139,10 @@ void read_pigment(Build& build, Cursor& at, Signal& pigment, PatternSignal& loos
 }  // namespace
 
 void tally_pattern(Build& build, const Item& item, const char* what) {
+    constexpr std::string_view kPatterns[] = {"a function", "object", "slope", "aoi", "pavement", "tiling", "density_file"};
     const bool block = item.value_kind() == Kind::block;
     const std::string_view word = block || item.kind == Item::Kind::word ? kWords[block ? item.block().word : item.word] : "a function";
-    if (word.size() > 4 && word.substr(word.size() - 4) == "_map") build.p.fail(item.place, fmt::format("{} cannot stand in this {}", word, what));   // maps are no patterns
+    if (std::find(std::begin(kPatterns), std::end(kPatterns), word) == std::end(kPatterns)) build.p.fail(item.place, fmt::format("{} cannot stand in this {}", word, what));
     build.p.tally(item.place, fmt::format("the pattern {} of a {} is not modelled yet: middle grey stands for it", word, what));
 }
 

@@ -51,7 +51,7 @@ void build_top_level(Build& build, const Block& block, std::optional<Camera>& ca
         default: break;
     }
     if (is_object(block.word)) return add_root(build, block);
-    if (belongs_to_objects(block.word)) build.p.fail(block.place, fmt::format("an object or a directive is expected, not {}", kWords[block.word]));
+    if (block.word != "media"_w) build.p.fail(block.place, fmt::format("an object or a directive is expected, not {}", kWords[block.word]));
     build.p.tally(block.place, fmt::format("{} is not modelled yet: it is left out", kWords[block.word]));
 }
 
