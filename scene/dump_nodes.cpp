@@ -38,7 +38,7 @@ void dump_nodes(std::string& out, const Scene& scene) {
         line.field("csg", node.csg).field("inverse", node.inverse).field("whole", node.whole).field("cutaway_textures", node.cutaway_textures).field("usual_material", node.usual_material);
         line.field("children", node.children).field("clips", node.clips).field("bounds", node.bounds);
         dump_flags(line, node.flags);
-        line.field("light_group", node.light_group).field("global_lights", node.global_lights, true);
+        line.field("light_group", node.light_group).field("global_lights", node.global_lights, true).field("open_light_group", node.open_light_group);
         line.field("skin", node.skin).field("morph_weights", node.morph_weights).field("from", node.from);
     }
 }

@@ -43,7 +43,8 @@ struct Node {
     std::vector<NodeId> children, clips, bounds;   ///< clips: POV clipped_by; bounds: POV bounded_by
     NodeFlags flags;
     std::vector<LightId> light_group;         ///< POV light_group: these lights shine on this node's subtree alone
-    bool global_lights = true;
+    bool global_lights = true;                ///< POV global_lights: lights that are in no group shine on it, too
+    bool open_light_group = false;            ///< POV: what stands in this group directly is lit by the next group around, too
     std::optional<SkinId> skin;
     std::vector<double> morph_weights;        ///< empty: the mesh's own
     SourcePos from;

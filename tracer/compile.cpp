@@ -168,6 +168,7 @@ class Placer : private CsgParts {
     void place_light(const Visit& visit, LightId id) {
         out_.lights.emplace_back(out_.scene.lights[id.index], visit.to_world);
         out_.lights.back().id = id;
+        groups_.add_light(visit.path, id);
         if (const auto& object = out_.lights.back().light.projected_through) project(visit, *object);
     }
 

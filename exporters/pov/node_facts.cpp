@@ -87,7 +87,7 @@ void NodeFacts::study(uint32_t index) {
     f.lays_open = node.cutaway_textures || std::any_of(node.children.begin(), node.children.end(), [&](NodeId id) { return facts_[id.index].lays_open; });
     for_each_link(scene_, node, [&](NodeId id) { f.height = std::max(f.height, facts_[id.index].height); });
     ++f.height;
-    f.declared = !f.empty && (f.parents > 1 || f.height >= kDeepest);
+    f.declared = !f.empty && (f.parents > 1 || f.height >= kDeepest || node.open_light_group);
     if (f.empty) f.bare = false;
     if (f.declared || f.empty) f.height = 0;
 }

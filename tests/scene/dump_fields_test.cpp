@@ -65,7 +65,7 @@ const Change kNodeChanges[] = {
     [](Scene& s) { s.nodes[3].flags.hollow = true; },
     [](Scene& s) { s.nodes[3].flags.double_illuminate = true; },
     [](Scene& s) { s.nodes[3].light_group = {LightId{0}}; },
-    [](Scene& s) { s.nodes[3].global_lights = false; },
+    [](Scene& s) { s.nodes[3].global_lights = false; }, [](Scene& s) { s.nodes[3].open_light_group = true; },
     [](Scene& s) { s.nodes[3].skin = SkinId{0}; },
     [](Scene& s) { s.nodes[3].morph_weights = {0}; },
     [](Scene& s) { s.nodes[1].from.file = kNoFile; },

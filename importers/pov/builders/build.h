@@ -60,6 +60,7 @@ struct Build {
     int copying = 0;                                    ///< references that are being built anew because their texture changes
     int uv_mapped = 0;                                  ///< objects around what is built that say uv_mapping: it holds for all textures in them
     int lit_globally = 0;                               ///< light groups around what is built that take global lights
+    int by_name = 0;                                    ///< names that what is built was reached by: POV-Ray copies what is declared
     size_t copies_of_copies = 0;                        ///< those among them that stood in another: each level can double them
 
     SourcePos position(Place at) const;

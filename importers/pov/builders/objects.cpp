@@ -258,6 +258,7 @@ struct Within {
 /// `object { NAME ... }`: the thing itself where its texture or interior is changed, a child that it shares with other references where not.
 bool object(Build& build, Cursor& at, Draft& d) {
     const Block* inner = at.any_block();
+    const Within named(build.by_name, inner && at.at_declared());
     if (!inner || !is_object(inner->word)) build.p.fail(at.place(), fmt::format("an object is expected in {} {{ }}", kWords[at.block().word]));
     at.next();
     const std::span<const Item> items = at.block().items();
@@ -273,6 +274,7 @@ bool object(Build& build, Cursor& at, Draft& d) {
 void take_children(Build& build, Draft& d, Cursor& at) {
     while (const Block* child = at.any_block()) {
         if (!is_object(child->word)) return;
+        const Within named(build.by_name, at.at_declared());
         at.next();
         if (const auto built = build_object(build, *child)) d.node.children.push_back(built->node);
         else if (d.node.csg == CsgKind::difference && d.node.children.empty()) d.node.children.push_back(build.add_node({}));   // what is left out has no parts
@@ -333,7 +335,7 @@ bool draft(Build& build, const Block& block, Draft& d) {
         d.node.csg = CsgKind::union_;
         d.node.children = build_text(build, at).letters;
     } else if (block.word == "light_group"_w) {
-        d.is_group = true, d.is_lit = d.node.global_lights = build.lit_globally > 0;
+        d.is_group = true, d.node.open_light_group = build.by_name > 0, d.is_lit = d.node.global_lights = build.lit_globally > 0;
         const Within lit(build.lit_globally, takes_global_lights(block));
         take_children(build, d, at);
         for (const NodeId child : d.node.children) gather_lights(build.scene, child, d.node.light_group);
