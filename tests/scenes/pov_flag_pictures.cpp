@@ -57,6 +57,9 @@ std::vector<PovPicture> flag_pictures() {
         {"MeshesThatAreSmoothAtFirst", usual + "#macro M(Some) mesh2 { vertex_vectors { 5, <-1,-1,0>, <1,-1,0>, <1,1,0>, <-1,1,0>, <0,0,-.4> } normal_vectors { 5, <-1,-1,-1>, <1,-1,-1>, <1,1,-1>, <-1,1,-1>, -z } "
          "face_indices { 4, <0,1,4>, <1,2,4>, <2,3,4>, <3,0,4> } #if (Some) normal_indices { 2, <0,1,4>, <1,2,4> } #else normal_indices { 0, } #end pigment { rgb <1,.7,.4> } finish { phong .6 } } #end "
          "object { M(yes) translate -1.1*x } object { M(no) translate 1.1*x }"},
+        {"ShadowsOfFadingBodies", usual + "#declare I = interior { fade_distance .5 fade_power 1 fade_color <0,.5,1> } #declare T = texture { pigment { rgbt 1 } } #macro F(h) triangle { <-.5,h,-.5>, <.5,h,-.5>, <.5,h,.5> } triangle { <-.5,h,-.5>, <.5,h,.5>, <-.5,h,.5> } #end "
+         "union { box { <-.5,-.5,-.5>, <.5,.3,.5> } box { <-.4,0,-.4>, <.4,.8,.4> } texture { T } interior { I } translate -1.4*x } mesh { F(-.5) F(0) F(.6) texture { T } interior { I } } mesh { F(-.5) F(.7) texture { T } interior { I } translate 1.4*x } "
+         "union { disc { 0, y, .5 } disc { y, y, .5 } texture { T } interior { I } translate <2.8,-.5,0> } mesh { F(0) F(.4) texture { T } interior { I } translate <1.4,-.7,-1.3> } light_source { 30*y 1 }"},
         {"LightGroupsByName", usual + "#declare G = light_group { light_source { <-5,5,-5> rgb <.2,.4,1> } sphere { 0, .7 pigment { rgb 1 } } global_lights on } light_group { G translate x } object { G translate -x }"},
         {"DeclaredLightGroups", usual + "#declare G = light_group { light_source { <-5,5,-5> rgb <.5,0,0> } sphere { 0, .7 pigment { rgb 1 } } } light_group { G global_lights on translate <-1.5,0,0> } light_group { G } light_group { light_group { light_source { <5,5,-5> "
          "rgb <0,.5,0> } sphere { 0, .5 pigment { rgb 1 } } global_lights off } sphere { x, .4 pigment { rgb y } } global_lights on translate <1.5,0,0> } "

@@ -29,8 +29,12 @@ Color filtered_light(Tracing& tracing, Ray ray, const InteriorStack& start, Occl
         const uint32_t interior = slot_at(tracing.scene, p).interior;
         if (interior == kNoId) continue;
         const uint32_t carrier = tracing.scene.instances[p.instance].carrier;
-        if (p.front) inside.enter({carrier, interior});
-        else if (inside.leave(carrier) && tracing.scene.interiors[interior].fade_power > 0) through *= pov_fade(tracing.scene.interiors[interior], hit.t - before);
+        const Interior& body = tracing.scene.interiors[interior];
+        // As POV-Ray has it, where a shadow ray meets a body that it is in it leaves it, whichever way the surface looks; else it enters it.
+        const bool by_turns = !std::isfinite(body.attenuation_distance);
+        if ((by_turns || !p.front) && inside.leave(carrier)) {
+            if (body.fade_power > 0) through *= pov_fade(body, hit.t - before);
+        } else if (by_turns || p.front) inside.enter({carrier, interior});
     }
     return std::isfinite(ray.tmax) ? through * transmittance(tracing.scene, inside, ray.tmax - t) : through;
 }
