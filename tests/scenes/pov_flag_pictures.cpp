@@ -49,7 +49,7 @@ std::vector<PovPicture> flag_pictures() {
          "translate <.9,-.4,-2> }"},
         {"LightsOfSetsInLightGroups", usual + "#declare B = sphere { 0, .6 pigment { rgb 1 } } #declare R = light_source { <9,5,-5> rgb <.8,.1,0> } #declare G = light_source { <0,9,-5> rgb <0,.5,.1> } "
          "light_group { light_source { G } union { light_source { R } object { B } } object { B translate 1.3*x } } object { B translate -1.3*x } light_group { light_source { G translate x } object { union { light_source { R } "
-         "object { B } } } global_lights on translate 1.3*y } light_group { light_source { G } light_group { object { B } union { object { B translate 1.3*x } } } translate <-1,1.3,-2> }"},
+         "object { B } } } global_lights on translate 1.3*y } light_group { light_source { G } light_group { object { B } union { object { B translate 1.3*x } } } translate <-1,1.3,-2> } light_group { object { R } union { object { R } object { B scale .5 translate <1.3,-.6,-2> } } }"},
         {"LightGroupsByNameInLightGroups", usual + "#declare B = sphere { 0, .6 pigment { rgb 1 } } #declare R = light_source { <9,5,-5> rgb <.8,.1,0> } #declare G = light_source { <0,9,-5> rgb <0,.5,.1> } #declare L = light_source { -9*z rgb <0,.1,.6> } "
          "#declare Q = light_group { light_source { G } object { B } difference { object { B translate 1.3*x } sphere { <1.3,0,-.6>, .4 } } } light_group { light_source { L } object { Q } object { B translate -1.3*x } } "
          "#declare V = light_group { light_source { R } light_group { Q } object { B translate 2.6*x } } light_group { light_source { L } union { object { V translate -1.3*y } } object { B translate <-1.3,-1.3,0> } } "

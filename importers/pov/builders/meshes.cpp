@@ -42,12 +42,13 @@ void take_triangle(Mesh& mesh, Cursor& at, bool smooth) {
     }
 }
 
-/// A flat triangle of a mesh that has normals gets its own three times.
-void fill_normals(Mesh& mesh) {
-    const Index3& t = mesh.triangles.back();
-    const Vec3 a = mesh.exact_positions[t.x], n = cross(mesh.exact_positions[t.y] - a, mesh.exact_positions[t.z] - a);
-    mesh.normals.values.resize(mesh.positions.size(), Vec3f(normalized(n)));
+Vec3f flat_normal(const Mesh& mesh, const Index3& t) {
+    const Vec3 a = mesh.exact_positions[t.x];
+    return Vec3f(normalized(cross(mesh.exact_positions[t.y] - a, mesh.exact_positions[t.z] - a)));
 }
+
+/// A flat triangle of a mesh that has normals gets its own three times.
+void fill_normals(Mesh& mesh) { mesh.normals.values.resize(mesh.positions.size(), flat_normal(mesh, mesh.triangles.back())); }
 
 std::array<Vec3, 3> corners_of(const Mesh& mesh, const Index3& t) { return {mesh.exact_positions[t.x], mesh.exact_positions[t.y], mesh.exact_positions[t.z]}; }
 
@@ -242,9 +243,8 @@ template <class T> size_t take_corners(Build& build, const Block& indices, Attri
 /// Triangles from `first` on get their own normal, as those that POV-Ray has no indices for.
 void fill_normals_from(size_t first, Mesh& mesh) {
     for (size_t t = first; t < mesh.triangles.size(); ++t) {
-        const std::array<Vec3, 3> places = corners_of(mesh, mesh.triangles[t]);
         mesh.normals.corners.insert(mesh.normals.corners.end(), 3, uint32_t(mesh.normals.values.size()));
-        mesh.normals.values.emplace_back(normalized(cross(places[1] - places[0], places[2] - places[0])));
+        mesh.normals.values.push_back(flat_normal(mesh, mesh.triangles[t]));
     }
 }
 

@@ -49,11 +49,13 @@ void read_list(Build& build, Cursor& at, PatternSignal& s) {
     while (missing && s.map.size() < length) s.map.push_back({double(s.map.size()), *missing});
 }
 
+/// Patterns of blocks have lists of their own instead, and an average has pigments.
 bool take_maps(Build& build, Cursor& at, PatternSignal& s) {
     const bool colours = at.at_block("color_map"_w) || at.at_block("colour_map"_w);
     if (!colours && !at.at_block("pigment_map"_w)) return false;
-    s.map.clear();
     const Block& block = *at.any_block();
+    if (list_length(s) || (colours && s.pattern == "average")) build.p.fail(at.place(), fmt::format("{} cannot stand behind the pattern {}", kWords[block.word], s.pattern));
+    s.map.clear();
     at.next();
     for_each_entry(build, block, [&](const Block& entry) { (colours ? read_colour_entry : read_pigment_entry)(build, entry, s.map); });
     return true;
@@ -65,17 +67,10 @@ PatternSignal& modified(Signal& pigment, PatternSignal& loose) {
     return pattern ? *pattern : loose;
 }
 
-/// Patterns of blocks have lists of their own, and an average has pigments: POV-Ray takes no map of colours there.
-void check_map(Build& build, const Cursor& at, const PatternSignal& s) {
-    const WordId map = at.any_block()->word;
-    if (list_length(s) || (s.pattern == "average" && map != "pigment_map"_w)) build.p.fail(at.place(), fmt::format("{} cannot stand behind the pattern {}", kWords[map], s.pattern));
-}
-
 /// False where what stands there is none of a pattern's, and nothing is read.
 bool take_patterned(Build& build, Cursor& at, Signal& pigment, PatternSignal& loose) {
     const bool known = std::holds_alternative<PatternSignal>(pigment.what);
     PatternSignal& s = modified(pigment, loose);
-    if (at.at_block("color_map"_w) || at.at_block("colour_map"_w) || at.at_block("pigment_map"_w)) check_map(build, at, s);
     if (!take_pattern(build, at, s)) return take_maps(build, at, s) || take_pattern_modifier(build, at, s);
     read_list(build, at, s);
     if (!known) pigment.what = std::exchange(loose, {});
