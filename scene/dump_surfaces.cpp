@@ -29,7 +29,7 @@ class SignalDump {
     void operator()(const PatternSignal& s) const { pattern(head_, s); }
     void operator()(const ReliefSignal& s) const {
         const ReliefSignal usual;
-        Line(out_, head_).word("relief").field("amount", s.amount, usual.amount).field("accuracy", s.accuracy, usual.accuracy).field("scaled", s.scaled, usual.scaled);
+        Line(out_, head_).word("relief").field("amount", s.amount, usual.amount).field("accuracy", s.accuracy, usual.accuracy).field("scaled", s.scaled, usual.scaled).field("turned", s.turned);
         pattern(" ", s.pattern);
         for (const SlopeEntry& entry : s.slopes) Line(out_, "  slope").always("value", entry.value).always("height", entry.height).always("slope", entry.slope);
     }

@@ -150,6 +150,7 @@ struct ReliefSignal {
     double amount = 0.5;              ///< how deep it is (`bump_size`)
     double accuracy = 0.02;           ///< how far apart the pattern is looked up for its slope
     bool scaled = true;               ///< the depth is the same however the pattern is scaled; false: no_bump_scale
+    std::optional<Mat3> turned;       ///< of a pattern that is uv_mapped: the linear map that the texture went through with its object, which the bumps' directions followed; absent: they are those of the world
     std::vector<SlopeEntry> slopes;   ///< in the order of the file; empty: the pattern's value is the height. Patterns with a relief of their own have no use for them
 };
 

@@ -25,7 +25,7 @@ bool finite(const PatternSignal& pattern) {
 }
 
 bool finite(const ReliefSignal& relief) {
-    return finite(relief.pattern) && std::isfinite(relief.amount) && std::isfinite(relief.accuracy) &&
+    return finite(relief.pattern) && std::isfinite(relief.amount) && std::isfinite(relief.accuracy) && Transform{relief.turned.value_or(Mat3(1.0)), Vec3(0)}.is_finite() &&
            std::all_of(relief.slopes.begin(), relief.slopes.end(), [](const SlopeEntry& e) { return is_finite(Vec3(e.value, e.height, e.slope)); });
 }
 

@@ -186,7 +186,8 @@ Vec3 Textures::bent_there(SignalId id, const Vec3& place, const Vec3& n) const {
 }
 
 Vec3 Textures::bent(SignalId relief, const PatternFrame& outer, const Vec3& n) const {
-    const PatternFrame frame = std::get<ReliefSignal>(signals_[relief.index].what).pattern.uv_mapped ? outer.on_surface() : outer;
+    const auto& signal = std::get<ReliefSignal>(signals_[relief.index].what);
+    const PatternFrame frame = !signal.pattern.uv_mapped ? outer : signal.turned ? outer.turned_on_surface(*signal.turned) : outer.on_surface();
     const Vec3 there = frame.normal_in * n;
     const Vec3 bent = bent_there(relief, frame.at, reliefs_[resource_of_[relief.index]].scaled() ? normalized(there) : there);
     const Vec3 unit = normalized(frame.normal_out * bent);

@@ -23,6 +23,10 @@ struct PatternFrame {
 
     /// The normals of what follows the surface are those of the world.
     PatternFrame on_surface() const { return {surface ? surface->uv_place() : Vec3(0), Mat3(1.0), Mat3(1.0), surface}; }
+    /// But for bumps that follow what `by` did to their object.
+    PatternFrame turned_on_surface(const Mat3& by) const {
+        return {on_surface().at, glm::transpose(by) * normal_in, normal_out * glm::transpose(glm::inverse(by)), surface};
+    }
 };
 
 /// The frame of a point's own material.

@@ -81,8 +81,19 @@ void write_finish(Sdl& sdl, const PovFinish& f) {
     sdl.end();
 }
 
+namespace {
+
+/// How bumps on texture coordinates were turned with their object.
+std::optional<Mat3> turned(const Scene& scene, const PovFinish& f) {
+    const auto* relief = f.normal ? std::get_if<ReliefSignal>(&scene.signals[f.normal->index].what) : nullptr;
+    return relief ? relief->turned : std::nullopt;
+}
+
+}  // namespace
+
 void TextureWriter::layer(const PovFinish& f) {
     sdl_.begin("texture");
+    if (turned(scene_, f)) sdl_.line("uv_mapping");
     patterns_.pigment_block(f.pigment);
     if (f.normal) patterns_.normal_block(*f.normal);
     write_finish(sdl_, f);
@@ -161,6 +172,16 @@ void TextureWriter::tinted(MaterialId material, const Vec4& tint) {
 }
 
 void TextureWriter::use(std::optional<MaterialId> material) { sdl_.line("texture {", material ? texture_name(*material) : "Texture_default", "}"); }
+
+void TextureWriter::put_on(std::optional<MaterialId> material) {
+    const Material* m = material ? &scene_.materials[material->index] : nullptr;
+    const auto* finish = m && !m->layers.empty() ? std::get_if<PovFinish>(&m->layers.front()) : nullptr;
+    const Mat3 turn = finish ? turned(scene_, *finish).value_or(Mat3(1.0)) : Mat3(1.0);
+    if (turn == Mat3(1.0)) return use(material);
+    sdl_.line(Transform{glm::inverse(turn), Vec3(0)});
+    use(material);
+    sdl_.line(Transform{turn, Vec3(0)});
+}
 
 void TextureWriter::medium(const Interior::Medium& m) {
     sdl_.begin("media");

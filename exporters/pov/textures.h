@@ -22,6 +22,8 @@ class TextureWriter {
     void tinted(MaterialId material, const Vec4& tint);
     /// `texture { }`; of nothing: the default.
     void use(std::optional<MaterialId> material);
+    /// The same on an object, which it goes there and back with if the texture's bumps were turned with an object: that is how POV-Ray turns them.
+    void put_on(std::optional<MaterialId> material);
     /// What a solid of this material is filled with: `inside`, and the refraction that the material itself asks for. Nothing where that is nothing.
     void interior(std::optional<MaterialId> material, std::optional<InteriorId> inside);
     /// `media { }`.

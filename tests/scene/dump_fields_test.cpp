@@ -188,7 +188,7 @@ const Change kSurfaceChanges[] = {
     [](Scene& s) { relief(s).pattern.phase = 0.5; },
     [](Scene& s) { relief(s).amount = 1; },
     [](Scene& s) { relief(s).accuracy = 1; },
-    [](Scene& s) { relief(s).scaled = false; },
+    [](Scene& s) { relief(s).scaled = false; }, [](Scene& s) { relief(s).turned = Mat3(1.0); }, [](Scene& s) { relief(s).turned = Mat3(2.0); },
     [](Scene& s) { relief(s).slopes = {{0, 0, 0}}; },
     [](Scene& s) { relief(s).slopes = {{1, 0, 0}}; },
     [](Scene& s) { relief(s).slopes = {{0, 1, 0}}; },

@@ -84,7 +84,7 @@ class Slots {
         const auto [at, added] = known_.try_emplace(&texture, uint32_t(materials_.size()));
         if (added) {
             TextureLayers layers = build_texture(build_, texture);
-            if (build_.uv_mapped > 0) set_uv_mapped(build_, layers);
+            if (build_.uv_mapped > 0) set_uv_mapped(build_, layers, Bumps::stay);
             materials_.emplace_back(add_material(build_, std::move(layers), texture.place));
         }
         return at->second;

@@ -77,7 +77,7 @@ bool take_layer(Build& build, Draft& d, Cursor& at) {
     begin_texture(d, block->place);
     if (d.layers.empty()) d.layers.push_back(default_texture(build, block->defaults));
     const bool taken = take_layer_part(build, at, d.layers, d.transform);
-    if (d.uv_mapped) set_uv_mapped(build, d.layers);
+    if (d.uv_mapped) set_uv_mapped(build, d.layers, Bumps::stay);
     return taken;
 }
 
@@ -85,7 +85,7 @@ bool take_layer(Build& build, Draft& d, Cursor& at) {
 void add_textures(Build& build, Draft& d, TextureLayers& layers, TextureLayers more, const Block& block) {
     if (more.empty()) return;
     begin_texture(d, block.place);
-    if (d.uv_mapped) set_uv_mapped(build, more);
+    if (d.uv_mapped) set_uv_mapped(build, more, Bumps::stay);
     move_layers(build, more, inverse(d.transform).value_or(Transform()));   // what stood between the layers moves those before it alone
     add_layers(build, layers, std::move(more), block.version);
 }

@@ -217,8 +217,13 @@ void show_quick_colors(Build& build) {
 }
 
 SignalId moved_in_space(Build& build, SignalId id, const Transform& transform) {
-    const PatternSignal* pattern = pattern_of(build.scene.signals[id.index]);
-    return pattern && pattern->uv_mapped ? id : moved(build, id, transform);
+    Signal signal = build.scene.signals[id.index];
+    const PatternSignal* pattern = pattern_of(signal);
+    if (!pattern || !pattern->uv_mapped) return moved(build, id, transform);
+    auto* relief = std::get_if<ReliefSignal>(&signal.what);
+    if (!relief || !relief->turned) return id;
+    relief->turned = transform.linear * *relief->turned;
+    return build.add_signal(std::move(signal));
 }
 
 }  // namespace alidade::pov

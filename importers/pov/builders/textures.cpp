@@ -159,7 +159,7 @@ void read_texture(Build& build, Cursor& at, Draft& d) {
         else at.skip_unmodelled();
     }
     if (!d.textures.empty()) d.layers = {PovTextureMap{build.add_signal(std::move(d.pattern), at.place()), std::move(d.textures)}};
-    if (d.uv_mapped) set_uv_mapped(build, d.layers);
+    if (d.uv_mapped) set_uv_mapped(build, d.layers, Bumps::turn);
 }
 
 /// What `#default { ... }` makes of the default texture.
@@ -199,12 +199,16 @@ void move_layers(Build& build, TextureLayers& layers, const Transform& t) {
     if (!t.is_identity()) replace_signals(layers, [&](SignalId id) { return moved_in_space(build, id, t); });
 }
 
-void set_uv_mapped(Build& build, TextureLayers& layers) {
+void set_uv_mapped(Build& build, TextureLayers& layers, Bumps bumps) {
     replace_signals(layers, [&](SignalId id) {
         Signal signal = build.scene.signals[id.index];
         PatternSignal* pattern = pattern_in(signal);
-        if (!pattern || pattern->uv_mapped) return id;
+        if (!pattern) return id;
+        auto* relief = std::get_if<ReliefSignal>(&signal.what);
+        const bool turn = bumps == Bumps::turn;
+        if (pattern->uv_mapped && (!relief || relief->turned.has_value() == turn)) return id;
         pattern->uv_mapped = true;
+        if (relief) relief->turned = turn ? std::optional(Mat3(1.0)) : std::nullopt;
         return build.add_signal(std::move(signal));
     });
 }
