@@ -27,7 +27,7 @@ std::string scene_path(const PovrayRequest& r) {
     std::vector<fs::path> folders{""};
     for (const std::string& path : r.library_paths) folders.emplace_back(path);
     for (const fs::path& folder : folders)
-        for (const char* ending : {"", ".pov"})
+        for (const char* ending : {"", ".pov", ".POV"})
             if (const std::string path = (folder / (r.input + ending)).string(); fs::is_regular_file(path)) return path;
     return fs::path(r.input).has_extension() ? r.input : r.input + ".pov";
 }
@@ -48,9 +48,9 @@ Request request_of(const PovrayRequest& r, int frame) {
     f.clock = clock_of(r, frame);
     f.clock_on = r.animated() || r.clock_given;
     if (!r.animated()) return request;
-    f.initial_clock = r.initial_clock, f.final_clock = r.final_clock;
+    f.initial_clock = pov::six_digits(r.initial_clock), f.final_clock = pov::six_digits(r.final_clock);
     f.initial_frame = r.initial_frame, f.final_frame = r.final_frame + (r.cyclic ? 1 : 0), f.frame_number = frame;   // what would be the first again counts
-    f.clock_delta = clock_of(r, r.initial_frame + 1) - clock_of(r, r.initial_frame);
+    if (const double steps = clock_steps(r); steps > 0) f.clock_delta = pov::six_digits((r.final_clock - r.initial_clock) / steps);
     return request;
 }
 

@@ -10,10 +10,13 @@
 
 namespace alidade {
 
+double clock_steps(const PovrayRequest& r) { return double(r.final_frame) - r.initial_frame + (r.cyclic ? 1 : 0); }
+
 double clock_of(const PovrayRequest& r, int frame) {
-    if (!r.animated()) return r.clock;
-    const double steps = double(r.final_frame) - r.initial_frame + (r.cyclic ? 1 : 0);
-    return steps > 0 ? r.initial_clock + (r.final_clock - r.initial_clock) * (double(frame) - r.initial_frame) / steps : r.initial_clock;
+    if (!r.animated()) return double(float(r.clock));
+    const float first = float(r.initial_clock), range = float(r.final_clock) - first;
+    const double steps = clock_steps(r);
+    return double(steps > 0 ? float(double(first) + double(range) * (double(frame) - r.initial_frame) / steps) : first);
 }
 
 std::pair<int, int> subset_of(const PovrayRequest& r) {
@@ -27,7 +30,7 @@ std::string output_name(const PovrayRequest& r, int frame) {
     namespace fs = std::filesystem;
     fs::path path = r.output.empty() ? fs::path(r.input).replace_extension() : fs::path(r.output);
     const char* ending = r.file_type == 'P' ? ".ppm" : r.file_type == 'E' ? ".exr" : r.file_type == 'T' ? ".tga" : r.file_type == 'J' ? ".jpg" : r.file_type == 'B' ? ".bmp" : r.file_type == 'H' ? ".hdr" : ".png";
-    if (!r.output.empty() && fs::is_directory(path)) path /= fs::path(r.input).filename().replace_extension();
+    if (!r.output.empty() && (path.filename().empty() || r.output == "." || r.output == "..") && fs::is_directory(path)) path /= fs::path(r.input).filename().replace_extension();
     if (lower(path.extension().string()) == ending) path.replace_extension();
     std::string name = path.string();
     if (r.animated()) name += fmt::format("{:0{}}", frame, std::to_string(r.final_frame).size());

@@ -51,7 +51,9 @@ struct PovrayRequest {
 /// these that there is. An unknown word or value, or a file that cannot be read, is one sentence.
 tl::expected<PovrayRequest, std::string> parse_povray_words(const std::vector<std::string>& words);
 
-/// The clock of a frame, which goes evenly from the initial to the final one; a cyclic animation does not repeat its first frame.
+/// How often an animation's clock moves on; a cyclic one does not repeat its first frame.
+double clock_steps(const PovrayRequest& request);
+/// The clock of a frame, which goes evenly from the initial to the final one. In single precision, as POV-Ray's (by experiment).
 double clock_of(const PovrayRequest& request, int frame);
 /// The first and the last frame of the subset. Measured: a share is one of the number of frames, cut, whatever the first one's number is; nothing comes before the initial frame, but what the end says may lie
 /// behind the final one; the first one is always rendered.

@@ -9,6 +9,10 @@ namespace alidade::pov {
 
 namespace {
 
+/// What subscripts and sizes are increased by before they are cut, as in POV-Ray (by experiment): A[.29*100] is A[29].
+constexpr double kSubscriptSlack = 1e-10;
+
+
 /// `{ a, b, { c, d } }`: the elements of dimension `level` and those below, from element `first`.
 void parse_initialisers(Parser& p, Array& array, size_t level, size_t first, size_t stride) {
     p.expect('{', "before the elements of an array");
@@ -37,8 +41,8 @@ Value parse_array(Parser& p, Place at) {
     while (p.peek_behind_value().is('[')) {
         p.next();
         const Place here = p.peek().place();
-        const double size = parse_float(p);
-        if (!(size >= 1)) p.fail(here, fmt::format("an array has at least one element, not {}", size));
+        const double size = parse_float(p) + kSubscriptSlack;
+        if (!(size >= 1)) p.fail(here, fmt::format("an array has at least one element, not {}", size - kSubscriptSlack));
         if (size > double(p.options.limits.array_elements)) p.check_array_elements(uint64_t(std::min(size, 1e18)), here);
         p.expect(']', "behind the size of an array");
         sizes.push_back(uint32_t(size));
@@ -75,9 +79,10 @@ Ref<Slot> parse_subscripts(Parser& p, Array& array, bool make) {
         p.expect('[', "before the subscript of an array");
         const Place at = p.peek().place();
         const double given = parse_float(p);
-        if (!(given > -1)) p.fail(at, fmt::format("the subscript {} is negative", given));
-        if (given >= size) p.fail(at, fmt::format("the subscript {} is out of range: the array has {} elements, 0 to {}", given, size, size - 1));
-        index = index * size + size_t(std::max(given, 0.0));
+        const double cut = given + kSubscriptSlack;
+        if (!(cut >= 0)) p.fail(at, fmt::format("the subscript {} is negative", given));
+        if (cut >= size) p.fail(at, fmt::format("the subscript {} is out of range: the array has {} elements, 0 to {}", given, size, size - 1));
+        index = index * size + size_t(cut);
         p.expect(']', "behind the subscript of an array");
     }
     if (make && !array.slots[index]) array.slots[index] = Ref<Slot>(new Slot);

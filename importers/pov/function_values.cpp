@@ -2,6 +2,7 @@
 #include "importers/pov/function_values.h"
 
 #include "importers/pov/builders/transforms.h"
+#include "importers/pov/builtins/builtins.h"
 #include "importers/pov/functions.h"
 #include "importers/pov/integers.h"
 #include "importers/pov/operators.h"
@@ -9,7 +10,6 @@
 
 #include <cmath>
 #include <fmt/format.h>
-#include <numbers>
 
 namespace alidade::pov {
 
@@ -157,10 +157,9 @@ class Evaluation {
         const auto parameter = std::find(f_.parameters.begin(), f_.parameters.end(), token().id);
         if (parameter != f_.parameters.end()) return ++at_, arguments_[size_t(parameter - f_.parameters.begin())];
         if (token().kind == TokenKind::name) return identifier();
-        if (token().is_word("pi"_w)) return ++at_, std::numbers::pi;
-        if (token().is_word("true"_w) || token().is_word("on"_w) || token().is_word("yes"_w)) return ++at_, 1;
-        if (token().is_word("false"_w) || token().is_word("off"_w) || token().is_word("no"_w)) return ++at_, 0;
-        if (token().is_word("clock"_w)) return ++at_, p_.options.frame.clock;
+        for (const BuiltinEntry& constant : constants())
+            if (token().is_word(constant.word))
+                if (const Value value = constant.evaluate(p_, token().place()); value.kind == Kind::number) return ++at_, value.c[0];
         if (token().is_word("sum"_w) || token().is_word("prod"_w)) return series(token().is_word("sum"_w));
         return built_in();
     }

@@ -190,7 +190,10 @@ void Parser::open_scene(const std::string& path, std::string text) {
 }
 
 std::string Parser::path_of_include(const std::string& name, Place at) {
-    const std::optional<SourceFinder::Found> found = finder.find(name);
+    std::optional<SourceFinder::Found> found;
+    if (!std::filesystem::path(name).has_extension()) found = finder.find(name + ".inc");   // POV-Ray prefers it (by experiment)
+    if (!found || found->other_case)
+        if (auto as_said = finder.find(name); as_said && !(found && as_said->other_case)) found = std::move(as_said);
     if (!found && options.write_folder)
         if (const auto own = TextFiles::below(*options.write_folder, name); own && files.wrote(*own)) return *own;
     if (!found || (found->other_case && options.strict)) {

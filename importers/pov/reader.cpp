@@ -52,7 +52,7 @@ class Reader {
         }
     }
 
-    /// NAME=VALUE of the command line.
+    /// NAME=VALUE of the command line: the first of a name holds, with six significant digits, as in POV-Ray.
     void declare(const std::string& text) {
         const size_t equals = text.find('=');
         char* end = nullptr;
@@ -60,7 +60,7 @@ class Reader {
         const WordId name = p_.names.id(std::string_view(text).substr(0, equals));
         if (!end || *end || end == text.c_str() + equals + 1 || name < kWordCount)
             throw Failure{{Severity::error, {}, fmt::format("{} declares nothing", text), "give a name, = and a number", {}, {}}, true};
-        p_.symbols.global(name).value = Value::number(value);
+        if (!p_.symbols.find(name)) p_.symbols.global(name).value = Value::number(six_digits(value));
     }
 
     /// Some directives are obeyed without their #, as by POV-Ray.

@@ -4,6 +4,8 @@
 
 #include "importers/pov/limits.h"
 
+#include <cstdlib>
+#include <fmt/format.h>
 #include <functional>
 #include <optional>
 #include <string>
@@ -14,6 +16,9 @@ namespace alidade::pov {
 /// The streams of #debug, #warning, #error, #render and #statistics.
 enum class TextStream { debug, warning, error, render, statistics };
 using PrintText = std::function<void(TextStream, const std::string&)>;
+
+/// As POV-Ray hands numbers of its command line to a scene (by experiment).
+inline double six_digits(double x) { return std::strtod(fmt::format("{:.6g}", x).c_str(), nullptr); }
 
 /// Of an animation's frame; as POV-Ray has them without one.
 struct FrameSettings {

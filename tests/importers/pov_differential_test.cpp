@@ -94,11 +94,12 @@ void ask_listed(Questions& q) {
                           "val(\"-3e2\")", "val(\".5\")", "asc(\"A\")", "asc(\"\")", "dimensions(A)", "dimension_size(A, 1)", "defined(A)", "defined(Zork)", "R1", "R2", "rand(R1)", "rand(R1)",
                           "rand(R2)", "rand(R2)", "rand(R3)", "F(1, 2)", "F(F(1, 2), 3)", "FT(1, 2, 3)", "Sum(5, 100)", "Sum(0, 3)", "Sum(3.5, 0)", "Prod(2)", "Prod(-4)", "Unnamed(1, 2, 3)", "Same(FA[0](3))", "Same(FA[1](FA[0](2), 7) + 1)",
                           "Of(SA[0](.3))", "sin(1).x", "defined(x)", "defined(pi)", "defined(sphere)", "val(\"0x1F\")", "val(\" -0x1.8p1\")", "val(\"+7\")", "val(\"--7\")", "val(\"- 7\")", "val(\"\")",
-                          "strlen(substr(\"abc\", 0, 2))", "G(1, 2, 3)", "H(2.5)", "H(-7)"})
+                          "strlen(substr(\"abc\", 0, 2))", "G(1, 2, 3)", "H(2.5)", "H(-7)", "A[1-1e-10]", "A[1-2e-10]", "A[-.5e-10]",
+                          "dimension_size(A, 2)", "Frame(2)"})
         q.number(e);
     for (const char* e : {"vnormalize(<1,2,3>)", "vcross(<1,2,3>, <4,5,6>)", "vrotate(<1,2,3>, <10,20,30>)", "vrotate(x, y*90)", "vaxis_rotate(x, z, 30)", "vaxis_rotate(<1,2,3>, <3,-1,2>, 77)",
                           "<1,2,3>*<4,5>", "2*y - x/3", "C", "C*2", "C + <1,2,3>", "color C filter .5", "rgb <.1,.2,.3>", "S1(.25)", "S1(-1)", "S1(9)", "S1(1.5)", "S2(.3)", "S2(1.25)", "S2(2.5)", "S3(1.1)",
-                          "S3(1.9)", "S3(.5)", "S3(2.6)", "S4(.2)", "S4(1.5)", "S4(2.9)", "T1(1, 2, 3)", "T2(1, 2, 3)", "T3(1, 2, 3)", "T4(1, 2, 3)", "T5(1, 2, 3)", "T6(1, 2, 3)", "T7(1, 2, 3)", "!<1,0,-2>", "S5(0)", "S5(2)", "S5(2.5)", "S5(3)", "S5(4.5)", "S5(5)", "min_extent(Boxed)",
+                          "S3(1.9)", "S3(.5)", "S3(2.6)", "S4(.2)", "S4(1.5)", "S4(2.9)", "T1(1, 2, 3)", "T2(1, 2, 3)", "T3(1, 2, 3)", "T4(1, 2, 3)", "T5(1, 2, 3)", "T6(1, 2, 3)", "T7(1, 2, 3)", "!<1,0,-2>", "S5(0)", "S5(2)", "S5(2.5)", "S5(3)", "S5(4.5)", "S5(5)", "S6(.25)", "S6(0)", "S6(3)", "min_extent(Boxed)",
                           "max_extent(Boxed)", "min_extent(Both)", "max_extent(Both)"})
         q.vector(e, 3);
     for (const char* e : {"rgbf .5", "rgbt .5", "rgbft .5", "rgbft <.1,.2,.3,.4,.5>", "color red .3 green .2", "C*.5", "color <1,2,3> transmit .25", "srgb <.2,.5,.9>", "srgb .01", "srgbt <.2,.5,.9,.3>", "V5", "V5*3", "<.1,.2,.3,.4,.5>",
@@ -132,6 +133,7 @@ Questions questions() {
                  "#declare T3 = function { transform { matrix <1,2,3, 0,1,0, 1,0,1, 5,6,7> } }\n#declare T4 = function { transform { T scale 2 inverse translate x } }\n"
                  "#declare T5 = function { transform { transform { T } rotate 90*y } }\n#declare T6 = function { transform { scale <0,2,1> } }\n"
                  "#declare T7 = function { transform { matrix <1,0,.5, .2,0,.3, 0,0,1, 0,0,0> } }\n#declare FT = function(x, y, z) { T1(x, y, z).y + T5(y, z, x).z }\n";
+    q.prelude += "#declare S6 = spline { cubic_spline 0, x 1, <3,1,2> }\n#declare Frame = function(q) { q*2 + frame_number + clock_delta + initial_clock + final_clock }\n";
     q.prelude += "#declare S5 = spline { linear_spline 0, 1 1, <1,2,3> 2, 9 3, 5 4, <1,2,3,4,5> 5, <6,7> }\n#declare FA = array[2] {function(x) { x*2 }, function(x, y) { x - y }}\n#declare SA = array[1]\n#declare SA[0] = S4;\n"
                  "#declare Sum = function(n, i) { sum(i, 1, n, i*i) + i }\n#declare Prod = function(n) { prod(k, n, n + 2, sum(j, 1, k, j*k)) }\n#declare Unnamed = function { u*100 + v*10 + x + y + z }\n"
                  "#declare Boxed = box { -1, 1 scale 1.1 }\n#declare Both = union { sphere { .1, .7 } triangle { <.1,.2,.3>, <.4,.7,.9>, <1.1,2.2,3.3> } }\n#declare V5 = <.1,.2,.3,.4,.5>*.3;\n#macro Same(a) a #end\n#macro Of(a) a.y #end\n";

@@ -53,6 +53,25 @@ class Povray(InFolder):
         self.render("a.ini[LARGE]", "+Is.pov", "+SF1", "+EF1")
         self.assertEqual(self.picture("s01.ppm")[0], 30)
 
+    def test_numbers_that_scenes_are_told_are_rounded_as_pov_ray_rounds_them(self):
+        """The clock is a float; the others have six digits, and the first of a name holds (probed)."""
+        (self.folder / "s.pov").write_text(SCENE + '#ifndef (FOO) #declare FOO = 0; #end #debug concat("told ", vstr(5, <clock, clock_delta, initial_clock, final_clock, FOO>, " ", 0, 17), "\\n")\n')
+        for words, told in ((["+K0.7", "Declare=FOO=123456.789", "Declare=FOO=2"], [0.69999998807907104, 0, 0, 0, 123457]),
+                            (["+KFF4", "+KI0.1", "+KF0.7", "+SF2", "+EF2"], [0.29999998211860657, 0.2, 0.1, 0.7, 0]),
+                            (["+KFF3", "+KC", "+KF0.9", "+SF3", "+EF3", "Declare=FOO=16777217"], [0.59999996423721313, 0.3, 0, 0.9, 16777200])):
+            said = self.render("+Is.pov", "+W8", "+H6", *words)
+            self.assertEqual([float(x) for x in re.search("told (.*)", said)[1].split()], told, words)
+
+    def test_an_include_without_an_ending_and_a_folder_without_a_slash(self):
+        (self.folder / "part").write_text("#declare R = 0;")
+        (self.folder / "part.inc").write_text("#declare F = function(q) { q*image_width + frame_number } #declare R = F(1);")
+        (self.folder / "UP.POV").write_text('#include "part"\n' + SCENE)
+        (self.folder / "out").mkdir()
+        self.render("+IUP", "+W8", "+H6", "+FP", "+Oout")
+        self.assertEqual(set(self.picture("out.ppm")[2]), {255}, "the part.inc that POV-Ray prefers")
+        self.render("+IUP", "+W8", "+H6", "+FP", "+Oout/")
+        self.assertTrue((self.folder / "out/UP.ppm").exists())
+
     def test_a_part_of_the_picture(self):
         self.render("+Is.pov", "Declare=R=9", "+W10", "+H10", "+SC3", "+EC4", "+SR0.5", "+FP")
         grey = self.picture("s.ppm")[2]

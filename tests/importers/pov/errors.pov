@@ -12,6 +12,9 @@ sphere { 0, Radios }    // expect error 2:13 Radios is not declared
 //---- subscripts
 #declare A = array[3] {1, 2, 3}
 #debug str(A[3], 0, 0)  // expect error 2:14 the subscript 3 is out of range
+//---- subscripts below zero, by more than is forgiven
+#declare A = array[3] {1, 2, 3}
+#debug str(A[-2e-10], 0, 0)  // expect error 2:14 the subscript -2e-10 is negative
 //---- an element without a value
 #declare A = array[3];
 #debug str(A[1], 0, 0)  // expect error 2:12 this array element has no value yet
