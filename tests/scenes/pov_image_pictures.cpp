@@ -22,7 +22,7 @@ std::string files(const std::string& head) {
     return twelve_of(head,
                   "pigment { image_map { png \"plain.png\" } }, pigment { image_map { png \"srgb.png\" } }, pigment { image_map { png \"gamma.png\" } }, pigment { image_map { png \"plain.png\" gamma 1.8 } }, "
                   "pigment { image_map { png \"gamma.png\" gamma srgb } }, pigment { image_map { png \"grey.png\" } }, pigment { image_map { png \"alpha.png\" } }, pigment { image_map { png \"palette.png\" } }, "
-                  "pigment { image_map { png \"deep.png\" } }, pigment { image_map { png \"deep_grey.png\" } }, pigment { image_map { ppm \"plain.ppm\" } }, pigment { image_pattern { png \"plain.png\" gamma 2 } }",
+                  "pigment { image_map { png \"deep.png\" } }, pigment { image_map { png \"deep_grey.png\" } }, pigment { image_map { ppm \"plain.ppm\" } }, pigment { image_map { \"plain.ppm\" } }",
                   "box { -.8, .8 pigment");
 }
 
