@@ -30,6 +30,7 @@ std::string output_name(const PovrayRequest& r, int frame) {
     namespace fs = std::filesystem;
     fs::path path = r.output.empty() ? fs::path(r.input).replace_extension() : fs::path(r.output);
     const char* ending = r.file_type == 'P' ? ".ppm" : r.file_type == 'E' ? ".exr" : r.file_type == 'T' ? ".tga" : r.file_type == 'J' ? ".jpg" : r.file_type == 'B' ? ".bmp" : r.file_type == 'H' ? ".hdr" : ".png";
+    // Without a slash the name of a folder is a file's, as in POV-Ray; which would call the files of these two ".png" and "..png".
     if (!r.output.empty() && (path.filename().empty() || r.output == "." || r.output == "..") && fs::is_directory(path)) path /= fs::path(r.input).filename().replace_extension();
     if (lower(path.extension().string()) == ending) path.replace_extension();
     std::string name = path.string();

@@ -22,13 +22,11 @@ template <class F> double bracketed_root(const F& f, double low, double high, bo
         if (value == 0) return x;
         ((value > 0) == low_is_positive ? low : high) = x;
         double next = x - value / slope, step = std::abs(next - x);
-        if (next > low && next < high && step <= 0.5 * last_step) {
-            if (step <= kFast * last_step ? fast > 0 && step <= kFew * std::max(least_step, precision * std::abs(next)) : fast > 1 && step <= short_step) return next;
-            fast = step <= kFast * last_step ? fast + 1 : 0;
-        } else {
-            if (next >= low && next <= high && fast > 1 && step <= short_step) return next;
-            next = 0.5 * (low + high), step = std::abs(next - x), fast = 0;
-        }
+        const double least = std::max(least_step, precision * std::abs(next));
+        const bool shrinks = step <= kFast * last_step;
+        if (next >= low && next <= high && (shrinks ? fast > 0 && step <= kFew * least : fast > 1 && step <= short_step)) return next;
+        fast = shrinks ? fast + 1 : 0;
+        if (!(next > low && next < high) || step > 0.5 * last_step) next = 0.5 * (low + high), step = std::abs(next - x), fast = 0;
         last_step = step;
         if (step <= std::max(least_step, precision * std::abs(next))) return next;
         x = next;

@@ -53,7 +53,7 @@ void NodeWriter::declare_shape(const Node& node, ShapeId shape) {
     c_.sdl.line("#declare", name, "=");
     if (key.slots.size() == 1 && geometry != geometries_.end()) c_.sdl.begin("object"), c_.sdl.line(geometry->second);
     else begin_shape(entry.geometry, key.slots, c_);
-    if (key.slots[0] || facts_.defaults_at_shapes()) c_.textures.put_on(key.slots[0]);
+    if (key.slots[0] || facts_.defaults_at_shapes()) c_.textures.use(key.slots[0]);
     c_.sdl.end();
     shapes_.emplace(key, name);
 }
@@ -156,7 +156,7 @@ void NodeWriter::pieces(const Node& node) {
 void NodeWriter::texture(const Node& node, bool is_root) {
     if (facts_.material_counts(node)) {
         if (is_root && !node.inside_material && (is_default(c_.scene, *node.materials[0]) || needs_own_default(node))) return;
-        c_.textures.put_on(node.materials[0]);
+        c_.textures.use(node.materials[0]);
         c_.losses.add("faces that show what they lay open", node.usual_material && facts_.lays_open(node), "the texture of #default");
     } else if (facts_.defaults_at_shapes() ? facts_.draws_shape(node) : is_root && facts_.is_bare({uint32_t(&node - c_.scene.nodes.data())})) {
         c_.textures.use(std::nullopt);

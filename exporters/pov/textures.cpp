@@ -131,6 +131,13 @@ void TextureWriter::layer(const PovTextureMap& m) {
     sdl_.end();
 }
 
+/// A declared texture that says uv_mapping turns its bumps with what is done to it later, and nothing else.
+void TextureWriter::turn(MaterialId id) {
+    const auto* finish = std::get_if<PovFinish>(&scene_.materials[id.index].layers.front());
+    const Mat3 by = finish ? turned(scene_, *finish).value_or(Mat3(1.0)) : Mat3(1.0);
+    if (by != Mat3(1.0)) sdl_.line("#declare", texture_name(id), "= texture {", texture_name(id), Transform{by, Vec3(0)}, "}");
+}
+
 void TextureWriter::declare_one(MaterialId id) {
     const Material& m = scene_.materials[id.index];
     const MaterialRef ref{id.index, m.name};
@@ -144,6 +151,7 @@ void TextureWriter::declare_one(MaterialId id) {
         losses_.add("layers that colour what passes them, under or over others that do not", above - uncolored_layers(m), "layers that do not");
     if (version) sdl_.line(version);
     for (const auto& part : m.layers) std::visit([&](const auto& what) { layer(what); }, part);
+    turn(id);
     if (version) sdl_.line(version_line(scene_));
 }
 
@@ -172,16 +180,6 @@ void TextureWriter::tinted(MaterialId material, const Vec4& tint) {
 }
 
 void TextureWriter::use(std::optional<MaterialId> material) { sdl_.line("texture {", material ? texture_name(*material) : "Texture_default", "}"); }
-
-void TextureWriter::put_on(std::optional<MaterialId> material) {
-    const Material* m = material ? &scene_.materials[material->index] : nullptr;
-    const auto* finish = m && !m->layers.empty() ? std::get_if<PovFinish>(&m->layers.front()) : nullptr;
-    const Mat3 turn = finish ? turned(scene_, *finish).value_or(Mat3(1.0)) : Mat3(1.0);
-    if (turn == Mat3(1.0)) return use(material);
-    sdl_.line(Transform{glm::inverse(turn), Vec3(0)});
-    use(material);
-    sdl_.line(Transform{turn, Vec3(0)});
-}
 
 void TextureWriter::medium(const Interior::Medium& m) {
     sdl_.begin("media");

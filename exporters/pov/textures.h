@@ -22,8 +22,6 @@ class TextureWriter {
     void tinted(MaterialId material, const Vec4& tint);
     /// `texture { }`; of nothing: the default.
     void use(std::optional<MaterialId> material);
-    /// The same on an object, which it goes there and back with if the texture's bumps were turned with an object: that is how POV-Ray turns them.
-    void put_on(std::optional<MaterialId> material);
     /// What a solid of this material is filled with: `inside`, and the refraction that the material itself asks for. Nothing where that is nothing.
     void interior(std::optional<MaterialId> material, std::optional<InteriorId> inside);
     /// `media { }`.
@@ -32,6 +30,7 @@ class TextureWriter {
 
   private:
     void declare_one(MaterialId id);
+    void turn(MaterialId id);
     void layer(const PovFinish& f);
     void layer(const PovTextureMap& m);
     void material_map(const PovTextureMap& m, const PatternSignal& pattern);

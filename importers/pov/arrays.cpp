@@ -12,7 +12,6 @@ namespace {
 /// What subscripts and sizes are increased by before they are cut, as in POV-Ray (by experiment): A[.29*100] is A[29].
 constexpr double kSubscriptSlack = 1e-10;
 
-
 /// `{ a, b, { c, d } }`: the elements of dimension `level` and those below, from element `first`.
 void parse_initialisers(Parser& p, Array& array, size_t level, size_t first, size_t stride) {
     p.expect('{', "before the elements of an array");
@@ -41,8 +40,8 @@ Value parse_array(Parser& p, Place at) {
     while (p.peek_behind_value().is('[')) {
         p.next();
         const Place here = p.peek().place();
-        const double size = parse_float(p) + kSubscriptSlack;
-        if (!(size >= 1)) p.fail(here, fmt::format("an array has at least one element, not {}", size - kSubscriptSlack));
+        const double given = parse_float(p), size = given + kSubscriptSlack;
+        if (!(size >= 1)) p.fail(here, fmt::format("an array has at least one element, not {}", given));
         if (size > double(p.options.limits.array_elements)) p.check_array_elements(uint64_t(std::min(size, 1e18)), here);
         p.expect(']', "behind the size of an array");
         sizes.push_back(uint32_t(size));

@@ -157,16 +157,21 @@ class Evaluation {
         const auto parameter = std::find(f_.parameters.begin(), f_.parameters.end(), token().id);
         if (parameter != f_.parameters.end()) return ++at_, arguments_[size_t(parameter - f_.parameters.begin())];
         if (token().kind == TokenKind::name) return identifier();
-        for (const BuiltinEntry& constant : constants())
-            if (token().is_word(constant.word))
-                if (const Value value = constant.evaluate(p_, token().place()); value.kind == Kind::number) return ++at_, value.c[0];
         if (token().is_word("sum"_w) || token().is_word("prod"_w)) return series(token().is_word("sum"_w));
         return built_in();
     }
 
+    /// Of one number.
+    double constant() {
+        for (const BuiltinEntry& entry : constants())
+            if (token().is_word(entry.word))
+                if (const Value value = entry.evaluate(p_, token().place()); value.kind == Kind::number) return ++at_, value.c[0];
+        p_.fail(token().place(), fmt::format("{} in a function is not modelled yet", p_.describe(token())));
+    }
+
     double built_in() {
         const auto entry = std::find_if(std::begin(kFunctions), std::end(kFunctions), [&](const FloatFunction& f) { return f.word == token().id; });
-        if (entry == std::end(kFunctions)) p_.fail(token().place(), fmt::format("{} in a function is not modelled yet", p_.describe(token())));
+        if (entry == std::end(kFunctions)) return constant();
         const Place at = token().place();
         ++at_;
         const std::vector<double> values = call_arguments();
