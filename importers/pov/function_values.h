@@ -2,8 +2,11 @@
 /// What a declared function is worth at given arguments, while the scene is read.
 #pragma once
 
+#include "core/vec.h"
 #include "importers/pov/parser.h"
 
+#include <array>
+#include <optional>
 #include <span>
 
 namespace alidade::pov {
