@@ -126,7 +126,7 @@ void PovSurface::add_layers(const CompiledScene& scene, const ShadePoint& point,
         layer.above = texture.through;
         layer.normal = layer.finish->normal ? scene.textures->bent(*layer.finish->normal, frame, normal_) : normal_;
         texture.through *= filter_of(*layer.finish, pigment);
-        if (layer.finish->conserve_energy) {
+        if (layer.finish->conserve_energy && !pigment.ended) {   // as POV-Ray has it
             const Color left = Color(1) - reflectivity(layer, -dot(dir_, layer.normal), mirror_ior_);
             texture.through *= glm::min(left, Color(1));
         }

@@ -134,7 +134,7 @@ Textures::Value Textures::mapped(const PatternSignal& signal, const Pattern& pat
     const Vec3 at = pattern.place(signal.uv_mapped ? point.uv_place() : outside);
     if (const SpacePicture* picture = pattern.shown()) {
         const PigmentColor c = picture->color(at);
-        return {Vec4(c.color, 1), c.filter, c.transmit};
+        return {Vec4(c.color, 1), c.filter, c.transmit, c.ended};
     }
     if (signal.map.empty()) {
         const double v = pattern.value_at(at);   // as POV-Ray's own map from black to white
@@ -143,7 +143,7 @@ Textures::Value Textures::mapped(const PatternSignal& signal, const Pattern& pat
     Value total;
     alidade::for_each_share(signal.map, pattern, at, [&](uint32_t entry, double share) {
         const Value own = value(signal.map[entry].signal, point, at);
-        total = {total.rgba + own.rgba * share, total.filter + own.filter * share, total.transmit + own.transmit * share};
+        total = {total.rgba + own.rgba * share, total.filter + own.filter * share, total.transmit + own.transmit * share, own.ended && share == 1};
     });
     return total;
 }
@@ -170,7 +170,7 @@ Vec4 Textures::evaluate(SignalId signal, const ShadePoint& point) const {
 PigmentColor Textures::pigment(SignalId signal, const ShadePoint& point, const Vec3& at) const {
     if (const auto* constant = std::get_if<ConstantSignal>(&signals_[signal.index].what)) return {Color(constant->value), constant->filter, constant->transmit};
     const Value v = value(signal, point, at);
-    return {Color(v.rgba), v.filter, v.transmit};
+    return {Color(v.rgba), v.filter, v.transmit, v.ended};
 }
 
 PigmentColor Textures::pigment(SignalId signal, const Vec3& at) const { return pigment(signal, ShadePoint(), at); }

@@ -62,6 +62,7 @@ class Textures {
     struct Value {
         Vec4 rgba{0};
         double filter = 0, transmit = 0;
+        bool ended = false;   ///< PigmentColor::ended
     };
 
     void add_patterns(const Scene& scene, const std::vector<SignalId>& used, Diagnostics& said);

@@ -182,7 +182,7 @@ SpacePicture::Texel SpacePicture::between(const Vec2& at) const {
 
 PigmentColor SpacePicture::color(const Vec3& place) const {
     const auto at = pixel(place);
-    if (!at) return {Color(1), 0, 1};
+    if (!at) return {Color(1), 0, 1, true};
     const Texel t = sampled(*at);
     const double shown = 1 - t.rgba.w;                               // also of what `transmit` says: measured
     return {Color(t.rgba) / (how_.premultiplied && shown > 0 ? shown : 1), t.filter, t.rgba.w};

@@ -14,6 +14,7 @@ namespace alidade {
 struct PigmentColor {
     Color color{0};
     double filter = 0, transmit = 0;
+    bool ended = false;   ///< outside of a picture that is shown once: there is nothing to colour
 };
 
 class SpacePicture {

@@ -11,6 +11,9 @@ std::vector<PovPicture> flag_pictures() {
         {"FlagsOfParts", usual + "merge { sphere { 0, .8 no_image } box { <0,-.5,-.5>, "
          "<1.4,.5,.5> pigment { rgb <1,0,0> } } pigment { rgb 1 } translate <-1,.5,0> } difference { box { -.6, .6 no_image "
          "no_shadow } sphere { <0,.3,-.6>, .5 no_image } pigment { rgb <0,1,1> } translate <1.5,.5,-1> no_reflection }"},
+        {"FlagsBehindGlass", "#version 3.7; global_settings { assumed_gamma 1 max_trace_level 12 } background { rgb <.2,.4,.6> } camera { location <0,0,-6> look_at 0 angle 60 } light_source { <-3,5,-8> 1 } #macro Glass(i) pigment { rgbt <1,.6,.6,.6> } interior { ior i } #end\n"
+         "#macro Pair(X,Y) sphere { <X-.35,Y,0>, .3 pigment { rgb y } no_image } sphere { <X+.35,Y,0>, .3 pigment { rgb x } no_reflection } #end Pair(-2,1.2) Pair(0,1.2) Pair(2,1.2) Pair(0,-1) box { <-2.8,.8,-1.5>, <-1.2,1.6,-1.4> Glass(1) } box { <-.8,.8,-1.5>, <.8,1.6,-1.4> Glass(1.3) }\n"
+         "box { <-1,-1.4,-1.3>, <1,-.6,-1.2> Glass(1.2) } plane { z, 2 pigment { rgb .2 } finish { reflection .7 } } disc { <0,-1,1>, z, .8 Glass(1) } disc { <2,1.2,1>, z, .8 Glass(1.2) } sphere { <-2,-1,-.5>, .7 Glass(1.4) } sphere { <-2,-1,1>, .5 pigment { rgb z } no_image }"},
         {"FlagsOfClippedObjects", usual + "#declare Ball = sphere { 0, .7 no_shadow } #declare Cut = difference { box { -.5, .5 } sphere { <0,.3,-.6>, .5 } no_image } "
          "object { sphere { 0, .7 no_reflection } clipped_by { plane { y, .3 } } pigment { rgb <1,0,0> } translate <-2,0,0> } object { object { Ball } clipped_by { plane { y, .3 } } pigment { rgb <0,1,0> } } object { Cut clipped_by { "
          "plane { x, .2 } } pigment { rgb <0,0,1> } translate <1.5,.5,-1> } merge { object { sphere { 0, .6 no_image } clipped_by { plane { y, .2 } } } box { <0,-.3,-.3>, <1,.3,.3> } pigment { rgb <1,1,0> } translate <1.5,-.3,.5> }"},

@@ -22,7 +22,7 @@ std::string files(const std::string& head) {
     return twelve_of(head,
                   "pigment { image_map { png \"plain.png\" } }, pigment { image_map { png \"srgb.png\" } }, pigment { image_map { png \"gamma.png\" } }, pigment { image_map { png \"plain.png\" gamma 1.8 } }, "
                   "pigment { image_map { png \"gamma.png\" gamma srgb } }, pigment { image_map { png \"grey.png\" } }, pigment { image_map { png \"alpha.png\" } }, pigment { image_map { png \"palette.png\" } }, "
-                  "pigment { image_map { png \"deep.png\" } }, pigment { image_map { png \"deep_grey.png\" } }, pigment { image_map { ppm \"plain.ppm\" } }, pigment { image_pattern { png \"plain.png\" gamma 2 } }",
+                  "pigment { image_map { png \"deep.png\" } }, pigment { image_map { png \"deep_grey.png\" } }, pigment { image_map { ppm \"plain.ppm\" } }, pigment { image_map { \"plain.ppm\" } }",
                   "box { -.8, .8 pigment");
 }
 
@@ -116,6 +116,10 @@ std::vector<PovPicture> image_pictures() {
                                        "pigment { image_pattern { png \"alpha.png\" premultiplied on interpolate 2 } }, pigment { image_pattern { png \"alpha.png\" premultiplied on use_alpha } }, pigment { image_map { png \"alpha.png\" premultiplied off interpolate 2 } }",
                                        "box { -.8, .8 pigment")},
         {"ImageLayersOfVersion31", old_layers()},
+        {"EnergyWhereAPictureHasEnded", kCorrected + kBack + "camera { location <-1,3,-6.6> look_at <0,0.6,0> angle 50 } #declare F = finish { ambient 0 reflection .4 conserve_energy } #declare P = pigment { image_map { png \"plain.png\" once } scale .7 translate -.35 }\n"
+                                        "sphere { <-1.5,.8,0>, .7 pigment { P } finish { F } } sphere { <0,.8,0>, .7 texture { pigment { rgb y } } texture { pigment { P } finish { F } } } sphere { <1.5,.8,0>, .7 pigment { checker pigment { P } pigment { rgb 1 } scale .4 } finish { F } }\n"
+                                        "plane { y, -.3 texture { checker texture { pigment { P } finish { F } } texture { pigment { rgb .5 } } } } sphere { <-.8,0,-2>, .4 pigment { average pigment_map { [1 P] [1 rgb x] } } finish { F } }\n"
+                                        "sphere { <.8,0,-2>, .4 pigment { gradient x pigment_map { [.3 P] [.8 rgb x] } } finish { F } } sphere { <0,0,-2.4>, .4 pigment { P } finish { F reflection { .1, .8 fresnel } } interior { ior 1.4 } }"},
         {"UvMapping", uv_scene()},
         {"CornerTextures", corner_scene()},
     };

@@ -8,15 +8,8 @@
 namespace alidade {
 namespace {
 
-Mask mask_of(RayKind kind) {
-    switch (kind) {
-        case RayKind::reflection: return kMaskReflection;
-        case RayKind::refraction: return kMaskRefraction;
-        case RayKind::shadow: return kMaskShadow;
-        case RayKind::camera: break;
-    }
-    return kMaskCamera;
-}
+/// What a secondary ray meets. What is passed changes nothing: behind glass no_image hides as before it, and no_reflection what mirrors show (by experiment).
+Mask mask_of(const RayState& state) { return state.mirrored ? kMaskReflection : kMaskCamera; }
 
 // Out of line: scenes without fog or rainbow pay for a comparison alone.
 [[gnu::noinline]] void pass_haze(Tracing& tracing, const Ray& ray, double distance, RayState& state, Color& sum) {
@@ -118,7 +111,7 @@ template <unsigned F> struct Whitted {
             next.depth = state.depth + (s.straight ? 0 : 1);
             next.key = state.key.child(uint64_t(i));
             Ray ray = spawn_ray(point, s.dir);
-            ray.mask = mask_of(s.kind);
+            ray.mask = mask_of(next);
             ray.time = state.time;
             ++tracing.stats.secondary_rays;
             tracing.pending.push_back({ray, next, s.exponent});

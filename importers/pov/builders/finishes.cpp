@@ -8,11 +8,13 @@ namespace alidade::pov {
 namespace {
 
 /// `reflection COLOUR`, or `reflection { COLOUR [, COLOUR] fresnel falloff F exponent E metallic M }`: with one colour the reflection is the same at all
-/// angles, but with `fresnel` it begins at none.
+/// angles, but with `fresnel` it begins at none; one colour alone takes back the `fresnel` of a block before (probed).
 void take_reflection_block(Build& build, const Block& block, PovFinish& f) {
     Cursor at(build, block);
     std::vector<Color> colours;
     while (colours.size() < 2 && at.at_numeric()) colours.push_back(at.rgb("a reflection"));
+    if (colours.empty()) colours.emplace_back(0);   // whatever was before (probed)
+    if (colours.size() == 1) f.reflection_fresnel = false;
     while (!at.done()) {
         if (at.accept("fresnel"_w)) f.reflection_fresnel = at.flag();
         else if (at.accept("falloff"_w)) f.reflection_falloff = at.number("the falloff");
@@ -20,7 +22,6 @@ void take_reflection_block(Build& build, const Block& block, PovFinish& f) {
         else if (at.accept("metallic"_w)) f.reflection_metallic = at.at_number() ? at.number("metallic") : 1;
         else at.skip_unmodelled();
     }
-    if (colours.empty()) return;
     f.reflection_max = colours.back();
     f.reflection_min = colours.size() == 2 ? colours[0] : f.reflection_fresnel ? Color(0) : colours[0];
 }

@@ -4,6 +4,8 @@
 #include "eval/noise/single.h"
 
 #include <algorithm>
+#include <cctype>
+#include <filesystem>
 #include <fmt/format.h>
 
 namespace alidade::pov {
@@ -19,11 +21,20 @@ struct Format {
 constexpr Format kFormats[] = {{"png"_w, ".png"}, {"jpeg"_w, ".jpg"}, {"gif"_w, ".gif"}, {"tga"_w, ".tga"}, {"iff"_w, ".iff"}, {"bmp"_w, ".bmp"}, {"sys"_w, ".bmp"},
                                {"ppm"_w, ".ppm", false}, {"pgm"_w, ".pgm", false}, {"tiff"_w, ".tif", false}, {"exr"_w, ".exr"}, {"hdr"_w, ".hdr"}};
 
-/// Without a word it is what POV-Ray writes if nothing else is asked for.
-const Format& take_format(Cursor& at) {
+/// Null without a word.
+const Format* take_format(Cursor& at) {
     for (const Format& format : kFormats)
-        if (at.accept(format.word)) return format;
-    return kFormats[0];
+        if (at.accept(format.word)) return &format;
+    return nullptr;
+}
+
+/// Without a word, what the file's ending says, or else what POV-Ray writes if nothing else is asked for.
+const Format& format_of(const std::string& path) {
+    std::string ending = std::filesystem::path(path).extension().string();
+    std::transform(ending.begin(), ending.end(), ending.begin(), [](unsigned char c) { return char(std::tolower(c)); });
+    if (ending == ".tiff") ending = ".tif";
+    const auto found = std::find_if(std::begin(kFormats), std::end(kFormats), [&](const Format& format) { return ending == format.ending; });
+    return found == std::end(kFormats) ? kFormats[0] : *found;
 }
 
 ImageId add_image(Build& build, const std::string& name, const Format& format, Place place) {
@@ -109,12 +120,13 @@ PatternPicture take_picture(Build& build, Cursor& at, double* depth) {
     const Block& block = at.block();
     PatternPicture out;
     if (at.at_numeric()) at.next();                                  // the old direction, which says nothing any more
-    const Format& format = take_format(at);
+    const Format* told = take_format(at);
     const Place place = at.place();
     const bool named = !at.done() && at.peek().kind == Item::Kind::value && at.peek().value_kind() == Kind::string;
     if (!named) build.p.fail(place, fmt::format("the name of a file is expected in {}", kWords[block.word]), "pictures that are made by functions are not modelled yet");
+    out.image = add_image(build, at.next().text(), told ? *told : kFormats[0], place);
+    const Format& format = told ? *told : format_of(build.scene.images[out.image.index].path);
     out.premultiplied = format.word == "exr"_w;                      // as that format has it
-    out.image = add_image(build, at.next().text(), format, place);
     set_usual_code(build, block, format, out);
     while (!at.done() && take_modifier(build, at, out, depth)) continue;
     return out;
