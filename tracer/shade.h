@@ -62,21 +62,25 @@ template <unsigned F> [[gnu::always_inline]] inline Surface shade_metal_rough(co
     s.alpha_ = roughness * roughness;
     s.mirror_ = (1 - roughness) * (1 - roughness);
     s.ior_ = m.ior;
+    s.mirrors_or_refracts_ = s.mirror_ > 0;
     if (metallic < 1) {
-        s.diffuse_ = s.albedo_ * ((1 - metallic) * (1 - transmission));
         const double cosine = s.cosine_to_eye();
+        s.diffuse_ = s.albedo_ * ((1 - metallic) * (1 - transmission));
         s.most_diffuse_ = max_component(s.albedo_) * (1 - metallic);
-        if (transmission > 0) s.glass_ = fresnel_dielectric(cosine, point.front ? m.ior : 1 / m.ior);
+        if (transmission > 0) {
+            s.glass_ = fresnel_dielectric(cosine, point.front ? m.ior : 1 / m.ior);
+            s.transmission_ = s.albedo_ * transmission;
+            s.mirrors_or_refracts_ = true;
+        }
         s.share_of_lights_ = diffuse_share(s.most_diffuse_, std::max(reflected_bound(max_component(s.f0_), s.f90_, s.alpha_, cosine), s.glass_));
     }
     if constexpr ((F & kMirrors) != 0) {
         if (m.clearcoat && (point.front || transmission <= 0)) {   // glass has its coat on the outside
             s.coat_ = coat_over(scene, m, point, s.wo_);
             s.emitted_ *= 1 - s.coat_.weight;
+            if (s.coat_.weight > 0) s.mirrors_or_refracts_ = true;
         }
     }
-    if (transmission > 0) s.transmission_ = s.albedo_ * transmission;
-    s.mirrors_or_refracts_ = s.mirror_ > 0 || transmission > 0 || s.coat_.weight > 0;
     return s;
 }
 

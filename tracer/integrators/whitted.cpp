@@ -77,7 +77,7 @@ template <unsigned F> struct Whitted {
             if (state.kind == RayKind::camera) see(point, surface, distance);
             sum += state.weight * local_light<F>(tracing, point, surface, state, Shadows::cast);
             if constexpr (kFollows) {
-                if (surface.mirrors_or_refracts()) follow(point, surface, state);
+                if (surface.mirrors_or_refracts()) follow(tracing, point, surface, state);
             }
             if ((F & kAlpha) == 0 || surface.coverage() >= 1) return;
             state.weight *= 1 - surface.coverage(), state.shows *= 1 - surface.coverage();
@@ -95,7 +95,7 @@ template <unsigned F> struct Whitted {
         first.coverage += (1 - first.coverage) * surface.coverage();
     }
 
-    void follow(const ShadePoint& point, const Surface& surface, const RayState& state) {
+    [[gnu::noinline]] static void follow(Tracing& tracing, const ShadePoint& point, const Surface& surface, const RayState& state) {
         Secondaries& secondaries = tracing.secondaries;
         secondaries.clear();
         surface.secondary(tracing.scene, state, secondaries);
