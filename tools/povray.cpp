@@ -11,11 +11,13 @@
 
 #include "tracer/render.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <filesystem>
 #include <fmt/format.h>
 #include <fstream>
+#include <unistd.h>
 
 namespace alidade {
 
@@ -37,7 +39,9 @@ Request request_of(const PovrayRequest& r, int frame) {
     request.scene = scene_path(r);
     request.import.format = "pov";
     request.import.include_paths = r.library_paths;
-    request.import.include_paths.insert(request.import.include_paths.begin(), ".");   // POV-Ray's first place; the scene's folder, which is none of POV-Ray's, comes before it here
+    request.import.include_paths.insert(request.import.include_paths.begin(), ".");   // POV-Ray's first place
+    request.import.scene_folder_last = true;                                          // which is none of POV-Ray's
+    request.import.header = r.header;
     request.import.declarations = r.declarations;
     request.import.version = r.version;
     request.import.write_folder = r.write_folder;
@@ -71,7 +75,7 @@ RenderOptions render_options(const PovrayRequest& r, int frame, const RenderSett
     if (r.alpha) options.alpha = has_straight_alpha(r) ? Alpha::straight : Alpha::associated;
     options.spp = scene.default_spp;
     options.lens_noise = scene.lens_noise;
-    if (r.antialias && options.spp == 1) options.supersampling = Supersampling{r.sampling_method, r.antialias_threshold, r.antialias_gamma, r.jitter ? r.jitter_amount : 0, r.antialias_depth};
+    if (r.antialias && options.spp == 1) options.supersampling = Supersampling{r.sampling_method, r.antialias_threshold, r.antialias_gamma, r.jitter ? std::clamp(r.jitter_amount, 0.0, 1.0) : 0, r.antialias_depth};
     const Region region{first_pixel(r.start_column, r.width), first_pixel(r.start_row, r.height), end_pixel(r.end_column, r.width), end_pixel(r.end_row, r.height)};
     if (region.x0 || region.y0 || region.x1 != r.width || region.y1 != r.height) options.region = region;
     return options;
@@ -83,6 +87,17 @@ void warn(const std::string& sentence) { fmt::print(stderr, "alidade: warning: {
 bool done_already(const PovrayRequest& r, const std::string& output) {
     std::error_code ignored;
     return r.continued && r.writes_file() && std::filesystem::exists(output, ignored) && !std::filesystem::exists(state_name(output), ignored);
+}
+
+/// Why the picture cannot become a file, known before it is rendered; or "".
+std::string unwritable(const std::string& output) {
+    namespace fs = std::filesystem;
+    std::error_code ignored;
+    const fs::path folder = fs::path(output).parent_path();
+    if (!folder.empty() && !fs::is_directory(folder, ignored)) return fmt::format("{}: there is no folder {}", output, folder.string());
+    if (fs::is_directory(output, ignored)) return fmt::format("{} is a folder: give the picture another name", output);
+    if (access(folder.empty() ? "." : folder.c_str(), W_OK) != 0 && access(output.c_str(), W_OK) != 0) return fmt::format("{}: the folder may not be written to", output);
+    return {};
 }
 
 /// The picture is there in part. Without a state it is not written: the next `+C` would take it for a finished one.
@@ -153,6 +168,7 @@ int render_to_file(const PovrayRequest& r, const CompiledScene& scene, const Ren
 int render_frame(const PovrayRequest& r, int frame) {
     const std::string output = output_name(r, frame);
     if (done_already(r, output)) return fmt::print(stderr, "{}: rendered already, and +C: skipped\n", output), kDone;
+    if (const std::string wrong = r.writes_file() ? unwritable(output) : ""; !wrong.empty()) return fail(wrong);
     SceneText text(r.shows_scene_text);
     Request request = request_of(r, frame);
     request.import.print = [&](pov::TextStream where, const std::string& what) { text.print(where, what); };
@@ -189,6 +205,10 @@ int run_povray(const Verb& verb, const Words& words) {
         fmt::print("{}", help(verb));
         return kDone;
     }
+    if (!words.empty() && (words[0] == "--version" || words[0] == "-version")) {
+        fmt::print("alidade {} (POV-Ray 3.7's language and words)\n", ALIDADE_VERSION);
+        return kDone;
+    }
     const auto request = parse_povray_words(words);
     if (!request) return fail(request.error());
     for (const std::string& note : request->notes) fmt::print(stderr, "alidade: warning: {}\n", note);
@@ -196,7 +216,6 @@ int run_povray(const Verb& verb, const Words& words) {
     if (request->alpha && request->to_file && !has_straight_alpha(*request) && request->file_type != 'E')
         fmt::print(stderr, "alidade: warning: +UA (Output_Alpha): files of this type (+F{}) have no alpha, what is missing is black\n", request->file_type);
     exit_on_signal();
-    if (request->animated() && request->to_stdout()) return fail("+O- takes one picture: frames need files");
     for (const std::string& file : request->message_files)
         if (!file.empty() && !std::ofstream(file)) return fail(fmt::format("'{}' cannot be written", file));   // and is empty now
     return render_frames(*request);

@@ -36,6 +36,12 @@ template <int PovrayRequest::* Member, int Low, int High> bool integer(PovrayReq
     return n ? (r.*Member = *n, true) : false;
 }
 
+/// A first or last row or column: counted from 1, or a share of the picture.
+template <double PovrayRequest::* Member> bool row(PovrayRequest& r, const PovrayWord& w) {
+    const auto x = parse_number(w.value, 0);
+    return x && (*x > 0 || Member == &PovrayRequest::start_column || Member == &PovrayRequest::start_row) ? (r.*Member = *x, true) : false;
+}
+
 template <double PovrayRequest::* Member> bool number(PovrayRequest& r, const PovrayWord& w) {
     const auto x = parse_number(w.value, -1e30);
     return x ? (r.*Member = *x, true) : false;
@@ -70,7 +76,11 @@ template <int PovrayRequest::* Member, int Low, int High> bool clamped(PovrayReq
 
 bool input(PovrayRequest& r, const PovrayWord& w) { return r.input = w.value, !w.value.empty(); }
 bool output(PovrayRequest& r, const PovrayWord& w) { return r.output = w.value, true; }
-bool library(PovrayRequest& r, const PovrayWord& w) { return r.library_paths.push_back(w.value), !w.value.empty(); }
+bool library(PovrayRequest& r, const PovrayWord& w) {
+    if (!w.value.empty()) r.library_paths.push_back(w.value);
+    return true;
+}
+bool header(PovrayRequest& r, const PovrayWord& w) { return r.header = w.value, !w.value.empty(); }
 bool declare(PovrayRequest& r, const PovrayWord& w) {
     const size_t equals = w.value.find('=');
     if (w.value.substr(0, equals) == "clock") tell(r, "Declare=clock changes nothing: the clock is what +K says");
@@ -84,14 +94,17 @@ template <const char* const& Sentence> bool told(PovrayRequest& r, const PovrayW
     if (w.on) tell(r, Sentence);
     return true;
 }
-constexpr const char* kNoField = "+UF (Field_Render): all rows are rendered";
 constexpr const char* kNoGray = "+FNg (Grayscale_Output): pictures are written in colour";
 constexpr const char* kNoFileGamma = "File_Gamma: pictures are encoded as sRGB";
 constexpr const char* kNoIni = "+GI (Create_Ini): no INI file is written";
-constexpr const char* kNoHeader = "+HI (Include_Header): nothing is included before the scene";
 constexpr const char* kNoCommands = "commands around frames are not run";
 
-bool file_type(PovrayRequest& r, const PovrayWord& w) { return file_switch(r, {w.value, r.to_file}); }
+/// Of `N16` POV-Ray takes the letter here.
+bool file_type(PovrayRequest& r, const PovrayWord& w) {
+    const std::string letter = w.value.substr(0, w.value.find_first_of("0123456789"));
+    if (letter != w.value && w.value.substr(letter.size()) != "8") tell(r, fmt::format("Output_File_Type={}: its number is left out, as POV-Ray does: give Bits_Per_Color", w.value));
+    return file_switch(r, {letter, r.to_file});
+}
 
 bool version(PovrayRequest& r, const PovrayWord& w) {
     const auto x = parse_number(w.value, 0);
@@ -155,12 +168,12 @@ constexpr PovrayRow kTable[] = {
     {"Cyclic_Animation", "KC", flag<&PovrayRequest::cyclic>},
     {"Subset_Start_Frame", "SF", frame<&PovrayRequest::subset_start>},
     {"Subset_End_Frame", "EF", frame<&PovrayRequest::subset_end>},
-    {"Field_Render", "UF", told<kNoField>},
+    {"Field_Render", "UF", nothing},
     {"Odd_Field", "UO", nothing},
-    {"Start_Column", "SC", number<&PovrayRequest::start_column>},
-    {"End_Column", "EC", number<&PovrayRequest::end_column>},
-    {"Start_Row", "SR", number<&PovrayRequest::start_row>},
-    {"End_Row", "ER", number<&PovrayRequest::end_row>},
+    {"Start_Column", "SC", row<&PovrayRequest::start_column>},
+    {"End_Column", "EC", row<&PovrayRequest::end_column>},
+    {"Start_Row", "SR", row<&PovrayRequest::start_row>},
+    {"End_Row", "ER", row<&PovrayRequest::end_row>},
     {"Output_Alpha", "UA", flag<&PovrayRequest::alpha>},
     {"Work_Threads", "WT", integer<&PovrayRequest::threads, 0, 4096>},
     {"Render_Block_Size", "BS", nothing},
@@ -186,7 +199,7 @@ constexpr PovrayRow kTable[] = {
     {"Dither", "TH", nothing},
     {"Dither_Method", "", nothing},
     {"Grayscale_Output", "", told<kNoGray>},
-    {"Include_Header", "HI", told<kNoHeader>},
+    {"Include_Header", "HI", header},
     {"Version", "MV", version},
     {"Create_Ini", "GI", told<kNoIni>},
     {"Create_Histogram", "", nothing},
@@ -230,7 +243,7 @@ constexpr PovrayRow kTable[] = {
 std::span<const PovrayRow> povray_table() { return kTable; }
 
 bool takes_name(const PovrayRow& row) {
-    const ApplyPovrayWord names[] = {input, output, library, told<kNoCommands>, message_file<MessageStream::all>, message_file<MessageStream::debug>, message_file<MessageStream::fatal>, message_file<MessageStream::render>,
+    const ApplyPovrayWord names[] = {input, output, library, header, told<kNoCommands>, message_file<MessageStream::all>, message_file<MessageStream::debug>, message_file<MessageStream::fatal>, message_file<MessageStream::render>,
                                      message_file<MessageStream::statistic>, message_file<MessageStream::warning>};
     return std::find(std::begin(names), std::end(names), row.apply) != std::end(names);
 }

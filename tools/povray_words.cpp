@@ -85,7 +85,7 @@ class Reading {
             if (letters.size() > length && text.rfind(letters, 0) == 0) best = &row, length = letters.size();
         }
         if (!best) return unknown(word);
-        return apply(*best, {word.substr(1 + length), word[0] == '+'}, word);
+        return apply(*best, {unquoted(word.substr(1 + length)), word[0] == '+'}, word);
     }
 
     std::string take_key(const std::string& word, size_t equals) {
@@ -141,12 +141,23 @@ class Reading {
             return take(key + "=" + value.substr(0, length_of_value(key, value)));
         }
         for (size_t at = 0; at < line.size();) {
-            const size_t end = std::min(line.find_first_of(" \t", at), line.size());
+            const size_t end = end_of_word(line, at);
             if (end > at)
                 if (const std::string wrong = take(line.substr(at, end - at)); !wrong.empty()) return wrong;
             at = end + 1;
         }
         return {};
+    }
+
+    /// The next blank that is not quoted.
+    static size_t end_of_word(const std::string& line, size_t at) {
+        char quote = 0;
+        for (; at < line.size(); ++at) {
+            const char c = line[at];
+            if (quote == 0 && (c == ' ' || c == '\t')) return at;
+            if (c == '"' || c == '\'') quote = quote == 0 ? c : quote == c ? 0 : quote;
+        }
+        return at;
     }
 
     /// Where a blank, a sign and a letter stand in a name: ` - b` and ` -2` are parts of it.

@@ -28,6 +28,7 @@ struct PovrayRequest {
     bool jitter = true;
     int threads = 0;
     std::vector<std::string> library_paths, declarations;
+    std::string header;                   ///< +HI: included before the scene
     double clock = 0, initial_clock = 0, final_clock = 1;
     bool clock_given = false;             ///< a still's clock is on, too
     bool cyclic = false;

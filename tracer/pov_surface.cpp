@@ -101,15 +101,16 @@ PovSurface::Passage PovSurface::passage(const CompiledScene& scene, const ShadeP
 PovSurface::PovSurface(const CompiledScene& scene, const ShadePoint& point, const Vec3& dir, const Vec3& normal, const InteriorStack& inside)
     : dir_(dir), normal_(normal), position_(point.position), mirror_ior_(mirror_ior(scene, point, inside)), irid_wavelength_(scene.scene.settings.irid_wavelength), noise_(scene.scene.settings.noise) {
     double_illuminate_ = scene.instances[point.instance].double_illuminate;
-    for_each_mixed_slot(scene, point, [&](const ShadePoint& own, double share) { add(scene, own, material_at(scene, own), share, pattern_frame(own)); });
+    for_each_mixed_slot(scene, point, [&](const ShadePoint& own, double share) {
+        PatternFrame frame = pattern_frame(own);
+        add(scene, own, material_at(scene, own), share, frame);
+    });
 }
 
-void PovSurface::add(const CompiledScene& scene, const ShadePoint& point, const Material& material, double share, const PatternFrame& frame) {
+void PovSurface::add(const CompiledScene& scene, const ShadePoint& point, const Material& material, double share, PatternFrame& frame) {
     const auto* map = std::get_if<PovTextureMap>(&material.layers.front());
     if (!map) return add_layers(scene, point, material, share, frame);
-    scene.textures->for_each_share(map->pattern, frame, [&](uint32_t entry, double part, const PatternFrame& inner) {
-        add(scene, point, scene.scene.materials[map->textures[entry].index], share * part, inner);
-    });
+    scene.textures->for_each_share(map->pattern, frame, [&](uint32_t entry, double part) { add(scene, point, scene.scene.materials[map->textures[entry].index], share * part, frame); });
 }
 
 void PovSurface::add_layers(const CompiledScene& scene, const ShadePoint& point, const Material& material, double share, const PatternFrame& frame) {
@@ -321,11 +322,11 @@ double caustics(const CompiledScene& scene, const PovFinish& finish, const Shade
 
 }  // namespace
 
-Color pov_transmitted(const CompiledScene& scene, const Material& material, const ShadePoint& point, const PatternFrame& frame, const Vec3& dir) {
+Color pov_transmitted(const CompiledScene& scene, const Material& material, const ShadePoint& point, PatternFrame& frame, const Vec3& dir) {
     if (const auto* map = std::get_if<PovTextureMap>(&material.layers.front())) {
         Color sum(0);
-        scene.textures->for_each_share(map->pattern, frame, [&](uint32_t entry, double share, const PatternFrame& inner) {
-            sum += pov_transmitted(scene, scene.scene.materials[map->textures[entry].index], point, inner, dir) * share;
+        scene.textures->for_each_share(map->pattern, frame, [&](uint32_t entry, double share) {
+            sum += pov_transmitted(scene, scene.scene.materials[map->textures[entry].index], point, frame, dir) * share;
         });
         return sum;
     }

@@ -46,7 +46,7 @@ class PovSurface {
 
   private:
     struct Passage;
-    void add(const CompiledScene& scene, const ShadePoint& point, const Material& material, double share, const PatternFrame& frame);
+    void add(const CompiledScene& scene, const ShadePoint& point, const Material& material, double share, PatternFrame& frame);
     void add_layers(const CompiledScene& scene, const ShadePoint& point, const Material& material, double share, const PatternFrame& frame);
     Color lit(const PovLayer& layer, const Vec3& wi, double nl, bool highlights) const;
     Color film(const PovFinish& finish, double nl, double nd) const;
@@ -68,7 +68,7 @@ class PovSurface {
     bool double_illuminate_ = false, sends_on_ = false;
 };
 
-/// What the layers of a material let through at a point: what shadow rays in the unit direction `dir` multiply by.
-Color pov_transmitted(const CompiledScene& scene, const Material& material, const ShadePoint& point, const PatternFrame& frame, const Vec3& dir);
+/// What the layers of a material let through at a point: what shadow rays in the unit direction `dir` multiply by. `frame`: Textures::for_each_share.
+Color pov_transmitted(const CompiledScene& scene, const Material& material, const ShadePoint& point, PatternFrame& frame, const Vec3& dir);
 
 }  // namespace alidade

@@ -203,7 +203,10 @@ Color transmitted(const CompiledScene& scene, const ShadePoint& point, const Vec
     const GltfPbr* metal_rough = pbr(scene, point);
     if (!metal_rough) {
         Color sum(0);
-        for_each_mixed_slot(scene, point, [&](const ShadePoint& own, double share) { sum += pov_transmitted(scene, material_at(scene, own), own, pattern_frame(own), dir) * share; });
+        for_each_mixed_slot(scene, point, [&](const ShadePoint& own, double share) {
+            PatternFrame frame = pattern_frame(own);
+            sum += pov_transmitted(scene, material_at(scene, own), own, frame, dir) * share;
+        });
         return sum;
     }
     const GltfPbr& m = *metal_rough;

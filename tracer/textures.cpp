@@ -189,7 +189,7 @@ Vec3 Textures::bent(SignalId relief, const PatternFrame& outer, const Vec3& n) c
     const auto& signal = std::get<ReliefSignal>(signals_[relief.index].what);
     const PatternFrame frame = !signal.pattern.uv_mapped ? outer : signal.turned ? outer.turned_on_surface(*signal.turned) : outer.on_surface();
     const Vec3 there = frame.normal_in * n;
-    const Vec3 bent = bent_there(relief, frame.at, reliefs_[resource_of_[relief.index]].scaled() ? normalized(there) : there);
+    const Vec3 bent = bent_there(relief, frame.at, frame.mapped || reliefs_[resource_of_[relief.index]].scaled() ? normalized(there) : there);
     const Vec3 unit = normalized(frame.normal_out * bent);
     return std::abs(dot(unit, unit) - 1) < 1e-6 ? unit : n;   // a relief that cancels the normal leaves it as it is
 }

@@ -15,17 +15,20 @@
 
 namespace alidade {
 
-/// Where patterns are looked up, and how normals come there and back.
+/// Where patterns are looked up, and how normals come there and back. The evaluation of one texture has one frame: what it looks up in a map of textures, it does in that map's
+/// space, and comes back; but the normals stay there, so that those of all textures that are evaluated later are bent in it (POV-Ray has it so: probed).
 struct PatternFrame {
     Vec3 at{0};
     Mat3 normal_in{1.0}, normal_out{1.0};
     const ShadePoint* surface = nullptr;   ///< whose (u, v) those are looked up at that follow it
+    bool mapped = false;                   ///< by a map of textures at least: normals are unit there, whatever scales
 
-    /// The normals of what follows the surface are those of the world.
-    PatternFrame on_surface() const { return {surface ? surface->uv_place() : Vec3(0), Mat3(1.0), Mat3(1.0), surface}; }
+    Vec3 surface_place() const { return surface ? surface->uv_place() : Vec3(0); }
+    /// The normals of what follows the surface are those of the world, or of the maps that it is in.
+    PatternFrame on_surface() const { return mapped ? PatternFrame{surface_place(), normal_in, normal_out, surface, mapped} : PatternFrame{surface_place(), Mat3(1.0), Mat3(1.0), surface}; }
     /// But for bumps that follow what `by` did to their object.
     PatternFrame turned_on_surface(const Mat3& by) const {
-        return {on_surface().at, glm::transpose(by) * normal_in, normal_out * glm::transpose(glm::inverse(by)), surface};
+        return {surface_place(), glm::transpose(by) * normal_in, normal_out * glm::transpose(glm::inverse(by)), surface, mapped};
     }
 };
 
@@ -50,8 +53,8 @@ class Textures {
     /// The unit normal `n`, in world space, bent by a ReliefSignal.
     Vec3 bent(SignalId relief, const PatternFrame& frame, const Vec3& n) const;
 
-    /// Calls f(entry, share, frame) for the entries of a PatternSignal's map that count at a point, with where they are looked up: their shares add up to 1.
-    template <class F> void for_each_share(SignalId pattern, const PatternFrame& frame, const F& f) const;
+    /// Calls f(entry, share) for the entries of a PatternSignal's map that count at a point: their shares add up to 1. `frame` is theirs meanwhile, and its normals stay so.
+    template <class F> void for_each_share(SignalId pattern, PatternFrame& frame, const F& f) const;
 
     /// Was something made ready for the signal itself: an image that it reads, its pattern or its relief?
     bool reads(SignalId signal) const { return signal.index < resource_of_.size() && resource_of_[signal.index] != kNoId; }
@@ -82,12 +85,15 @@ class Textures {
     std::vector<uint32_t> resource_of_;   ///< by signal: its picture, its pattern or its relief; kNoId where the signal is none of them
 };
 
-template <class F> void Textures::for_each_share(SignalId signal, const PatternFrame& frame, const F& f) const {
+template <class F> void Textures::for_each_share(SignalId signal, PatternFrame& frame, const F& f) const {
     const Pattern& pattern = patterns_[resource_of_[signal.index]];
     const PatternSignal& own = std::get<PatternSignal>(signals_[signal.index].what);
-    const PatternFrame outer = own.uv_mapped ? frame.on_surface() : frame;
-    const PatternFrame inner{pattern.place(outer.at), pattern.normal_in() * outer.normal_in, outer.normal_out * pattern.normal_out(), frame.surface};
-    alidade::for_each_share(own.map, pattern, inner.at, [&](uint32_t entry, double share) { f(entry, share, inner); });
+    const Vec3 outside = frame.at;
+    if (own.uv_mapped) frame.at = frame.surface_place();
+    const Vec3 inside = pattern.place(frame.at);
+    frame = {inside, pattern.normal_in() * frame.normal_in, frame.normal_out * pattern.normal_out(), frame.surface, true};
+    alidade::for_each_share(own.map, pattern, inside, f);
+    frame.at = outside;
 }
 
 }  // namespace alidade

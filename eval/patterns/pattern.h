@@ -81,7 +81,7 @@ class Pattern {
     bool displaced_ = false;
 };
 
-/// Calls f(entry, share) for the entries of a pattern's map that count at a place: their shares add up to 1.
+/// Calls f(entry, share) for the entries of a pattern's map that count at a place: their shares add up to 1. Of two that are blended, the later one comes first, as in POV-Ray.
 template <class F> void for_each_share(const std::vector<MapEntry>& map, const Pattern& pattern, const Vec3& place, const F& f) {
     if (pattern.is_average()) {
         double total = 0;
@@ -91,8 +91,8 @@ template <class F> void for_each_share(const std::vector<MapEntry>& map, const P
         return;
     }
     const MapBlend blend = look_up(map, pattern.value_at(place));
-    f(blend.low, 1 - blend.t);
     if (blend.t > 0) f(blend.high, blend.t);
+    f(blend.low, 1 - blend.t);
 }
 
 }  // namespace alidade

@@ -233,8 +233,8 @@ Ref<Slot> parse_reference(Parser& p, const Token& name, bool make) {
     if (!found) fail_undeclared(p, name);
     Ref<Slot> slot(found);
     while (slot && slot->value.kind == Kind::array) {
-        const Value array = slot->value;          // which may be declared anew by directives in front of the subscript
-        if (!p.peek_in_value().is('[')) break;
+        const Value array = slot->value;          // which may be declared anew by the subscript
+        if (!p.peek_behind_value().is('[')) break;
         slot = parse_subscripts(p, array.as<Array>(), make);
     }
     return slot;

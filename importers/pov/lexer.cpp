@@ -270,13 +270,23 @@ class Lexer {
         match(token, uint32_t(count() - 1));
     }
 
+    /// What a character that belongs to nothing is, for those that editors put in unasked.
+    std::string meaningless(size_t begin) const {
+        const auto byte = static_cast<unsigned char>(text_[begin]);
+        if (byte > 32 && byte < 127) return fmt::format("the character {} means nothing here", text_[begin]);
+        if (begin == 0 && byte >= 0xFE) return "this is no plain text, but perhaps UTF-16: save it as UTF-8";
+        const std::string text(text_.substr(begin, 4));
+        const uint32_t code = characters(text)[0];
+        if (byte < 0x80 || code == byte || code == 0xFEFF) return fmt::format("the byte 0x{:02X} means nothing here", byte);
+        const char* meant = code == 0xA0 || (code >= 0x2000 && code <= 0x200B) ? ": it looks like a blank, write one" : code >= 0x2018 && code <= 0x201F ? ": strings stand in \" \"" : code >= 0x2010 && code <= 0x2015 ? ": a minus sign is -" : "";
+        return fmt::format("the character U+{:04X} means nothing here{}", code, meant);
+    }
+
     void lex_mark() {
         const size_t begin = at_++;
         char mark = text_[begin];
         if (mark == '<' && number_ != kDataSource && take_vector(begin)) return;
-        if (kind_of(mark) != kMark)
-            return bad(begin, static_cast<unsigned char>(mark) < 127 && mark > 32 ? fmt::format("the character {} means nothing here", mark)
-                                                                                    : fmt::format("the byte 0x{:02X} means nothing here", static_cast<unsigned char>(mark)));
+        if (kind_of(mark) != kMark) return bad(begin, meaningless(begin));
         if (peek() == '=' && (mark == '<' || mark == '>' || mark == '!')) {
             mark = mark == '<' ? kLessEqual : mark == '>' ? kGreaterEqual : kNotEqual;
             ++at_;

@@ -185,7 +185,7 @@ void Parser::print(TextStream where, Place at, const std::string& text) {
 }
 
 void Parser::open_scene(const std::string& path, std::string text) {
-    finder = SourceFinder(std::filesystem::path(path).parent_path(), options.include_paths);
+    finder = SourceFinder(std::filesystem::path(path).parent_path(), options.include_paths, options.scene_folder_last);
     stream.push_file(stream.add(Source(path, std::move(text), said.add_file(path)), names, options.limits), {});
 }
 
@@ -199,7 +199,7 @@ std::string Parser::path_of_include(const std::string& name, Place at) {
     if (!found || (found->other_case && options.strict)) {
         const bool installed = std::filesystem::exists(kStandardIncludes);
         fail_limit(at, fmt::format("the file {} is not found", name),
-                   installed ? "say where it lies with -I DIR" : "POV-Ray's own includes are in the package povray-includes; other folders are given with -I DIR");
+                   installed ? "say where it lies with -I DIR (alidade povray: +LDIR)" : "POV-Ray's own includes are in the package povray-includes; other folders are given with -I DIR (alidade povray: +LDIR)");
     }
     if (found->other_case) warn(at, fmt::format("the file {} is not found, {} is taken", name, found->path));
     return found->path;

@@ -12,6 +12,8 @@ bool looks_like_pov(std::span<const std::byte>) { return false; }
 ImportResult import_pov(const std::string& path, const ImportOptions& options) {
     pov::ReadOptions read;
     read.include_paths = options.include_paths;
+    read.scene_folder_last = options.scene_folder_last;
+    read.header = options.header;
     read.declarations = options.declarations;
     read.strict = options.strict;
     read.frame = options.frame;

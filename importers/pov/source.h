@@ -46,7 +46,7 @@ class SourceFinder {
         bool other_case = false;   ///< only the case of letters differs from what was asked for
     };
 
-    SourceFinder(std::filesystem::path scene_folder, std::vector<std::string> include_paths);
+    SourceFinder(const std::filesystem::path& scene_folder, std::vector<std::string> include_paths, bool scene_folder_last = false);
     std::optional<Found> find(const std::string& name) const;
     const std::vector<std::filesystem::path>& folders() const { return folders_; }
 

@@ -34,7 +34,7 @@ class PovBuilders : public testing::Test {
         const auto result = import(text);
         return result ? result->diagnostics.text() : result.error().text();
     }
-    static void expect_near(const Vec3& a, const Vec3& b) { EXPECT_LT(length(a - b), 1e-12) << a.x << " " << a.y << " " << a.z; }
+    static void expect_near(const Vec3& a, const Vec3& b, double error = 1e-12) { EXPECT_LT(length(a - b), error) << a.x << " " << a.y << " " << a.z; }
 
     std::filesystem::path folder_;
 };

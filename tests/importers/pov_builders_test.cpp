@@ -100,8 +100,13 @@ TEST_F(PovBuilders, LettersOfATextStandByWidthsAndKerning) {
     EXPECT_EQ(e.top, 0.5);
     EXPECT_EQ(e.outlines.size(), 2u);
     std::vector<Vec3> places;
-    for (const Node& node : s.nodes)
-        if (std::holds_alternative<ShapeId>(node.what)) places.push_back(node.to_parent.translation);
+    const double a = 0.001 * kPi / 180;   // all letters are turned by it about each axis
+    for (const Node& node : s.nodes) {
+        if (!std::holds_alternative<ShapeId>(node.what)) continue;
+        const Transform upright = inverse(node.to_parent).value();
+        places.push_back(-upright.point(Vec3(0)));
+        expect_near(upright.vector({0, 0, -1}), {a, -a, -1}, 4e-10);
+    }
     ASSERT_EQ(places.size(), 3u);
     expect_near(places[0], {-0.006, 0, 0});
     expect_near(places[1], {-0.006 + 0.75 - 0.187 + 0.1, 0.2, 0});

@@ -72,6 +72,10 @@ class Povray(InFolder):
         self.render("+IUP", "+W8", "+H6", "+FP", "+Oout/")
         self.assertTrue((self.folder / "out/UP.ppm").exists())
 
+    def test_rows_are_counted_from_one(self):
+        for word in ("+EC0", "+ER0", "+SC-3", "Start_Row=-1"):
+            self.assertIn("has no value", self.render("+Is.pov", "+W8", "+H6", word, code=1))
+
     def test_a_part_of_the_picture(self):
         self.render("+Is.pov", "Declare=R=9", "+W10", "+H10", "+SC3", "+EC4", "+SR0.5", "+FP")
         grey = self.picture("s.ppm")[2]
@@ -89,6 +93,8 @@ class Povray(InFolder):
         for word, bits in (("+FN", 8), ("+FN8", 8), ("+FN16", 16), ("Bits_Per_Color=16", 16)):
             self.render("+Is.pov", "+W8", "+H8", word)
             self.assertEqual((self.folder / "s.png").read_bytes()[24], bits, word)
+        self.assertIn("its number is left out", self.render("+Is.pov", "+W8", "+H8", "Output_File_Type=N16"))
+        self.assertEqual((self.folder / "s.png").read_bytes()[24], 8)
         for word, most in (("+FP", b"255"), ("+FP16", b"65535")):
             self.render("+Is.pov", "+W8", "+H6", word)
             self.assertEqual((self.folder / "s.ppm").read_bytes().split()[:4], [b"P6", b"8", b"6", most])
@@ -140,13 +146,52 @@ class Povray(InFolder):
         self.render("+Ifar", "+Llibrary", "+W8", "+H6", "+FP")
         self.assertEqual(self.picture("far.ppm")[:2], (8, 6))
 
+    def test_what_stands_in_several_folders_is_taken_where_povray_takes_it(self):
+        for number, folder in enumerate(("scenes", "library", "."), 1):
+            (self.folder / folder).mkdir(exist_ok=True)
+            (self.folder / folder / "n.inc").write_text(f'#debug "told {number}\\n"\n')
+        (self.folder / "scenes/t.pov").write_text('#version 3.7;\n#include "n.inc"\n' + SCENE)
+        words = ("+Iscenes/t.pov", "+Llibrary", "+W8", "+H6", "-F")
+        self.assertIn("told 3", self.render(*words))
+        (self.folder / "n.inc").unlink()
+        self.assertIn("told 2", self.render(*words))
+        (self.folder / "library/n.inc").unlink()
+        self.assertIn("told 1", self.render(*words))
+        (self.folder / "scenes/n.inc").unlink()
+        self.assertIn("+LDIR", self.render(*words, code=1))
+
+    def test_a_header_is_included_before_the_scene(self):
+        (self.folder / "head.inc").write_text("#declare Told = 7;\n")
+        (self.folder / "t.pov").write_text(SCENE + '#debug concat("told ", str(Told, 0, 0))\n')
+        for word in ("+HIhead.inc", "Include_Header=head.inc", "Include_Header='head.inc'"):
+            self.assertIn("told 7", self.render("+It.pov", "+W8", "+H6", "-F", word))
+        self.assertIn("gone.inc is not found", self.render("+It.pov", "+W8", "+H6", "-F", "+HIgone.inc", code=1))
+
+    def test_a_place_that_cannot_be_written_to_is_told_before_the_picture_is_rendered(self):
+        (self.folder / "folder.png").mkdir()
+        self.assertIn("there is no folder gone", self.render("+Is.pov", "+W60000", "+H60000", "+Ogone/s.png", code=1))
+        self.assertIn("is a folder", self.render("+Is.pov", "+W60000", "+H60000", "+Ofolder.png", code=1))
+        self.assertEqual(list(self.folder.glob("*.pov-state")), [])
+
+    def test_quotes_around_names_in_switches(self):
+        (self.folder / "two words.pov").write_text(SCENE)
+        (self.folder / "a.ini").write_text("+W8 +H6 +FP +I\"two words.pov\" +O'a picture'\n")
+        self.render("a.ini")
+        self.assertEqual(self.picture("a picture.ppm")[:2], (8, 6))
+        self.render('+I"two words.pov"', "+W8", "+H6", "+FP")
+        self.assertEqual(self.picture("two words.ppm")[:2], (8, 6))
+
+    def test_scripts_ask_for_the_version(self):
+        self.assertIn("alidade", run("povray", "--version", cwd=self.folder).stdout)
+
     def test_a_picture_goes_to_stdout(self):
         said = subprocess.run([PROGRAM, "povray", "+Is.pov", "+W8", "+H6", "+FP", "+O-"], cwd=self.folder, capture_output=True)
         self.assertEqual((said.returncode, said.stdout[:2], len(said.stdout)), (0, b"P6", len(b"P6\n8 6\n255\n") + 8 * 6 * 3), said.stderr)
         self.assertEqual(list(self.folder.glob("*.p?m")), [])
         subprocess.run([PROGRAM, "povray", "+Is.pov", "+W8", "+H6", "+O-", "+GSs.txt"], cwd=self.folder, capture_output=True, check=True)
         self.assertIn("8x6", (self.folder / "s.txt").read_text())
-        self.assertIn("frames need files", run("povray", "+Is.pov", "+W8", "+H6", "+O-", "+KFF2", cwd=self.folder).stderr)
+        said = subprocess.run([PROGRAM, "povray", "+Is.pov", "+W8", "+H6", "+FP", "+O-", "+KFF3"], cwd=self.folder, capture_output=True)
+        self.assertEqual(said.stdout.count(b"P6\n8 6\n255\n"), 3, "frames follow one another, for a pipe")
 
     def test_steps_between_frames(self):
         self.render("+Is.pov", "+W8", "+H6", "+FP", "+KFF5", "Frame_Step=2")
@@ -227,8 +272,7 @@ class Povray(InFolder):
         self.assertEqual((said.returncode, self.picture("s.ppm")[:2]), (0, (5, 4)), said)
 
     def test_words_without_effect_are_told_once(self):
-        said = self.render("+Is.pov", "+W8", "+H8", "+UF", "+UF", "+FNg")
-        self.assertEqual(said.count("Field_Render"), 1)
+        said = self.render("+Is.pov", "+W8", "+H8", "+UF", "+FNg", "+FNg")
         self.assertEqual(said.count("Grayscale_Output"), 1)
 
     def test_pictures_have_alpha_where_it_is_asked_for(self):

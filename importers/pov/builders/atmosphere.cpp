@@ -71,11 +71,12 @@ void take_rainbow(Build& build, const Block& block, Rainbow& bow, std::optional<
 /// From version 3.7 on, what a background transmits is missing in it, and where pictures have alpha, what it filters, too. Before, it is all missing in these.
 void read_background(Build& build, const Block& block) {
     bool coloured = false;
+    Atmosphere& air = build.scene.atmosphere;
+    air.background = air.background_mirrored = air.background_over = Color(0), air.background_shows = build.scene.settings.filter_dims_by_colour ? 1 : 0;   // of one before it nothing is left
     for (Cursor at(build, block); !at.done();) {
         if (at.at_numeric() && !std::exchange(coloured, true)) {
             const std::array<double, 5> c = at.colour("the background");
             const Color color(c[0], c[1], c[2]);
-            Atmosphere& air = build.scene.atmosphere;
             const bool old = build.scene.settings.filter_dims_by_colour;
             air.background = color * (old ? 1 : 1 - c[4]);
             air.background_mirrored = color;

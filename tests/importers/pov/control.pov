@@ -110,13 +110,15 @@ Print(T)                                                    // expect used
 //---- the commas between arguments may be left out
 #macro Sum(a, b) #debug concat(str(a.y + b, 0, 0), "\n") #end
 Sum(<1,2,3> 4)                                              // expect 6
-//---- what is declared anew in front of its arguments or its subscript is still what it was there
+//---- what is declared anew in front of its arguments is still what it was there
 #declare Fn = function(x) { x*2 };
 #declare Q = Fn #for (Fn, 1, 1) (4); #end
 #debug concat(str(Q, 0, 0), "\n")                           // expect 8
-#declare Ar = array[2] { 5, 6 }
-#declare Q = Ar #macro Ar() #end [1];
-#debug concat(str(Q, 0, 0), "\n")                           // expect 6
+//---- an array is declared before the next directive looks at it
+#macro Changed(P) #local Q = array[2] { 7, 8 } #declare P = Q #end
+#declare A = array[3] { 1, 2, 3 } Changed(A)
+#debug concat(str(dimension_size(A, 1), 0, 0), str(A[0], 0, 0), "\n")   // expect 27
+#declare B = array[3] { 1, 2, 3 } #declare B = A #if (dimension_size(B, 1) = 2) #debug "now\n" #end   // expect now
 //---- before version 3.5 declarations need no semicolons: each is finished before the next directive looks at it
 #version 3.1
 #declare A = 2
