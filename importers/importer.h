@@ -15,7 +15,7 @@ enum class LightUnitsOption { automatic, photometric, raw };
 
 struct ImportOptions {
     std::vector<std::string> include_paths;          ///< -I
-    bool scene_folder_last = false;                  ///< what a POV scene reads is looked for in its own folder behind them, not before them
+    bool scene_folder_last = false;                  ///< what a POV scene reads is looked for in its own folder behind all others, not before them
     std::string header;                              ///< a file that a POV scene is read behind, as if it began with #include; empty: none
     std::vector<std::string> declarations;           ///< NAME=VALUE
     bool strict = false;                             ///< warnings about what is not understood become errors

@@ -17,7 +17,6 @@
 #include <filesystem>
 #include <fmt/format.h>
 #include <fstream>
-#include <unistd.h>
 
 namespace alidade {
 
@@ -89,17 +88,6 @@ bool done_already(const PovrayRequest& r, const std::string& output) {
     return r.continued && r.writes_file() && std::filesystem::exists(output, ignored) && !std::filesystem::exists(state_name(output), ignored);
 }
 
-/// Why the picture cannot become a file, known before it is rendered; or "".
-std::string unwritable(const std::string& output) {
-    namespace fs = std::filesystem;
-    std::error_code ignored;
-    const fs::path folder = fs::path(output).parent_path();
-    if (!folder.empty() && !fs::is_directory(folder, ignored)) return fmt::format("{}: there is no folder {}", output, folder.string());
-    if (fs::is_directory(output, ignored)) return fmt::format("{} is a folder: give the picture another name", output);
-    if (access(folder.empty() ? "." : folder.c_str(), W_OK) != 0 && access(output.c_str(), W_OK) != 0) return fmt::format("{}: the folder may not be written to", output);
-    return {};
-}
-
 /// The picture is there in part. Without a state it is not written: the next `+C` would take it for a finished one.
 int interrupted(const std::string& output, bool state) {
     fmt::print(stderr, "alidade: interrupted; {}\n", state ? fmt::format("+C goes on from {}", state_name(output)) : fmt::format("{} is not written", output));
@@ -168,7 +156,7 @@ int render_to_file(const PovrayRequest& r, const CompiledScene& scene, const Ren
 int render_frame(const PovrayRequest& r, int frame) {
     const std::string output = output_name(r, frame);
     if (done_already(r, output)) return fmt::print(stderr, "{}: rendered already, and +C: skipped\n", output), kDone;
-    if (const std::string wrong = r.writes_file() ? unwritable(output) : ""; !wrong.empty()) return fail(wrong);
+    if (const std::string wrong = r.writes_file() ? why_no_file(output) : ""; !wrong.empty()) return fail(wrong);   // as POV-Ray, before it is rendered
     SceneText text(r.shows_scene_text);
     Request request = request_of(r, frame);
     request.import.print = [&](pov::TextStream where, const std::string& what) { text.print(where, what); };

@@ -78,6 +78,20 @@ struct Collector {
     }
 };
 
+/// In font units: the left side bearing of a glyph that is composed of others, that of the component whose metrics it says it has; nothing if it is a simple one. Loads other glyphs.
+std::optional<FT_Pos> bearing_of_composite(FT_Face face, uint32_t index) {
+    if (FT_Load_Glyph(face, index, FT_LOAD_NO_RECURSE) != 0 || face->glyph->format != FT_GLYPH_FORMAT_COMPOSITE) return std::nullopt;
+    uint32_t measured = index;
+    for (FT_UInt i = 0; i < face->glyph->num_subglyphs; ++i) {
+        FT_Int component, along, up;
+        FT_UInt flags;
+        FT_Matrix matrix;
+        if (FT_Get_SubGlyph_Info(face->glyph, i, &component, &flags, &along, &up, &matrix) == 0 && (flags & FT_SUBGLYPH_FLAG_USE_MY_METRICS)) measured = uint32_t(component);
+    }
+    if (FT_Load_Glyph(face, measured, FT_LOAD_NO_SCALE | FT_LOAD_NO_BITMAP) != 0) return std::nullopt;
+    return face->glyph->metrics.horiBearingX;
+}
+
 }  // namespace
 
 Font::Font(std::unique_ptr<Face> face) : face_(std::move(face)) {}
@@ -112,6 +126,11 @@ std::optional<Glyph> Font::glyph(uint32_t index) const {
     Glyph out;
     out.outlines = std::move(collector.outlines);
     out.advance = double(face->glyph->metrics.horiAdvance) / face_->em(), out.left = double(face->glyph->metrics.horiBearingX) / face_->em();
+    const auto bearing = bearing_of_composite(face, index);
+    if (!bearing) return out;
+    out.left = out.moved = double(*bearing) / face_->em();
+    for (Outline& outline : out.outlines)
+        for (Vec2& p : outline.points) p.x += out.moved;
     return out;
 }
 

@@ -15,7 +15,8 @@ namespace alidade::pov {
 struct Glyph {
     std::vector<Outline> outlines;
     double advance = 0;
-    double left = 0;             ///< the smallest x
+    double left = 0;             ///< the left side bearing: of a simple glyph, the smallest x
+    double moved = 0;            ///< by how much the outlines stand farther to the right than the font says: POV-Ray counts the bearing of composite glyphs, such as letters with accents, twice (by experiment)
 };
 
 class Font {

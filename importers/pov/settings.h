@@ -33,7 +33,7 @@ inline constexpr int kFullQuality = 9;
 
 struct ReadOptions {
     std::vector<std::string> include_paths;
-    bool scene_folder_last = false;                      ///< files are looked for in the scene's folder behind include_paths, not before them
+    bool scene_folder_last = false;                      ///< files are looked for in the scene's folder behind all others, not before them
     std::string header;                                  ///< included before the scene (POV-Ray's Include_Header=); empty: none
     std::vector<std::string> declarations;               ///< NAME=VALUE, a float each (POV-Ray's Declare=)
     std::optional<std::string> write_folder;             ///< #fopen ... write works below it, and nowhere else

@@ -34,8 +34,8 @@ std::string Source::excerpt(uint32_t offset, uint32_t& column) const {
 
 SourceFinder::SourceFinder(const fs::path& scene_folder, std::vector<std::string> include_paths, bool scene_folder_last) {
     for (std::string& path : include_paths) folders_.emplace_back(std::move(path));
-    folders_.insert(scene_folder_last ? folders_.end() : folders_.begin(), scene_folder.empty() ? fs::path(".") : scene_folder);
     folders_.emplace_back(kStandardIncludes);
+    folders_.insert(scene_folder_last ? folders_.end() : folders_.begin(), scene_folder.empty() ? fs::path(".") : scene_folder);
 }
 
 fs::path SourceFinder::resolved(const fs::path& path, std::error_code& failed) const {

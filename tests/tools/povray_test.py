@@ -169,7 +169,7 @@ class Povray(InFolder):
 
     def test_a_place_that_cannot_be_written_to_is_told_before_the_picture_is_rendered(self):
         (self.folder / "folder.png").mkdir()
-        self.assertIn("there is no folder gone", self.render("+Is.pov", "+W60000", "+H60000", "+Ogone/s.png", code=1))
+        self.assertIn("there is no folder 'gone'", self.render("+Is.pov", "+W60000", "+H60000", "+Ogone/s.png", code=1))
         self.assertIn("is a folder", self.render("+Is.pov", "+W60000", "+H60000", "+Ofolder.png", code=1))
         self.assertEqual(list(self.folder.glob("*.pov-state")), [])
 
