@@ -80,7 +80,7 @@ bool library(PovrayRequest& r, const PovrayWord& w) {
     if (!w.value.empty()) r.library_paths.push_back(w.value);
     return true;
 }
-bool header(PovrayRequest& r, const PovrayWord& w) { return r.header = w.value, !w.value.empty(); }
+bool header(PovrayRequest& r, const PovrayWord& w) { return r.header = w.value, true; }
 bool declare(PovrayRequest& r, const PovrayWord& w) {
     const size_t equals = w.value.find('=');
     if (w.value.substr(0, equals) == "clock") tell(r, "Declare=clock changes nothing: the clock is what +K says");

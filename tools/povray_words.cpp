@@ -155,7 +155,8 @@ class Reading {
         for (; at < line.size(); ++at) {
             const char c = line[at];
             if (quote == 0 && (c == ' ' || c == '\t')) return at;
-            if (c == '"' || c == '\'') quote = quote == 0 ? c : quote == c ? 0 : quote;
+            if (c == quote) quote = 0;
+            else if (quote == 0 && (c == '"' || c == '\'') && line.find(c, at + 1) != std::string::npos) quote = c;   // one that is not closed belongs to a name
         }
         return at;
     }

@@ -89,7 +89,7 @@ template <class F> void Textures::for_each_share(SignalId signal, PatternFrame& 
     const Pattern& pattern = patterns_[resource_of_[signal.index]];
     const PatternSignal& own = std::get<PatternSignal>(signals_[signal.index].what);
     const Vec3 outside = frame.at;
-    if (own.uv_mapped) frame.at = frame.surface_place();
+    if (own.uv_mapped) frame = frame.on_surface();
     const Vec3 inside = pattern.place(frame.at);
     frame = {inside, pattern.normal_in() * frame.normal_in, frame.normal_out * pattern.normal_out(), frame.surface, true};
     alidade::for_each_share(own.map, pattern, inside, f);

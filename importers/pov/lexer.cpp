@@ -278,7 +278,7 @@ class Lexer {
         const std::string text(text_.substr(begin, 4));
         const uint32_t code = characters(text)[0];
         if (byte < 0x80 || code == byte || code == 0xFEFF) return fmt::format("the byte 0x{:02X} means nothing here", byte);
-        const char* meant = code == 0xA0 || (code >= 0x2000 && code <= 0x200B) ? ": it looks like a blank, write one" : code >= 0x2018 && code <= 0x201F ? ": strings stand in \" \"" : code >= 0x2010 && code <= 0x2015 ? ": a minus sign is -" : "";
+        const char* meant = code == 0xA0 || (code >= 0x2000 && code <= 0x200B) ? ": it looks like a blank, write one" : code >= 0x2018 && code <= 0x201F ? ": strings stand in \" \"" : (code >= 0x2010 && code <= 0x2015) || code == 0x2212 ? ": a minus sign is -" : "";
         return fmt::format("the character U+{:04X} means nothing here{}", code, meant);
     }
 

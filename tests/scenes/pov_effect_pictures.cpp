@@ -79,8 +79,8 @@ std::vector<PovPicture> effect_pictures() {
         {"BumpsOfTexturesInMaps", kEffectHead + kView + kSun + "#declare A = texture { pigment { rgb 1 } normal { gradient x 3 translate .5*x } } #declare K = texture { pigment { rgb <.3,.1,.1> } } #declare S = texture { spherical texture_map { [0 K] } rotate 45*y } "
          "#declare R = texture { average texture_map { [1 K] } rotate 25*y } #macro B(X,Y) rotate <-20,30,0> translate <X,Y,0> } #if (X < 1) box { -.35, .35 #end #end box { -.35, .35 "
          "texture { gradient y texture_map { [0 A] [1 S] } } B(-1,.5) texture { average texture_map { [1 S] [0 average texture_map { [1 K] } rotate <0,-60,-25> scale <1.3,1,1>] [1 A] } } B(0,.5) "
-         "texture { gradient y texture_map { [0 pigment { rgb 1 } normal { gradient x 3 no_bump_scale scale .5 } scale .3] [1 S] } scale <2,1,.5> } B(1,.5) "
-         "box { -.35, .35 texture { uv_mapping average texture_map { [1 R] [1 A] } } B(-1,-.5) texture { average texture_map { [1 R] [1 pigment { rgb 1 } normal { uv_mapping gradient x 3 }] } rotate 20*x } B(0,-.5) "
+         "texture { gradient y texture_map { [0 pigment { rgb 1 } normal { gradient x 3 no_bump_scale scale .5 } scale .3] [1 uv_mapping average texture_map { [1 R] } rotate 45*y] } scale <2,1,.5> } B(1,.5) "
+         "box { -.35, .35 uv_mapping texture { checker texture { A } texture { A } scale .1 } B(-1,-.5) texture { average texture_map { [1 R] [1 pigment { rgb 1 } normal { uv_mapping gradient x 3 }] } rotate 20*x } B(0,-.5) "
          "texture { checker texture { A } texture { spherical texture_map { [0 A] } rotate <45,20,0> } scale .3 } B(1,-.5)"},
         {"UvMappedBeforeNames", kEffectHead + kView + kSun + "#declare P = pigment { gradient x color_map { [0 rgb x] [.5 rgb y] [1 rgb z] } } #declare Q = pigment { uv_mapping P rotate 20*z } #declare N = normal { bumps 1 scale .2 } "
          "box { -.6, .6 pigment { uv_mapping P scale .5 } normal { uv_mapping N scale 2 } rotate 30*y } sphere { <-1.4,0,0>, .6 pigment { checker pigment { uv_mapping P } pigment { rgb 1 } scale .5 } } box { <1,-.5,-.5>, <2,.5,.5> texture { pigment { Q } normal { N } } rotate 10 }"},

@@ -178,6 +178,10 @@ class Povray(InFolder):
         (self.folder / "a.ini").write_text("+W8 +H6 +FP +I\"two words.pov\" +O'a picture'\n")
         self.render("a.ini")
         self.assertEqual(self.picture("a picture.ppm")[:2], (8, 6))
+        (self.folder / "it's.pov").write_text(SCENE)
+        (self.folder / "b.ini").write_text("+Iit's.pov +W8 +H6 +FP\n")
+        self.render("b.ini")
+        self.assertEqual(self.picture("it's.ppm")[:2], (8, 6))
         self.render('+I"two words.pov"', "+W8", "+H6", "+FP")
         self.assertEqual(self.picture("two words.ppm")[:2], (8, 6))
 

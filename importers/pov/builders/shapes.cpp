@@ -55,7 +55,7 @@ BuiltShape disc(Build& build, Cursor& at) {
     Disc s;
     s.center = at.vector("the centre of a disc"), s.normal = at.vector("the normal of a disc"), s.radius = at.number("the radius of a disc");
     if (at.at_number()) s.hole = at.number("the radius of a disc's hole");
-    if (length(s.normal) == 0) build.p.tally(place, "a disc whose normal has no length is not seen, as in POV-Ray"), s.normal = Vec3(0, 0, 1), s.radius = s.hole = 0;
+    if (length(s.normal) == 0) build.p.tally(place, "a disc whose normal has no length is a point, not seen as in POV-Ray"), s.normal = Vec3(0, 0, 1), s.radius = s.hole = 0;
     return {s, {}};
 }
 

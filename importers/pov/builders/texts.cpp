@@ -150,7 +150,8 @@ BuiltText build_text(Build& build, Cursor& at) {
         Bounds own{Vec3(0, 0, std::min(depth, 0.0)), Vec3(0, 0, std::max(depth, 0.0))};
         if (!glyph->outlines.empty()) {
             out.letters.push_back(letters.node(index, Vec2(pen.x, pen.y)));
-            own = letters.box(index), own.min.x -= glyph->moved, own.max.x -= std::min(own.min.x, 0.0);
+            own = letters.box(index), own.max.x -= std::min(own.min.x - glyph->moved, 0.0);
+            own.min.x = glyph->left;
         }
         out.box.extend(turn_of_letters().bounds(Bounds{own.min + pen, own.max + pen}));
         along += glyph->advance;
