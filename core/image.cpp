@@ -38,15 +38,6 @@ bool starts_with(std::span<const std::byte> bytes, std::string_view magic) {
     return bytes.size() >= magic.size() && std::equal(magic.begin(), magic.end(), bytes.begin(), [](char a, std::byte b) { return std::byte(a) == b; });
 }
 
-/// ".png" of "a/b.PNG"; nothing for a name without an ending.
-std::string lower_ending(const std::string& path) {
-    const size_t slash = path.find_last_of('/'), dot = path.find_last_of('.');
-    if (dot == std::string::npos || (slash != std::string::npos && dot < slash)) return {};
-    std::string ending = path.substr(dot);
-    for (char& c : ending) c = c >= 'A' && c <= 'Z' ? char(c - 'A' + 'a') : c;
-    return ending;
-}
-
 const Format* find_format(const std::string& ending) {
     for (const Format& f : formats())
         if (ending == f.ending) return &f;
@@ -141,6 +132,14 @@ tl::expected<std::vector<std::byte>, std::string> encode_picture(const Picture& 
     return image::encode_by_module(picture, ending);
 } catch (const std::bad_alloc&) {
     return tl::unexpected(std::string(kNoMemory));
+}
+
+std::string lower_ending(const std::string& path) {
+    const size_t slash = path.find_last_of('/'), dot = path.find_last_of('.');
+    if (dot == std::string::npos || (slash != std::string::npos && dot < slash)) return {};
+    std::string ending = path.substr(dot);
+    for (char& c : ending) c = c >= 'A' && c <= 'Z' ? char(c - 'A' + 'a') : c;
+    return ending;
 }
 
 tl::expected<void, std::string> write_picture(const std::string& path, const Picture& picture, int bits) {

@@ -62,6 +62,9 @@ tl::expected<void, std::string> write_picture(const std::string& path, const Pic
 /// The bytes that write_picture would write for `ending` (".png", ...; lower case). An error is one sentence.
 tl::expected<std::vector<std::byte>, std::string> encode_picture(const Picture& picture, const std::string& ending, int bits = 8);
 
+/// ".png" of "a/b.PNG"; nothing for a name without an ending.
+std::string lower_ending(const std::string& path);
+
 /// The endings that write_picture knows without a module.
 bool can_write_picture(const std::string& path);
 

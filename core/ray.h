@@ -11,7 +11,7 @@ namespace alidade {
 
 /// Which instances a ray may see: an instance is tested when (its mask & the ray's) is not 0.
 using Mask = uint32_t;
-inline constexpr Mask kMaskCamera = 1, kMaskShadow = 2, kMaskReflection = 4, kMaskRefraction = 8, kMaskAll = ~Mask(0);
+inline constexpr Mask kMaskCamera = 1, kMaskShadow = 2, kMaskReflection = 4, kMaskAll = ~Mask(0);
 
 /// The points origin + t dir with tmin <= t <= tmax. `dir` need not be a unit vector: t counts its multiples.
 /// tmin may be -infinity (the whole line). A ray with a NaN, or with a zero or infinite direction, hits nothing.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "importers/importer.h"
 
+#include "core/image.h"
 #include "importers/gltf/gltf.h"
 #include "importers/mesh/obj.h"
 #include "importers/mesh/off.h"
@@ -48,8 +49,7 @@ std::vector<std::byte> read_head(const std::string& path) {
     return head;
 }
 
-bool has_ending(const ImporterEntry& entry, std::string ending) {
-    std::transform(ending.begin(), ending.end(), ending.begin(), [](unsigned char c) { return char(std::tolower(c)); });
+bool has_ending(const ImporterEntry& entry, const std::string& ending) {
     return !ending.empty() && fmt::format(" {} ", entry.extensions).find(fmt::format(" {} ", ending)) != std::string::npos;
 }
 
@@ -58,7 +58,7 @@ const ImporterEntry* choose(const std::string& path, std::span<const std::byte> 
     for (const ImporterEntry& entry : kImporters)
         if (entry.recognises(head)) return &entry;
     for (const ImporterEntry& entry : kImporters)
-        if (has_ending(entry, std::filesystem::path(path).extension().string())) return &entry;
+        if (has_ending(entry, lower_ending(path))) return &entry;
     return nullptr;
 }
 

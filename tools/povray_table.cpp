@@ -36,10 +36,12 @@ template <int PovrayRequest::* Member, int Low, int High> bool integer(PovrayReq
     return n ? (r.*Member = *n, true) : false;
 }
 
-/// A first or last row or column: counted from 1, or a share of the picture.
-template <double PovrayRequest::* Member> bool row(PovrayRequest& r, const PovrayWord& w) {
+enum class End { first, last };
+
+/// A row or column, counted from 1, or a share of the picture: a last one is beyond 0.
+template <double PovrayRequest::* Member, End Which> bool edge(PovrayRequest& r, const PovrayWord& w) {
     const auto x = parse_number(w.value, 0);
-    return x && (*x > 0 || Member == &PovrayRequest::start_column || Member == &PovrayRequest::start_row) ? (r.*Member = *x, true) : false;
+    return x && (*x > 0 || Which == End::first) ? (r.*Member = *x, true) : false;
 }
 
 template <double PovrayRequest::* Member> bool number(PovrayRequest& r, const PovrayWord& w) {
@@ -170,10 +172,10 @@ constexpr PovrayRow kTable[] = {
     {"Subset_End_Frame", "EF", frame<&PovrayRequest::subset_end>},
     {"Field_Render", "UF", nothing},
     {"Odd_Field", "UO", nothing},
-    {"Start_Column", "SC", row<&PovrayRequest::start_column>},
-    {"End_Column", "EC", row<&PovrayRequest::end_column>},
-    {"Start_Row", "SR", row<&PovrayRequest::start_row>},
-    {"End_Row", "ER", row<&PovrayRequest::end_row>},
+    {"Start_Column", "SC", edge<&PovrayRequest::start_column, End::first>},
+    {"End_Column", "EC", edge<&PovrayRequest::end_column, End::last>},
+    {"Start_Row", "SR", edge<&PovrayRequest::start_row, End::first>},
+    {"End_Row", "ER", edge<&PovrayRequest::end_row, End::last>},
     {"Output_Alpha", "UA", flag<&PovrayRequest::alpha>},
     {"Work_Threads", "WT", integer<&PovrayRequest::threads, 0, 4096>},
     {"Render_Block_Size", "BS", nothing},

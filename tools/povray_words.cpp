@@ -33,6 +33,17 @@ std::string unquoted(const std::string& text) {
     return text.size() > 1 && (text[0] == '"' || text[0] == '\'') && text.back() == text[0] ? text.substr(1, text.size() - 2) : text;
 }
 
+/// Where one of `marks` stands outside of quotes, from `at` on; the end if none does. A quote that is not closed belongs to a name.
+size_t find_unquoted(const std::string& line, std::string_view marks, size_t at) {
+    for (char quote = 0; at < line.size(); ++at) {
+        const char c = line[at];
+        if (quote == 0 && marks.find(c) != std::string_view::npos) return at;
+        if (c == quote) quote = 0;
+        else if (quote == 0 && (c == '"' || c == '\'') && line.find(c, at + 1) != std::string::npos) quote = c;
+    }
+    return at;
+}
+
 /// One command line, with the INI files that it names.
 class Reading {
   public:
@@ -120,11 +131,7 @@ class Reading {
 
     /// `[section]`, `Key=Value`, or switches; `;` and `#` begin a comment where nothing is quoted. What stands before all sections always holds.
     std::string take_line(std::string line, std::string& section, const std::string& wanted) {
-        char quote = 0;
-        for (size_t i = 0; i < line.size(); ++i) {
-            if (quote == 0 && (line[i] == ';' || line[i] == '#')) line.resize(i);
-            else if (line[i] == '"' || line[i] == '\'') quote = quote == 0 ? line[i] : quote == line[i] ? 0 : quote;
-        }
+        line.resize(find_unquoted(line, ";#", 0));
         const size_t first = line.find_first_not_of(" \t\r"), last = line.find_last_not_of(" \t\r");
         if (first == std::string::npos) return {};
         line = line.substr(first, last - first + 1);
@@ -141,24 +148,12 @@ class Reading {
             return take(key + "=" + value.substr(0, length_of_value(key, value)));
         }
         for (size_t at = 0; at < line.size();) {
-            const size_t end = end_of_word(line, at);
+            const size_t end = find_unquoted(line, " \t", at);
             if (end > at)
                 if (const std::string wrong = take(line.substr(at, end - at)); !wrong.empty()) return wrong;
             at = end + 1;
         }
         return {};
-    }
-
-    /// The next blank that is not quoted.
-    static size_t end_of_word(const std::string& line, size_t at) {
-        char quote = 0;
-        for (; at < line.size(); ++at) {
-            const char c = line[at];
-            if (quote == 0 && (c == ' ' || c == '\t')) return at;
-            if (c == quote) quote = 0;
-            else if (quote == 0 && (c == '"' || c == '\'') && line.find(c, at + 1) != std::string::npos) quote = c;   // one that is not closed belongs to a name
-        }
-        return at;
     }
 
     /// Where a blank, a sign and a letter stand in a name: ` - b` and ` -2` are parts of it.

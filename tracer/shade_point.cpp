@@ -53,9 +53,9 @@ bool is_smooth(const Mesh& mesh, uint32_t triangle) {
     return at(0) != at(1) || at(0) != at(2);
 }
 
-// Out of line: few scenes have textures for the inside alone.
 /// Does the ray come from the side that POV-Ray shows interior_texture on? Of smooth triangles that is where the interpolated normal does not point, of
-/// others the side on which their corners go around counterclockwise in a right-handed space, whatever normals they are given (probed).
+/// others the side on which their corners go around counterclockwise in a right-handed space, whatever normals they are given (probed). Out of line: few
+/// scenes have textures for the inside alone.
 [[gnu::noinline]] bool sees_inside(const Instance& instance, const Ray& ray, const ShadePoint& p) {
     if (p.mesh && is_smooth(*p.mesh, p.triangle)) return (dot(ray.dir, p.shading_normal) > 0) != instance.turned;
     const bool behind = p.mesh ? dot(ray.dir, instance.to_local.transposed(triangle_normal(*p.mesh, p.triangle))) <= 0 : !p.front;

@@ -50,6 +50,7 @@ class Lexer {
         : text_(source.text()), number_(number), names_(names), tokens_(room), first_(room.size()) {}
 
     TokenList run(size_t max_tokens) {
+        if (text_.starts_with("\xFF\xFE") || text_.starts_with("\xFE\xFF")) bad(0, "the file is UTF-16: save it as UTF-8");
         while (number_ == 0 && at_ < text_.size() && static_cast<unsigned char>(text_[at_]) >= 0x80) ++at_;   // POV-Ray passes any such, as the byte order mark, where a scene begins
         const bool marked = at_ > 0;
         while (skip_blanks() && at_ < text_.size()) {
@@ -274,7 +275,6 @@ class Lexer {
     std::string meaningless(size_t begin) const {
         const auto byte = static_cast<unsigned char>(text_[begin]);
         if (byte > 32 && byte < 127) return fmt::format("the character {} means nothing here", text_[begin]);
-        if (begin == 0 && byte >= 0xFE) return "this is no plain text, but perhaps UTF-16: save it as UTF-8";
         const std::string text(text_.substr(begin, 4));
         const uint32_t code = characters(text)[0];
         if (byte < 0x80 || code == byte || code == 0xFEFF) return fmt::format("the byte 0x{:02X} means nothing here", byte);

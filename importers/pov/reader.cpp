@@ -95,15 +95,6 @@ class Reader {
             if (items[i - 1].kind == Item::Kind::word && items[i - 1].word == "charset"_w) p_.charset_utf8 = items[i].kind == Item::Kind::word && items[i].word == "utf8"_w;
     }
 
-    /// Words of which a block alone can be meant.
-    static bool begins_what_is_seen(WordId word) {
-        switch (word) {
-            case "camera"_w: case "light_source"_w: case "object"_w: case "union"_w: case "difference"_w: case "intersection"_w: case "merge"_w: case "sphere"_w: case "box"_w: case "plane"_w:
-            case "cylinder"_w: case "cone"_w: case "torus"_w: case "disc"_w: case "triangle"_w: case "polygon"_w: case "mesh"_w: case "mesh2"_w: case "text"_w: return true;
-            default: return false;
-        }
-    }
-
     void statement() {
         const Token token = p_.next();
         if (token.kind == TokenKind::end) {
@@ -112,7 +103,7 @@ class Reader {
         }
         if (is_old_directive(token)) return obey_old(token);
         if (token.kind == TokenKind::name && take_declared(token)) return;
-        if (token.kind == TokenKind::word && begins_what_is_seen(token.id) && !p_.peek().is('{')) p_.fail(p_.peek().place(), fmt::format("{{ is expected behind {}, not {}", kWords[token.id], p_.describe(p_.peek())));
+        if (token.kind == TokenKind::word && (is_object(token.id) || token.id == "camera"_w) && !p_.peek().is('{')) p_.fail(p_.peek().place(), fmt::format("{{ is expected behind {}, not {}", kWords[token.id], p_.describe(p_.peek())));
         if (token.kind != TokenKind::word || !p_.peek().is('{')) p_.fail(token.place(), fmt::format("an object or a directive is expected, not {}", p_.describe(token)));
         Value block = parse_block(p_, token.id, token.place());
         if (token.id == "global_settings"_w) take_charset(block.as<Block>()), p_.globals.push_back(std::move(block));

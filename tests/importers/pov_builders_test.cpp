@@ -130,6 +130,27 @@ TEST_F(PovBuilders, LettersWithAccentsStandWherePovRayHasThem) {
         }
         EXPECT_NEAR(most, right, 1e-4) << letters;
     }
+    // min_extent(), as the centre of a sphere: that box begins where the text does.
+    for (const char* letters : {"\u00e9", "\u00ee", "\u00ec", "o"}) {
+        const Scene s = scene("global_settings { charset utf8 } #declare T = text { ttf \"" + font + "\" \"" + letters + "\" .2, 0 } sphere { min_extent(T), 1 }");
+        ASSERT_EQ(s.shapes.size(), 1u);
+        EXPECT_NEAR(std::get<Sphere>(s.shapes[0].geometry).center.x, 0, 1e-4) << letters;
+    }
+}
+
+/// POV-Ray draws them, with a warning or without.
+TEST_F(PovBuilders, NumbersThatMakeNoSenseAreToldAndDrawn) {
+    const auto finish = [](const Scene& s) { return std::get<PovFinish>(s.materials.back().layers[0]); };
+    const std::string ball = "sphere { 0, 1 pigment { rgb 1 } ";
+    EXPECT_THAT(said(ball + "finish { specular 1 roughness 0 } }"), HasSubstr("1:33: warning: a roughness of 0"));
+    EXPECT_GT(finish(scene(ball + "finish { specular 1 roughness 0 } }")).roughness, 1e6) << "a highlight that goes all around";
+    EXPECT_THAT(said(ball + "interior { ior 0 } }"), HasSubstr("warning: an index of refraction of 0 counts as 1"));
+    EXPECT_EQ(scene(ball + "interior { ior 0 } }").interiors.back().ior, 1);
+    EXPECT_EQ(finish(scene("#version 3.0; " + ball + "finish { ior 0 } }")).ior, 1);
+    EXPECT_THAT(said(ball + "interior { ior -1 } }"), HasSubstr("error: the index of refraction must be greater than 0"));
+    EXPECT_THAT(said("disc { 0, 0, 1 }"), HasSubstr("warning: a disc whose normal has no length"));
+    EXPECT_EQ(std::get<Disc>(scene("disc { 0, 0, 1 }").shapes[0].geometry).radius, 0);
+    EXPECT_EQ(scene("background { rgb 1 } background { }").atmosphere.background, Color(0)) << "of the first one nothing is left";
 }
 
 TEST_F(PovBuilders, AMissingFontIsAnErrorWithItsPlace) {

@@ -28,6 +28,17 @@ TEST_F(PovBuilders, ValuesThatMeanNothingAreErrors) {
         EXPECT_EQ(said(fine), "") << fine;
 }
 
+TEST_F(PovBuilders, WhatOtherEditorsWriteIsNamed) {
+    for (const Refusal& r : {Refusal{"sphere 0, 1 }", "1:8: error: { is expected behind sphere, not the number 0"}, {"camera location y", "{ is expected behind camera, not location"}, {"#debug \u201ctext\u201d", "U+201C means nothing here: strings stand in \" \""},
+                             {"sphere { 0,\u00a01 }", "1:12: error: the character U+00A0 means nothing here: it looks like a blank"}, {"sphere { \u22121, 1 }", "U+2212 means nothing here: a minus sign is -"}, {"box { \u2013y, 1 }", "U+2013 means nothing here: a minus sign is -"},
+                             {"sphere { 0, 1 } \u20ac", "the character U+20AC means nothing here"}})
+        EXPECT_THAT(said(r.scene), HasSubstr(r.message)) << r.scene;
+    using namespace std::string_literals;
+    EXPECT_THAT(said("\xff\xfes\0p\0h\0e\0r\0e\0"s), HasSubstr("1:1: error: the file is UTF-16: save it as UTF-8"));
+    write("part.inc", "\xfe\xff\0x"s);
+    EXPECT_THAT(said("#include \"part.inc\""), HasSubstr("part.inc:1:1: error: the file is UTF-16"));
+}
+
 TEST_F(PovBuilders, ObjectsThatFollowAModifierAreErrors) {
     for (const Refusal& r : {Refusal{"sphere { 0, 1 pigment { rgb 1 } plane { y, 0 } }", "1:33: error: plane cannot stand here in sphere"}, {"sphere { 0, 1 light_source { y, 1 } }", "light_source cannot stand here in sphere"},
                              {"union { sphere { 0, 1 } pigment { rgb 1 } box { 0, 1 } }", "box cannot stand here in union"}, {"object { sphere { 0, 1 } box { 0, 1 } }", "box cannot stand here in object"},

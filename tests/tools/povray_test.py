@@ -72,6 +72,13 @@ class Povray(InFolder):
         self.render("+IUP", "+W8", "+H6", "+FP", "+Oout/")
         self.assertTrue((self.folder / "out/UP.ppm").exists())
 
+    def test_jitter_ends_at_one(self):
+        def grey(*words):
+            self.render("+Is.pov", "+W16", "+H16", "+FP", "+A0.01", *words)
+            return self.picture("s.ppm")[2]
+        self.assertEqual(grey("+J5"), grey("+J1"))
+        self.assertNotEqual(grey("+J5"), grey("-J"))
+
     def test_rows_are_counted_from_one(self):
         for word in ("+EC0", "+ER0", "+SC-3", "Start_Row=-1"):
             self.assertIn("has no value", self.render("+Is.pov", "+W8", "+H6", word, code=1))
@@ -179,7 +186,7 @@ class Povray(InFolder):
         self.render("a.ini")
         self.assertEqual(self.picture("a picture.ppm")[:2], (8, 6))
         (self.folder / "it's.pov").write_text(SCENE)
-        (self.folder / "b.ini").write_text("+Iit's.pov +W8 +H6 +FP\n")
+        (self.folder / "b.ini").write_text("+Iit's.pov +W8 +H6 +FP   ; a comment\n")
         self.render("b.ini")
         self.assertEqual(self.picture("it's.ppm")[:2], (8, 6))
         self.render('+I"two words.pov"', "+W8", "+H6", "+FP")

@@ -299,6 +299,18 @@ TEST(Supersampling, TakesNoRaysWhereNothingDiffers) {
     }
 }
 
+/// So does POV-Ray's method 2: jitter moves the points by which pixels are divided alone.
+TEST(Supersampling, JitterLeavesTheCornersOfPixels) {
+    const Scene scene = penumbra(false);
+    RenderOptions o = sampled(1, 1, 16);
+    const auto picture = [&](double threshold, double jitter) {
+        o.supersampling = Supersampling{.method = 2, .threshold = threshold, .jitter = jitter};
+        return rendered(scene, o).picture.values;
+    };
+    EXPECT_EQ(picture(1e3, 0), picture(1e3, 1)) << "nothing is divided";
+    EXPECT_NE(picture(0.01, 0), picture(0.01, 1));
+}
+
 TEST(Supersampling, RefusesWhatIsNotThere) {
     SceneBuilder b;
     const auto scene = compiled(b.scene);

@@ -95,6 +95,7 @@ template <unsigned F> struct Whitted {
         first.coverage += (1 - first.coverage) * surface.coverage();
     }
 
+    // Out of line, and without the sum that trace() keeps in registers: what nothing follows from pays for a comparison alone.
     [[gnu::noinline]] static void follow(Tracing& tracing, const ShadePoint& point, const Surface& surface, const RayState& state) {
         Secondaries& secondaries = tracing.secondaries;
         secondaries.clear();

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "importers/pov/builders/textures.h"
 
+#include "importers/pov/builders/interiors.h"
+
 #include <cmath>
 
 namespace alidade::pov {
@@ -64,9 +66,7 @@ double* plain_number(PovFinish& f, WordId word) {
 bool take_interior_word(Build& build, Cursor& at, PovFinish& f) {
     const Place place = at.place();
     if (at.accept("ior"_w)) {
-        f.ior = at.number("the index of refraction");
-        if (*f.ior == 0) build.p.tally(place, "an index of refraction of 0 counts as 1, as in POV-Ray"), f.ior = 1;
-        if (!(*f.ior > 0)) build.p.fail(place, "the index of refraction must be greater than 0");
+        f.ior = checked_ior(build, at.number("the index of refraction"), place);
     } else if (at.accept("caustics"_w)) f.caustics = at.number("the caustics") / 45;
     else if (at.accept("refraction"_w)) f.refraction = at.number("the refraction");
     else return false;

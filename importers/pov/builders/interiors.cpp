@@ -36,10 +36,16 @@ InteriorId add_interior(Build& build, const Block& block, std::optional<Interior
     read_interior(build, block, in);
     in.from = build.position(block.place);
     if (!(in.fade_distance > 1e-10)) in.fade_distance = 0;   // POV-Ray takes less for none
-    if (in.ior == 0) build.p.tally(block.place, "an index of refraction of 0 counts as 1, as in POV-Ray"), in.ior = 1;
-    if (!(in.ior > 0)) build.p.fail(block.place, "the index of refraction must be greater than 0");
+    in.ior = checked_ior(build, in.ior, block.place);
     build.scene.interiors.push_back(in);
     return {uint32_t(build.scene.interiors.size() - 1)};
+}
+
+double checked_ior(Build& build, double ior, Place place) {
+    if (ior > 0) return ior;
+    if (ior != 0) build.p.fail(place, "the index of refraction must be greater than 0");
+    build.p.tally(place, "an index of refraction of 0 counts as 1, as in POV-Ray");
+    return 1;
 }
 
 }  // namespace alidade::pov

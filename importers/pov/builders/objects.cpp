@@ -377,14 +377,6 @@ BuiltObject finish(Build& build, Draft& d) {
 
 }  // namespace
 
-bool is_object(WordId word) {
-    static constexpr WordId kObjects[] = {
-        "sphere"_w, "plane"_w, "box"_w, "cylinder"_w, "cone"_w, "disc"_w, "torus"_w, "triangle"_w, "smooth_triangle"_w, "mesh"_w, "mesh2"_w, "union"_w, "merge"_w,
-        "intersection"_w, "difference"_w, "object"_w, "light_source"_w, "light_group"_w, "text"_w, "polygon"_w, "quadric"_w, "cubic"_w, "quartic"_w, "poly"_w, "polynomial"_w,
-        "blob"_w, "bicubic_patch"_w, "height_field"_w, "isosurface"_w, "julia_fractal"_w, "lathe"_w, "ovus"_w, "parametric"_w, "prism"_w, "sor"_w, "sphere_sweep"_w, "superellipsoid"_w};
-    return std::find(std::begin(kObjects), std::end(kObjects), word) != std::end(kObjects);
-}
-
 std::optional<BuiltObject> build_object(Build& build, const Block& block, const Transform& placed) {
     if (block.word == "light_source"_w) return BuiltObject{build_light(build, block), true};
     Draft d;

@@ -6,8 +6,6 @@
 
 namespace alidade::pov {
 
-/// Does the block hold an object (or a light)? Also those that are not modelled yet.
-bool is_object(WordId word);
 /// The node of an object's block; nothing, and a tally, if it is not modelled. A texture that the object does not give is inherited. `placed` moves what a block
 /// like `object { }` wraps, ahead of its modifiers.
 std::optional<BuiltObject> build_object(Build& build, const Block& block, const Transform& placed = {});

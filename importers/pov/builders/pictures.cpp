@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "importers/pov/builders/pictures.h"
 
+#include "core/image.h"
 #include "eval/noise/single.h"
 
 #include <algorithm>
-#include <cctype>
-#include <filesystem>
 #include <fmt/format.h>
 
 namespace alidade::pov {
@@ -30,8 +29,7 @@ const Format* take_format(Cursor& at) {
 
 /// Without a word, what the file's ending says, or else what POV-Ray writes if nothing else is asked for.
 const Format& format_of(const std::string& path) {
-    std::string ending = std::filesystem::path(path).extension().string();
-    std::transform(ending.begin(), ending.end(), ending.begin(), [](unsigned char c) { return char(std::tolower(c)); });
+    std::string ending = lower_ending(path);
     if (ending == ".tiff") ending = ".tif";
     const auto found = std::find_if(std::begin(kFormats), std::end(kFormats), [&](const Format& format) { return ending == format.ending; });
     return found == std::end(kFormats) ? kFormats[0] : *found;
