@@ -58,6 +58,7 @@ inline const PatternSignal* pattern_of(const Signal& signal) {
     const auto* relief = std::get_if<ReliefSignal>(&signal.what);
     return relief ? &relief->pattern : std::get_if<PatternSignal>(&signal.what);
 }
+inline PatternSignal* pattern_of(Signal& signal) { return const_cast<PatternSignal*>(pattern_of(std::as_const(signal))); }
 
 /// Calls f(SignalId) for every signal that `signal` reads.
 template <class F> void for_each_operand(const Signal& signal, const F& f) {

@@ -187,16 +187,17 @@ Vec3 Textures::bent_there(SignalId id, const Vec3& place, const Vec3& n) const {
 
 Vec3 Textures::bent(SignalId relief, const PatternFrame& outer, const Vec3& n) const {
     const auto& signal = std::get<ReliefSignal>(signals_[relief.index].what);
-    const PatternFrame frame = !signal.pattern.uv_mapped ? outer : signal.turned ? outer.turned_on_surface(*signal.turned) : outer.on_surface();
+    const PatternFrame frame = outer.under(signal.pattern);
     const Vec3 there = frame.normal_in * n;
     const Vec3 bent = bent_there(relief, frame.at, frame.mapped || reliefs_[resource_of_[relief.index]].scaled() ? normalized(there) : there);
     const Vec3 unit = normalized(frame.normal_out * bent);
     return std::abs(dot(unit, unit) - 1) < 1e-6 ? unit : n;   // a relief that cancels the normal leaves it as it is
 }
 
-PatternFrame pattern_frame(const ShadePoint& point) {
-    if (!point.space) return {point.position, Mat3(1.0), Mat3(1.0), &point};
-    return {point.pattern_point(), glm::transpose(point.space->to_world.linear), glm::transpose(point.space->from_world.linear), &point};
+PatternFrame pattern_frame(const ShadePoint& point, const Material& material) {
+    const Vec3 place = material.uv_placed ? point.uv_place() : point.position;
+    if (!point.space) return {place, Mat3(1.0), Mat3(1.0), &point};
+    return {point.space->from_world.point(place), glm::transpose(point.space->to_world.linear), glm::transpose(point.space->from_world.linear), &point};
 }
 
 }  // namespace alidade

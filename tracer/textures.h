@@ -24,16 +24,17 @@ struct PatternFrame {
     bool mapped = false;                   ///< by a map of textures at least: normals are unit there, whatever scales
 
     Vec3 surface_place() const { return surface ? surface->uv_place() : Vec3(0); }
-    /// The normals of what follows the surface are those of the world, or of the maps that it is in.
-    PatternFrame on_surface() const { return mapped ? PatternFrame{surface_place(), normal_in, normal_out, surface, mapped} : PatternFrame{surface_place(), Mat3(1.0), Mat3(1.0), surface}; }
-    /// But for bumps that follow what `by` did to their object.
-    PatternFrame turned_on_surface(const Mat3& by) const {
-        return {surface_place(), glm::transpose(by) * normal_in, normal_out * glm::transpose(glm::inverse(by)), surface, mapped};
+    /// That of `pattern`. One that follows the surface has the normals of the world, unless it turns with its object or is in a map.
+    PatternFrame under(const PatternSignal& pattern) const {
+        if (!pattern.uv_mapped) return *this;
+        const Mat3 in = glm::transpose(pattern.turned), out = glm::transpose(glm::inverse(pattern.turned));
+        if (pattern.turns || mapped) return {surface_place(), in * normal_in, normal_out * out, surface, mapped};
+        return {surface_place(), in, out, surface};
     }
 };
 
-/// The frame of a point's own material.
-PatternFrame pattern_frame(const ShadePoint& point);
+/// The frame of `material` at a point.
+PatternFrame pattern_frame(const ShadePoint& point, const Material& material);
 
 /// The images that used materials read, each decoded once for each encoding that is asked of it.
 class Textures {
@@ -89,7 +90,7 @@ template <class F> void Textures::for_each_share(SignalId signal, PatternFrame& 
     const Pattern& pattern = patterns_[resource_of_[signal.index]];
     const PatternSignal& own = std::get<PatternSignal>(signals_[signal.index].what);
     const Vec3 outside = frame.at;
-    if (own.uv_mapped) frame = frame.on_surface();
+    frame = frame.under(own);
     const Vec3 inside = pattern.place(frame.at);
     frame = {inside, pattern.normal_in() * frame.normal_in, frame.normal_out * pattern.normal_out(), frame.surface, true};
     alidade::for_each_share(own.map, pattern, inside, f);

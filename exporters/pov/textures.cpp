@@ -83,17 +83,41 @@ void write_finish(Sdl& sdl, const PovFinish& f) {
 
 namespace {
 
-/// How bumps on texture coordinates were turned with their object.
-std::optional<Mat3> turned(const Scene& scene, const PovFinish& f) {
-    const auto* relief = f.normal ? std::get_if<ReliefSignal>(&scene.signals[f.normal->index].what) : nullptr;
-    return relief ? relief->turned : std::nullopt;
+/// What bends the normals of a layer in texture coordinates, or has textures in it that do.
+const PatternSignal* uv_mapped_bumps(const Scene& scene, std::optional<SignalId> signal) {
+    const PatternSignal* pattern = signal ? pattern_of(scene.signals[signal->index]) : nullptr;
+    return pattern && pattern->uv_mapped ? pattern : nullptr;
+}
+
+/// Of the lowest layer.
+const PatternSignal* uv_mapped_bumps(const Scene& scene, const Material& m) {
+    if (m.layers.empty()) return nullptr;
+    const auto* map = std::get_if<PovTextureMap>(&m.layers.front());
+    const auto* finish = std::get_if<PovFinish>(&m.layers.front());
+    return uv_mapped_bumps(scene, map ? map->pattern : finish ? finish->normal : std::nullopt);
+}
+
+bool has_bumps(const Scene& scene, const Material& m) {
+    bool found = std::any_of(m.layers.begin(), m.layers.end(), [](const auto& layer) {
+        const auto* finish = std::get_if<PovFinish>(&layer);
+        return finish && finish->normal;
+    });
+    for_each_part(m, [&](MaterialId part) { found = found || has_bumps(scene, scene.materials[part.index]); });
+    return found;
+}
+
+/// Must the object say uv_mapping, so that the bumps do not follow what is done to it? A normal alone says so itself, unless it was turned before.
+bool bumps_stay(const Scene& scene, const Material& m) {
+    const PatternSignal* pattern = uv_mapped_bumps(scene, m);
+    return pattern && !pattern->turns && (std::holds_alternative<PovTextureMap>(m.layers.front()) ? has_bumps(scene, m) : pattern->turned != Mat3(1.0));
 }
 
 }  // namespace
 
 void TextureWriter::layer(const PovFinish& f) {
     sdl_.begin("texture");
-    if (turned(scene_, f)) sdl_.line("uv_mapping");
+    const PatternSignal* bumps = uv_mapped_bumps(scene_, f.normal);
+    if (bumps && (bumps->turns || bumps->turned != Mat3(1.0))) sdl_.line("uv_mapping");
     patterns_.pigment_block(f.pigment);
     if (f.normal) patterns_.normal_block(*f.normal);
     write_finish(sdl_, f);
@@ -133,9 +157,8 @@ void TextureWriter::layer(const PovTextureMap& m) {
 
 /// A declared texture that says uv_mapping turns its bumps with what is done to it later, and nothing else.
 void TextureWriter::turn(MaterialId id) {
-    const auto* finish = std::get_if<PovFinish>(&scene_.materials[id.index].layers.front());
-    const Mat3 by = finish ? turned(scene_, *finish).value_or(Mat3(1.0)) : Mat3(1.0);
-    if (by != Mat3(1.0)) sdl_.line("#declare", texture_name(id), "= texture {", texture_name(id), Transform{by, Vec3(0)}, "}");
+    const PatternSignal* bumps = uv_mapped_bumps(scene_, scene_.materials[id.index]);
+    if (bumps && bumps->turned != Mat3(1.0)) sdl_.line("#declare", texture_name(id), "= texture {", texture_name(id), Transform{bumps->turned, Vec3(0)}, "}");
 }
 
 void TextureWriter::declare_one(MaterialId id) {
@@ -180,6 +203,13 @@ void TextureWriter::tinted(MaterialId material, const Vec4& tint) {
 }
 
 void TextureWriter::use(std::optional<MaterialId> material) { sdl_.line("texture {", material ? texture_name(*material) : "Texture_default", "}"); }
+
+void TextureWriter::use_on_object(const std::vector<std::optional<MaterialId>>& materials, bool can_map_all) {
+    const bool stays = std::any_of(materials.begin(), materials.end(), [&](const auto& material) { return material && bumps_stay(scene_, scene_.materials[material->index]); });
+    if (stays && can_map_all) sdl_.line("uv_mapping");   // said of an operation, it holds for the textures of its parts, too
+    losses_.add("bumps in texture coordinates that do not turn with an object whose parts have other textures", stays && !can_map_all, "bumps that turn");
+    use(materials.front());
+}
 
 void TextureWriter::medium(const Interior::Medium& m) {
     sdl_.begin("media");

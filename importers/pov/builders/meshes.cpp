@@ -83,9 +83,7 @@ class Slots {
         if (build_.shapes_alone) return 0;
         const auto [at, added] = known_.try_emplace(&texture, uint32_t(materials_.size()));
         if (added) {
-            TextureLayers layers = build_texture(build_, texture);
-            if (build_.uv_mapped > 0) set_uv_mapped(build_, layers, Bumps::stay);
-            materials_.emplace_back(add_material(build_, std::move(layers), texture.place));
+            materials_.emplace_back(add_material(build_, build_texture(build_, texture), texture.place, build_.uv_mapping == UvMapping::around));
         }
         return at->second;
     }
@@ -344,6 +342,16 @@ BuiltShape build_mesh2(Build& build, Cursor& at) {
     mesh.inside_vector = parts.inside_vector;
     drop_exact_copies(mesh);
     return {std::move(mesh), slots.take()};
+}
+
+void map_triangles(Build& build, const Node& mesh, const Transform& before) {
+    for (size_t slot = 1; slot < mesh.materials.size(); ++slot) {
+        if (!mesh.materials[slot]) continue;
+        Material& material = build.scene.materials[mesh.materials[slot]->index];
+        move_layers(build, material.layers, before);
+        set_uv_mapped(build, material.layers, UvMapping::beside_texture);
+        material.uv_placed = false;
+    }
 }
 
 }  // namespace alidade::pov

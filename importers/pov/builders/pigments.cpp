@@ -218,11 +218,10 @@ void show_quick_colors(Build& build) {
 
 SignalId moved_in_space(Build& build, SignalId id, const Transform& transform) {
     Signal signal = build.scene.signals[id.index];
-    const PatternSignal* pattern = pattern_of(signal);
+    PatternSignal* pattern = pattern_of(signal);
     if (!pattern || !pattern->uv_mapped) return moved(build, id, transform);
-    auto* relief = std::get_if<ReliefSignal>(&signal.what);
-    if (!relief || !relief->turned) return id;
-    relief->turned = transform.linear * *relief->turned;
+    if (!pattern->turns) return id;
+    pattern->turned = transform.linear * pattern->turned;
     return build.add_signal(std::move(signal));
 }
 

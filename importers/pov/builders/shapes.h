@@ -26,6 +26,8 @@ BuiltShape build_polygon(Build& build, Cursor& at);
 /// `mesh { triangle { } smooth_triangle { } ... }` and `mesh2 { vertex_vectors { } face_indices { } ... }`.
 BuiltShape build_mesh(Build& build, Cursor& at);
 BuiltShape build_mesh2(Build& build, Cursor& at);
+/// `uv_mapping` of a mesh that was moved by `before`: that has moved the textures of its triangles, too, what is done later does not.
+void map_triangles(Build& build, const Node& mesh, const Transform& before);
 BuiltShape build_triangle(Build& build, Cursor& at);
 BuiltShape build_smooth_triangle(Build& build, Cursor& at);
 

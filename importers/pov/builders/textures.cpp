@@ -4,6 +4,7 @@
 #include "importers/pov/builders/patterns.h"
 #include "importers/pov/builders/pictures.h"
 #include "importers/pov/builders/pigments.h"
+#include "scene/graph.h"
 
 #include <algorithm>
 #include <fmt/format.h>
@@ -125,20 +126,15 @@ void stand_in(Build& build, const Item& item, Draft& d) {
     d.layers = {grey};
 }
 
-/// Calls f(signal) for the signals of layers that have a place, and replaces them by what it returns.
+/// Calls f(signal, bends) for the signals of layers that have a place, and replaces them by what it returns. Those bend normals, or have textures in them that do.
 template <class F> void replace_signals(TextureLayers& layers, const F& f) {
     for (auto& layer : layers) {
-        if (auto* map = std::get_if<PovTextureMap>(&layer)) map->pattern = f(map->pattern);
+        if (auto* map = std::get_if<PovTextureMap>(&layer)) map->pattern = f(map->pattern, true);
         auto* finish = std::get_if<PovFinish>(&layer);
         if (!finish) continue;
-        finish->pigment = f(finish->pigment);
-        if (finish->normal) finish->normal = f(*finish->normal);
+        finish->pigment = f(finish->pigment, false);
+        if (finish->normal) finish->normal = f(*finish->normal, true);
     }
-}
-
-PatternSignal* pattern_in(Signal& signal) {
-    auto* relief = std::get_if<ReliefSignal>(&signal.what);
-    return relief ? &relief->pattern : std::get_if<PatternSignal>(&signal.what);
 }
 
 /// Of one that is referred to: as declared, where it was declared.
@@ -159,7 +155,7 @@ void read_texture(Build& build, Cursor& at, Draft& d) {
         else at.skip_unmodelled();
     }
     if (!d.textures.empty()) d.layers = {PovTextureMap{build.add_signal(std::move(d.pattern), at.place()), std::move(d.textures)}};
-    if (d.uv_mapped) set_uv_mapped(build, d.layers, Bumps::turn);
+    if (d.uv_mapped) set_uv_mapped(build, d.layers, UvMapping::in_texture);
 }
 
 /// What `#default { ... }` makes of the default texture.
@@ -196,19 +192,17 @@ void add_layers(const Build& build, TextureLayers& layers, TextureLayers more, f
 }
 
 void move_layers(Build& build, TextureLayers& layers, const Transform& t) {
-    if (!t.is_identity()) replace_signals(layers, [&](SignalId id) { return moved_in_space(build, id, t); });
+    if (!t.is_identity()) replace_signals(layers, [&](SignalId id, bool) { return moved_in_space(build, id, t); });
 }
 
-void set_uv_mapped(Build& build, TextureLayers& layers, Bumps bumps) {
-    replace_signals(layers, [&](SignalId id) {
+void set_uv_mapped(Build& build, TextureLayers& layers, UvMapping said) {
+    replace_signals(layers, [&](SignalId id, bool bends) {
         Signal signal = build.scene.signals[id.index];
-        PatternSignal* pattern = pattern_in(signal);
+        PatternSignal* pattern = pattern_of(signal);
         if (!pattern) return id;
-        auto* relief = std::get_if<ReliefSignal>(&signal.what);
-        const bool turn = bumps == Bumps::turn;
-        if (pattern->uv_mapped && (!relief || relief->turned.has_value() == turn)) return id;
-        pattern->uv_mapped = true;
-        if (relief) relief->turned = turn ? std::optional(Mat3(1.0)) : std::nullopt;
+        const bool turns = bends && said == UvMapping::in_texture;
+        if (pattern->uv_mapped && pattern->turns == turns) return id;
+        pattern->uv_mapped = true, pattern->turns = turns;
         return build.add_signal(std::move(signal));
     });
 }
@@ -263,13 +257,9 @@ TextureLayers build_texture(Build& build, const Block& block, size_t skipped) {
     return std::move(d.layers);
 }
 
-MaterialId add_material(Build& build, TextureLayers layers, Place at) {
+MaterialId add_material(Build& build, TextureLayers layers, Place at, bool uv_placed) {
     const auto is_map = [](const auto& layer) { return std::holds_alternative<PovTextureMap>(layer); };
-    const auto map = std::find_if(layers.begin(), layers.end(), is_map);
-    if (layers.size() > 1 && map != layers.end()) {
-        build.p.tally(at, "a map of textures as one of several layers is not modelled yet: it stands alone");
-        layers = TextureLayers{*map};
-    }
+    if (layers.size() > 1 && std::any_of(layers.begin(), layers.end(), is_map)) build.p.fail(at, "a texture with a map of textures cannot be one of several layers: POV-Ray refuses it, too");
     for (auto& layer : layers) {
         auto* finish = std::get_if<PovFinish>(&layer);
         if (finish && finish->normal && is_flat(build, *finish->normal)) finish->normal.reset();
@@ -278,6 +268,7 @@ MaterialId add_material(Build& build, TextureLayers layers, Place at) {
     material.from = build.position(at);
     material.name = fmt::format("texture {}", build.scene.materials.size());
     material.layers = std::move(layers);
+    material.uv_placed = uv_placed;
     build.scene.materials.push_back(std::move(material));
     return {uint32_t(build.scene.materials.size() - 1)};
 }
