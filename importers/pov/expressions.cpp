@@ -8,6 +8,7 @@
 #include "importers/pov/functions.h"
 #include "importers/pov/operators.h"
 
+#include <filesystem>
 #include <fmt/format.h>
 
 namespace alidade::pov {
@@ -56,8 +57,14 @@ Value vector_literal(Parser& p, Place at) {
     return v;
 }
 
+bool is_included(const Parser& p, const std::string& file) {
+    for (size_t i = 0; i < p.stream.sources(); ++i)
+        if (std::filesystem::path(p.stream.source(uint16_t(i)).path()).filename() == file) return true;
+    return false;
+}
+
 std::string undeclared_hint(Parser& p, std::string_view text) {
-    if (const std::string file = include_that_declares(text); !file.empty()) return fmt::format("{0} declares it: #include \"{0}\"", file);
+    if (const std::string file = include_that_declares(text); !file.empty() && !is_included(p, file)) return fmt::format("{0} declares it: #include \"{0}\"", file);
     constexpr size_t kShortestMeant = 4;   // shorter ones are near to everything
     const std::string_view near = text.size() < kShortestMeant ? "" : p.names.nearest(text, [&](WordId id) { return id < kWordCount || p.symbols.find(id) != nullptr; });
     return near.empty() ? "" : fmt::format("did you mean {}?", near);

@@ -39,12 +39,28 @@ light_source { <-6, 9, -7> rgb 1 }
 sphere { 0, 1.5 texture { pigment { rgbf <1, 0.2, 0, 1> } } texture { pigment { rgbf <0, 0, 1, 1> } } texture { pigment { gradient y color_map { [0.5 rgbf <0, 1, 0, 0.6>] [0.5 rgb <1, 1, 0>] } } } }
 )";
 
+/// Pigments in pigments, in patterns of textures and of the sky.
+constexpr const char* kInside = R"(#version 3.7;
+global_settings { assumed_gamma 1 }
+camera { location <0, 0, -6> look_at 0 }
+light_source { <-6, 9, -7> rgb 1 }
+sky_sphere { pigment { gradient y quick_color rgb <0.3, 0.1, 0.5> } }
+#declare Quick = pigment { bozo scale 0.1 quick_color rgb <0.9, 0.6, 0> }
+sphere { <-2, 1, 0>, 0.9 pigment { checker pigment { rgb y quick_color rgb x } pigment { rgb z } scale 0.4 } }
+sphere { <0, 1, 0>, 0.9 pigment { gradient x pigment_map { [0 rgb y quick_color rgb x] [1 Quick scale 3] } } }
+sphere { <2, 1, 0>, 0.9 pigment { average pigment_map { [1 rgb y quick_color rgb x] [2 rgb z] } } }
+sphere { <-2, -1, 0>, 0.9 pigment { checker pigment { Quick } pigment { rgb z } quick_color rgb <0.2, 0.5, 0.2> } }
+sphere { <0, -1, 0>, 0.9 texture { pigment_pattern { checker pigment { rgb 0 } pigment { rgb 1 } quick_color rgb 0.2 } texture_map { [0 pigment { rgb x }] [1 pigment { rgb y }] } } }
+sphere { <2, -1, 0>, 0.9 pigment { rgb 1 } normal { pigment_pattern { checker pigment { Quick } pigment { rgb 1 } scale 0.3 } 0.5 } }
+)";
+
 }  // namespace
 
 std::vector<PovPicture> quality_pictures() {
     static constexpr const char* kNames[] = {"Q0", "Q1", "Q2", "Q3", "Q4", "Q5", "Q6", "Q7", "Q8"};
     std::vector<PovPicture> pictures;
     for (int quality = 0; quality < int(std::size(kNames)); ++quality) pictures.push_back({kNames[quality], kScene, "-A", {}, quality});
+    pictures.push_back({"QuickInsideQ5", kInside, "-A", {}, 5});
     pictures.push_back({"OldFiltersQ1", kOldScene, "-A", {}, 1});
     return pictures;
 }

@@ -62,6 +62,9 @@ void take_rainbow(Build& build, const Block& block, Rainbow& bow, std::optional<
         else if (at.accept("distance"_w)) bow.distance = at.number("the distance of a rainbow");
         else if (at.accept("arc_angle"_w)) bow.arc_angle = at.number("the angle of the arc");
         else if (at.accept("falloff_angle"_w)) falloff = at.number("the angle where the arc begins to fade");
+        else if (at.accept("jitter"_w)) {
+            if (at.number("the jitter of a rainbow") != 0) build.p.tally(place, "jitter in rainbow is not modelled yet: it is left out");
+        }
         else at.skip_unmodelled();
     }
 }

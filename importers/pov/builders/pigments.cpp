@@ -205,15 +205,7 @@ SignalId moved(Build& build, SignalId id, const Transform& transform) {
 }
 
 void show_quick_colors(Build& build) {
-    for (Material& material : build.scene.materials)
-        for (auto& layer : material.layers) {
-            auto* finish = std::get_if<PovFinish>(&layer);
-            const auto quick = finish ? quick_color_of(build, finish->pigment) : std::nullopt;
-            if (!quick) continue;
-            Signal shown = build.scene.signals[finish->pigment.index];
-            shown.what = *quick;
-            finish->pigment = build.add_signal(std::move(shown));
-        }
+    for (const auto& [pigment, quick] : build.quick_colors) build.scene.signals[pigment.index].what = quick;
 }
 
 SignalId moved_in_space(Build& build, SignalId id, const Transform& transform) {
