@@ -79,7 +79,8 @@ Value from_word(Parser& p, const ColourWord& entry, Standing standing) {
     if (!given.numeric()) p.fail(at, fmt::format("a colour is expected, not {}", kind_name(given)));
     if (given.terms > entry.terms && given.kind == Kind::vector) p.warn(at, fmt::format("{} components stand behind {}", given.terms, kWords[entry.word]));
     std::array<double, 5> c = promoted(given, entry.terms);
-    if (entry.transmit_only && given.kind != Kind::colour && given.terms <= 4) c[4] = c[3], c[3] = 0;
+    if (entry.transmit_only && given.kind == Kind::colour && c[4] != 0) p.warn(at, "behind rgbt a colour's filter is what is transmitted, and its transmit is lost, as in POV-Ray", "write color, or rgbft");
+    if (entry.transmit_only) c[4] = c[3], c[3] = 0;
     if (entry.srgb) {
         const double gamma = working_gamma(p, at);
         for (int i = 0; i < 3; ++i) c[i] = from_srgb(c[i], gamma);

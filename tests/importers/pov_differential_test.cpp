@@ -102,7 +102,7 @@ void ask_listed(Questions& q) {
                           "S3(1.9)", "S3(.5)", "S3(2.6)", "S4(.2)", "S4(1.5)", "S4(2.9)", "T1(1, 2, 3)", "T2(1, 2, 3)", "T3(1, 2, 3)", "T4(1, 2, 3)", "T5(1, 2, 3)", "T6(1, 2, 3)", "T7(1, 2, 3)", "!<1,0,-2>", "S5(0)", "S5(2)", "S5(2.5)", "S5(3)", "S5(4.5)", "S5(5)", "S6(.25)", "S6(0)", "S6(3)", "min_extent(Boxed)",
                           "max_extent(Boxed)", "min_extent(Both)", "max_extent(Both)"})
         q.vector(e, 3);
-    for (const char* e : {"rgbf .5", "rgbt .5", "rgbft .5", "rgbft <.1,.2,.3,.4,.5>", "color red .3 green .2", "C*.5", "color <1,2,3> transmit .25", "srgb <.2,.5,.9>", "srgb .01", "srgbt <.2,.5,.9,.3>", "V5", "V5*3", "<.1,.2,.3,.4,.5>",
+    for (const char* e : {"rgbf .5", "rgbt .5", "rgbft .5", "rgbft <.1,.2,.3,.4,.5>", "rgbt C", "rgbt C5", "rgbt C5*2", "rgbf C5", "rgbt V5", "rgbt <.1,.2,.3>", "color red .3 green .2", "C*.5", "color <1,2,3> transmit .25", "srgb <.2,.5,.9>", "srgb .01", "srgbt <.2,.5,.9,.3>", "V5", "V5*3", "<.1,.2,.3,.4,.5>",
                           "Same(<.1,.2,.3,.4,.5>)", "S5(3.7)"})
         q.vector(e, 5);
 }
@@ -124,7 +124,7 @@ void ask_turbulence(Questions& q) {
 
 Questions questions() {
     Questions q;
-    q.prelude = "#version 3.7;\nglobal_settings { assumed_gamma 1 }\n#declare K = 1.75;\n#declare A = array[2] {2, .6}\n#declare W = <.5, -.25, 4>;\n#declare C = rgb <.1, .7, .2>;\n"
+    q.prelude = "#version 3.7;\nglobal_settings { assumed_gamma 1 }\n#declare K = 1.75;\n#declare A = array[2] {2, .6}\n#declare W = <.5, -.25, 4>;\n#declare C = rgb <.1, .7, .2>;\n#declare C5 = rgbft <.1, .7, .2, .3, .4>;\n"
                 "#declare R1 = seed(123);\n#declare R2 = seed(-5.7);\n#declare R3 = seed(4294967295);\n"
                 "#declare F = function(a, b) { a*2 + b*b/3 - sin(a) }\n#declare G = function { (x > 1) + y*z - mod(z, 2) + F(x, K) }\n#declare H = function(x) { select(mod(x, 2), 1, 0, 1) + (x >= 2)*floor(x) }\n"
                 "#declare S1 = spline { linear_spline 0, <0,0,0> 1, <1,2,3> 2, <-1,5,2> }\n#declare S2 = spline { quadratic_spline 0, <0,0,0> 1, <1,2,3> 2.5, <-1,5,2> 3, <0,1,0> }\n"

@@ -162,7 +162,10 @@ Value datetime(Parser& p, Place at) {
     return Value::string(std::string(text, size));
 }
 
-Value file_exists(Parser& p, Place) { return Value::number(p.finder.find(one_string(p)).has_value()); }
+Value file_exists(Parser& p, Place) {
+    const std::string name = one_string(p);
+    return Value::number(p.files.kept(name) || p.finder.find(name));
+}
 
 Value input_file_name(Parser& p, Place) { return Value::string(std::filesystem::path(p.stream.source(0).path()).filename().string()); }
 

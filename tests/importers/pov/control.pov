@@ -52,6 +52,7 @@
 #declare D = 9;
 #read (F, A, B, C, D)
 #debug concat(str(A, 0, 0), str(B.y, 0, 0), str(C, 0, 0), str(D, 0, 0), str(defined(F), 0, 0), "\n")   // expect 13490
+#debug concat(str(file_exists("numbers.txt"), 0, 0), "\n")   // expect 1
 //---- break leaves a macro
 #macro Q() #debug "q\n" #if (1) #break #end #debug "r\n" #end
 Q()                                                         // expect q
