@@ -69,17 +69,29 @@ OpenItem block_item(Parser& p, Item::Kind kind, WordId given, char close, Place 
     return item;
 }
 
+OpenItem numbers_item(std::vector<double> numbers, Place at) {
+    OpenItem item = item_of(Item::Kind::numbers, at);
+    Ref<NumberList> list(new NumberList);
+    list->numbers = std::move(numbers);
+    item.value.shared = Ref<Shared>(list.get());
+    return item;
+}
+
+/// `xyz(1, 0, 2): 3` of a polynomial: the powers and what they are multiplied by.
+OpenItem term_item(Parser& p, Place at) {
+    std::vector<double> term;
+    p.expect('(', "xyz");
+    for (const char behind : {',', ',', ')'}) term.push_back(parse_float(p)), p.expect(behind, "a power of xyz");
+    p.expect(':', "xyz(...)");
+    term.push_back(parse_float(p));
+    return numbers_item(std::move(term), at);
+}
+
 /// `<...>`: up to five numbers begin an expression, more are a list (a matrix, the terms of a polynomial).
 OpenItem vector_item(Parser& p, Place at) {
     std::vector<double> numbers;
     Value v = parse_vector(p, at, numbers);
-    if (!numbers.empty()) {
-        OpenItem item = item_of(Item::Kind::numbers, at);
-        Ref<NumberList> list(new NumberList);
-        list->numbers = std::move(numbers);
-        item.value.shared = Ref<Shared>(list.get());
-        return item;
-    }
+    if (!numbers.empty()) return numbers_item(std::move(numbers), at);
     OpenItem item = item_of(Item::Kind::value, at);
     item.value = continue_from_value(p, std::move(v));
     return item;
@@ -104,6 +116,7 @@ OpenItem word_item(Parser& p, const Token& word) {
 OpenItem read_item(Parser& p, const OpenBlock& block, const Token& token) {
     if (token.is('[')) return block_item(p, Item::Kind::entry, block.word, ']', token.place());
     if (token.is('<')) return vector_item(p, token.place());
+    if (block.word == "polynomial"_w && token.kind == TokenKind::name && p.names.text(token.id) == "xyz") return term_item(p, token.place());
     if (token.is('{')) {                     // behind the sizes of `pattern W, H { ... }`
         WordId word = block.word;
         for (const OpenItem& item : block.items())

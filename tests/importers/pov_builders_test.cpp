@@ -60,6 +60,9 @@ TEST_F(PovBuilders, PolynomialsHaveAllTheirCoefficients) {
     EXPECT_EQ(std::get<Polynomial>(s.shapes.at(1).geometry).coefficients.back(), 10);
     EXPECT_EQ(std::get<Polynomial>(s.shapes.at(2).geometry).order, 3);
     EXPECT_THAT(said("quartic { <1,2,3,4,5,6> }"), HasSubstr("s.pov:1:11: error: a polynomial of order 4 has 35 coefficients, and here are 6"));
+    for (const char* term : {"xyz(3,0,0): 1", "xyz(1,1,1): 1", "xyz(-1,0,0): 1", "xyz(1/0.3e-300,0,0): 1"})
+        EXPECT_THAT(said(fmt::format("polynomial {{ 2, {} }}", term).c_str()), HasSubstr("xyz(x, y, z) of a polynomial of order 2 has powers from 0 that add up to 2 at most")) << term;
+    EXPECT_THAT(said("polynomial { 2, xyz(2,0,0) 1 }"), HasSubstr("expected"));
     EXPECT_THAT(said("poly { 36, <1,2,3,4,5,6> }"), HasSubstr("the order of a polynomial is 2 to 35, and here it is 36"));
     EXPECT_THAT(said("cubic { 1 }"), HasSubstr("the 20 coefficients of a polynomial are expected"));
 }

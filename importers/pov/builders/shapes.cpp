@@ -72,7 +72,7 @@ struct ShapeRow {
 
 constexpr ShapeRow kShapes[] = {
     {"sphere"_w, sphere}, {"plane"_w, plane}, {"box"_w, box}, {"cylinder"_w, cylinder}, {"cone"_w, cone}, {"disc"_w, disc}, {"torus"_w, torus},
-    {"quadric"_w, build_quadric}, {"cubic"_w, build_cubic}, {"quartic"_w, build_quartic}, {"poly"_w, build_poly}, {"polygon"_w, build_polygon},
+    {"quadric"_w, build_quadric}, {"cubic"_w, build_cubic}, {"quartic"_w, build_quartic}, {"poly"_w, build_poly}, {"polynomial"_w, build_polynomial}, {"polygon"_w, build_polygon},
     {"triangle"_w, build_triangle}, {"smooth_triangle"_w, build_smooth_triangle}, {"mesh"_w, build_mesh}, {"mesh2"_w, build_mesh2},
 };
 

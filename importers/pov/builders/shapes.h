@@ -20,6 +20,8 @@ BuiltShape build_quadric(Build& build, Cursor& at);
 BuiltShape build_cubic(Build& build, Cursor& at);
 BuiltShape build_quartic(Build& build, Cursor& at);
 BuiltShape build_poly(Build& build, Cursor& at);
+/// `polynomial { order, xyz(1, 0, 2): 3, ... }`: of a power that comes twice the last counts.
+BuiltShape build_polynomial(Build& build, Cursor& at);
 /// `polygon { number of points, points }`: a loop ends where its first point comes again.
 BuiltShape build_polygon(Build& build, Cursor& at);
 
