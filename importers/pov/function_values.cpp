@@ -149,13 +149,15 @@ class Evaluation {
         not_expected();
     }
 
+    /// In functions u is x, and v is y, whatever the parameters are called.
+    static uint32_t coordinate(uint32_t name) { return name == "u"_w ? "x"_w : name == "v"_w ? "y"_w : name; }
+
     double word() {
         for (auto counter = counters_.rbegin(); counter != counters_.rend(); ++counter)      // the innermost hides all others
             if (counter->first == token().id) return ++at_, counter->second;
-        if (f_.usual && token().is_word("u"_w)) return ++at_, arguments_[0];
-        if (f_.usual && token().is_word("v"_w)) return ++at_, arguments_[1];
-        const auto parameter = std::find(f_.parameters.begin(), f_.parameters.end(), token().id);
-        if (parameter != f_.parameters.end()) return ++at_, arguments_[size_t(parameter - f_.parameters.begin())];
+        for (size_t i = f_.parameters.size(); i-- > 0;)                                     // of two with one name the last
+            if (coordinate(f_.parameters[i]) == coordinate(token().id)) return ++at_, arguments_[i];
+        if (token().is_word("x"_w) || token().is_word("y"_w) || token().is_word("z"_w) || token().is_word("u"_w) || token().is_word("v"_w)) return ++at_, 0;
         if (token().kind == TokenKind::name) return identifier();
         if (token().is_word("sum"_w) || token().is_word("prod"_w)) return series(token().is_word("sum"_w));
         return built_in();

@@ -82,7 +82,7 @@ Value parse_function(Parser& p, Place at) {
         p.accept(',');
         parse_float(p);
     }
-    if (function->parameters.empty()) function->parameters = {"x"_w, "y"_w, "z"_w}, function->usual = true;
+    if (function->parameters.empty()) function->parameters = {"x"_w, "y"_w, "z"_w};
     p.expect('{', "before the body of a function");
     if (p.peek().is_word("spline"_w)) {                            // such a function is a spline by another name
         Value spline = parse_spline(p, p.next().place());

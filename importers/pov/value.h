@@ -256,7 +256,6 @@ struct Function : Shared {
         Value value;                ///< what an identifier was worth when the function was declared
     };
     std::vector<WordId> parameters;
-    bool usual = false;             ///< the parameters are x, y, z, which none were named; u and v are x and y then
     std::vector<WordId> counters;   ///< that sum() and prod() in it count with
     std::vector<Part> parts;
     std::vector<std::string> texts;

@@ -92,7 +92,7 @@ void ask_listed(Questions& q) {
                           "bitwise_xor(7.9, -2)", "1/3", "2/3*3", "-2*-3", "1e308*10", "(1 < 1+1e-11)", "(1 = 1+1e-11)", "(1 >= 1+1e-11)", "(1 != 1+1e-11)", "!1e-11", "!1e-9", "(1|0&0)", "clock", "version",
                           "frame_number", "clock_on", "vlength(<3,4>)", "vlength(5)", "strlen(\"abc\")", "strcmp(\"a\", \"b\")", "strcmp(\"abc\", \"a\")", "strcmp(\"\", \"z\")", "val(\"12.5abc\")",
                           "val(\"-3e2\")", "val(\".5\")", "asc(\"A\")", "asc(\"\")", "dimensions(A)", "dimension_size(A, 1)", "defined(A)", "defined(Zork)", "R1", "R2", "rand(R1)", "rand(R1)",
-                          "rand(R2)", "rand(R2)", "rand(R3)", "F(1, 2)", "F(F(1, 2), 3)", "FT(1, 2, 3)", "Sum(5, 100)", "Sum(0, 3)", "Sum(3.5, 0)", "Prod(2)", "Prod(-4)", "Unnamed(1, 2, 3)", "Same(FA[0](3))", "Same(FA[1](FA[0](2), 7) + 1)",
+                          "rand(R2)", "rand(R2)", "rand(R3)", "F(1, 2)", "F(F(1, 2), 3)", "FT(1, 2, 3)", "Sum(5, 100)", "Sum(0, 3)", "Sum(3.5, 0)", "Prod(2)", "Prod(-4)", "Unnamed(1, 2, 3)", "Named(2, 3)", "Texture(2, 3)", "Other(2, 3)", "Twice(2, 3)", "Same(FA[0](3))", "Same(FA[1](FA[0](2), 7) + 1)",
                           "Of(SA[0](.3))", "sin(1).x", "defined(x)", "defined(pi)", "defined(sphere)", "val(\"0x1F\")", "val(\" -0x1.8p1\")", "val(\"+7\")", "val(\"--7\")", "val(\"- 7\")", "val(\"\")",
                           "strlen(substr(\"abc\", 0, 2))", "G(1, 2, 3)", "H(2.5)", "H(-7)", "A[1-1e-10]", "A[1-2e-10]", "A[-.5e-10]",
                           "dimension_size(A, 2)", "Frame(2)"})
@@ -136,6 +136,7 @@ Questions questions() {
     q.prelude += "#declare S6 = spline { cubic_spline 0, x 1, <3,1,2> }\n#declare Frame = function(q) { q*2 + frame_number + clock_delta + initial_clock + final_clock }\n";
     q.prelude += "#declare S5 = spline { linear_spline 0, 1 1, <1,2,3> 2, 9 3, 5 4, <1,2,3,4,5> 5, <6,7> }\n#declare FA = array[2] {function(x) { x*2 }, function(x, y) { x - y }}\n#declare SA = array[1]\n#declare SA[0] = S4;\n"
                  "#declare Sum = function(n, i) { sum(i, 1, n, i*i) + i }\n#declare Prod = function(n) { prod(k, n, n + 2, sum(j, 1, k, j*k)) }\n#declare Unnamed = function { u*100 + v*10 + x + y + z }\n"
+                 "#declare Named = function(y, x) { u + 10*v + z }\n#declare Texture = function(u, v) { x - y/3 }\n#declare Other = function(a, x) { u + v + a }\n#declare Twice = function(u, x) { u + 10*x }\n"
                  "#declare Boxed = box { -1, 1 scale 1.1 }\n#declare Both = union { sphere { .1, .7 } triangle { <.1,.2,.3>, <.4,.7,.9>, <1.1,2.2,3.3> } }\n#declare V5 = <.1,.2,.3,.4,.5>*.3;\n#macro Same(a) a #end\n#macro Of(a) a.y #end\n";
     ask_listed(q);
     ask_strings(q);
