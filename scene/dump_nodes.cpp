@@ -14,7 +14,7 @@ void dump_what(Line& line, const Node& node) {
 void dump_flags(Line& line, const NodeFlags& flags) {
     const NodeFlags usual;
     line.field("visible", flags.visible, usual.visible).field("shadow", flags.shadow, usual.shadow).field("image", flags.image, usual.image);
-    line.field("reflection", flags.reflection, usual.reflection).field("hollow", flags.hollow, usual.hollow);
+    line.field("reflection", flags.reflection, usual.reflection).field("hollow", flags.hollow, usual.hollow).field("uv_mapping", flags.uv_mapping, usual.uv_mapping);
     line.field("double_illuminate", flags.double_illuminate, usual.double_illuminate);
 }
 

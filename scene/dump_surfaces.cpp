@@ -37,7 +37,7 @@ class SignalDump {
   private:
     void pattern(std::string_view head, const PatternSignal& s) const {
         const PatternSignal usual;
-        Line(out_, head).word("pattern").always("pattern", s.pattern).field("parameters", s.parameters).field("source", s.source).field("uv_mapped", s.uv_mapped).field("turns", s.turns).field("turned", s.turned, usual.turned).field("turbulence", s.turbulence.amount, usual.turbulence.amount)
+        Line(out_, head).word("pattern").always("pattern", s.pattern).field("parameters", s.parameters).field("source", s.source).field("uv_mapped", s.uv_mapped).field("bumps_turn", s.bumps_turn).field("bumps_turned", s.bumps_turned, usual.bumps_turned).field("turbulence", s.turbulence.amount, usual.turbulence.amount)
             .field("octaves", s.turbulence.octaves, usual.turbulence.octaves).field("omega", s.turbulence.omega, usual.turbulence.omega)
             .field("lambda", s.turbulence.lambda, usual.turbulence.lambda).field("noise", s.noise, usual.noise).field("wave", s.wave)
             .field("wave_exponent", s.wave_exponent, usual.wave_exponent).field("frequency", s.frequency).field("phase", s.phase).field("from", from_);
@@ -111,7 +111,7 @@ void dump_surfaces(std::string& out, const Scene& scene) {
         std::visit(SignalDump(out, fmt::format("signal {}", i), scene.signals[i]), scene.signals[i].what);
     for (size_t i = 0; i < scene.materials.size(); ++i) {
         const Material& m = scene.materials[i];
-        Line(out, fmt::format("material {}", i)).field("name", m.name).field("uv_placed", m.uv_placed).field("from", m.from);
+        Line(out, fmt::format("material {}", i)).field("name", m.name).field("from", m.from);
         for (const auto& layer : m.layers) std::visit([&](const auto& surface) { dump_layer(out, surface); }, layer);
     }
     for (size_t i = 0; i < scene.interiors.size(); ++i) dump_interior(out, i, scene.interiors[i]);

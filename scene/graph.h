@@ -53,12 +53,11 @@ template <class F> void for_each_link(const Scene& scene, const Node& node, cons
     if (l.projected_through) f(*l.projected_through);
 }
 
-/// The pattern of a PatternSignal or a ReliefSignal, null for all others.
-inline const PatternSignal* pattern_of(const Signal& signal) {
-    const auto* relief = std::get_if<ReliefSignal>(&signal.what);
+/// The pattern of a PatternSignal or a ReliefSignal, null for all others. `S`: Signal, const or not.
+template <class S> auto pattern_of(S& signal) -> decltype(std::get_if<PatternSignal>(&signal.what)) {
+    auto* relief = std::get_if<ReliefSignal>(&signal.what);
     return relief ? &relief->pattern : std::get_if<PatternSignal>(&signal.what);
 }
-inline PatternSignal* pattern_of(Signal& signal) { return const_cast<PatternSignal*>(pattern_of(std::as_const(signal))); }
 
 /// Calls f(SignalId) for every signal that `signal` reads.
 template <class F> void for_each_operand(const Signal& signal, const F& f) {

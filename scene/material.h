@@ -129,8 +129,8 @@ struct PatternSignal {
     std::optional<SignalId> source;        ///< of `pigment_pattern`: the pigment whose grey is the pattern's number
     std::optional<PatternPicture> picture; ///< of `image_map`, `image_pattern` and `bump_map`, and of nothing else
     bool uv_mapped = false;                ///< looked up at (u, v, 0) of the surface (v upwards), and not at the point
-    bool turns = false;                    ///< of reliefs and maps of textures that are uv_mapped: the bumps' directions follow the object; false: they are those of the world
-    Mat3 turned{1.0};                      ///< the linear map that those directions went through with the texture
+    bool bumps_turn = false;               ///< of reliefs and maps of textures that are uv_mapped: the bumps' directions follow the object; false: they are those of the world
+    Mat3 bumps_turned{1.0};                ///< the linear map that those directions went through with the texture
     std::vector<MapEntry> map;             ///< in the order of the file, which is not sorted; of `average`, the values are weights
     std::vector<Warp> warps;               ///< in the order of the file: the last is undone first
     Turbulence turbulence;                 ///< the `turbulence` outside of warps: applied after all of them
@@ -215,7 +215,6 @@ struct Material {
     std::string name;
     std::vector<std::variant<GltfPbr, PovFinish, PovTextureMap>> layers;
     SourcePos from;
-    bool uv_placed = false;   ///< patterns that are not uv_mapped are looked up as if the surface's (u, v, 0) were the point in the world: POV-Ray's uv_mapping that is said around an object
 };
 
 /// What fills a solid.

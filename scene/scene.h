@@ -21,6 +21,9 @@ struct NodeFlags {
     bool reflection = true;     ///< POV no_reflection
     bool hollow = false;
     bool double_illuminate = false;
+    /// POV uv_mapping, also of all below: whatever texture a surface shows, its patterns are looked up as if the surface's (u, v, 0) were the point in the world. Not where an
+    /// inside_material reaches the shape.
+    bool uv_mapping = false;
 };
 
 struct Nothing {};

@@ -17,7 +17,7 @@ bool finite(const PatternSignal& pattern) {
     const auto is_finite_number = [](double x) { return std::isfinite(x); };
     const Turbulence& t = pattern.turbulence;
     return is_finite(t.amount) && is_finite(Vec3(t.omega, t.lambda, pattern.phase)) && is_finite_number(pattern.wave_exponent) && is_finite_number(pattern.frequency.value_or(0)) &&
-           (!pattern.picture || finite(*pattern.picture)) && Transform{pattern.turned, Vec3(0)}.is_finite() && std::all_of(pattern.parameters.begin(), pattern.parameters.end(), is_finite_number) &&
+           (!pattern.picture || finite(*pattern.picture)) && Transform{pattern.bumps_turned, Vec3(0)}.is_finite() && std::all_of(pattern.parameters.begin(), pattern.parameters.end(), is_finite_number) &&
            std::all_of(pattern.map.begin(), pattern.map.end(), [](const MapEntry& e) { return std::isfinite(e.value); }) &&
            std::all_of(pattern.warps.begin(), pattern.warps.end(), [&](const Warp& w) {
                return w.transform.is_finite() && std::all_of(w.parameters.begin(), w.parameters.end(), is_finite_number);

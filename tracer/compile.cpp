@@ -143,6 +143,7 @@ class Placer : private CsgParts {
             const Node& above = out_.scene.nodes[id.index];
             instance.double_illuminate = instance.double_illuminate || above.flags.double_illuminate;
             instance.turned = instance.turned != above.inverse;
+            instance.uv_mapped = instance.uv_mapped || above.flags.uv_mapping;
         }
         instance.node = visit.node, instance.object = objects_.number_of(visit.path);
         instance.light_set = groups_.set_of(visit.path);
@@ -153,6 +154,7 @@ class Placer : private CsgParts {
         instance.of_whole = carrier <= levels_to_solid_;
         const bool hollow = is_hollow(out_.scene, visit.path, carrier);
         materials_.add_slots(visit.path, slots, interior, hollow, instance);
+        instance.uv_mapped = instance.uv_mapped && instance.inside_slot == kNoId;
         out_.instances.push_back(instance);
     }
 

@@ -58,6 +58,7 @@ struct Instance {
     uint32_t inside_slot = kNoId;  ///< of all that is seen from inside, behind those; without one the others hold there, too
     Mask mask = kMaskAll;
     bool double_illuminate = false;   ///< POV: lit from both sides
+    bool uv_mapped = false;        ///< patterns are looked up at (u, v, 0) of its surface (NodeFlags::uv_mapping)
     bool usual_material = false;   ///< of its slots: no node on the path says what they are
     bool inverted = false;         ///< taken away from a solid: its normals point inwards
     bool turned = false;           ///< inverse, or a part of a solid that goes on for ever: its inside is where its normals point

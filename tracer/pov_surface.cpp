@@ -102,9 +102,8 @@ PovSurface::PovSurface(const CompiledScene& scene, const ShadePoint& point, cons
     : dir_(dir), normal_(normal), position_(point.position), mirror_ior_(mirror_ior(scene, point, inside)), irid_wavelength_(scene.scene.settings.irid_wavelength), noise_(scene.scene.settings.noise) {
     double_illuminate_ = scene.instances[point.instance].double_illuminate;
     for_each_mixed_slot(scene, point, [&](const ShadePoint& own, double share) {
-        const Material& material = material_at(scene, own);
-        PatternFrame frame = pattern_frame(own, material);
-        add(scene, own, material, share, frame);
+        PatternFrame frame = pattern_frame(own);
+        add(scene, own, material_at(scene, own), share, frame);
     });
 }
 

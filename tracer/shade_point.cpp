@@ -118,6 +118,7 @@ ShadePoint shade_point(const CompiledScene& scene, const Ray& ray, const Hit& hi
     p.front = dot(ray.dir, p.geometric_normal) <= 0;
     if (instance.inside_slot != kNoId && sees_inside(instance, ray, p)) p.slot = instance.inside_slot;
     p.space = pattern_space(scene, p);
+    p.uv_mapped = instance.uv_mapped;
     return p;
 }
 

@@ -29,6 +29,7 @@ struct ShadePoint {
     uint32_t slot = 0;                ///< into CompiledScene::slots
     bool front = true;                ///< the ray came from outside
     const PatternSpace* space = nullptr;   ///< of the material's patterns, if it has any
+    bool uv_mapped = false;                ///< patterns take uv_place() for the point in the world
 
     Vec2 uv(uint32_t set) const;
     /// Where POV-Ray looks up what is uv_mapped: (u, v, 0), v upwards.

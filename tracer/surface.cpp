@@ -204,9 +204,8 @@ Color transmitted(const CompiledScene& scene, const ShadePoint& point, const Vec
     if (!metal_rough) {
         Color sum(0);
         for_each_mixed_slot(scene, point, [&](const ShadePoint& own, double share) {
-            const Material& material = material_at(scene, own);
-            PatternFrame frame = pattern_frame(own, material);
-            sum += pov_transmitted(scene, material, own, frame, dir) * share;
+            PatternFrame frame = pattern_frame(own);
+            sum += pov_transmitted(scene, material_at(scene, own), own, frame, dir) * share;
         });
         return sum;
     }

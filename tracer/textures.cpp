@@ -194,8 +194,8 @@ Vec3 Textures::bent(SignalId relief, const PatternFrame& outer, const Vec3& n) c
     return std::abs(dot(unit, unit) - 1) < 1e-6 ? unit : n;   // a relief that cancels the normal leaves it as it is
 }
 
-PatternFrame pattern_frame(const ShadePoint& point, const Material& material) {
-    const Vec3 place = material.uv_placed ? point.uv_place() : point.position;
+PatternFrame pattern_frame(const ShadePoint& point) {
+    const Vec3 place = point.uv_mapped ? point.uv_place() : point.position;
     if (!point.space) return {place, Mat3(1.0), Mat3(1.0), &point};
     return {point.space->from_world.point(place), glm::transpose(point.space->to_world.linear), glm::transpose(point.space->from_world.linear), &point};
 }

@@ -27,14 +27,14 @@ struct PatternFrame {
     /// That of `pattern`. One that follows the surface has the normals of the world, unless it turns with its object or is in a map.
     PatternFrame under(const PatternSignal& pattern) const {
         if (!pattern.uv_mapped) return *this;
-        const Mat3 in = glm::transpose(pattern.turned), out = glm::transpose(glm::inverse(pattern.turned));
-        if (pattern.turns || mapped) return {surface_place(), in * normal_in, normal_out * out, surface, mapped};
+        const Mat3 in = glm::transpose(pattern.bumps_turned), out = glm::transpose(glm::inverse(pattern.bumps_turned));
+        if (pattern.bumps_turn || mapped) return {surface_place(), in * normal_in, normal_out * out, surface, mapped};
         return {surface_place(), in, out, surface};
     }
 };
 
-/// The frame of `material` at a point.
-PatternFrame pattern_frame(const ShadePoint& point, const Material& material);
+/// The frame of a point's own material.
+PatternFrame pattern_frame(const ShadePoint& point);
 
 /// The images that used materials read, each decoded once for each encoding that is asked of it.
 class Textures {

@@ -111,7 +111,7 @@ std::vector<NodeId> NodeFacts::children(const Node& node) const {
 
 /// A mesh of several slots whose node names no more than one material takes that, or what it inherits, for all.
 NodeFacts::ShapeKey NodeFacts::key_of(const Node& node, ShapeId shape) const {
-    ShapeKey key{shape.index, node.materials};
+    ShapeKey key{shape.index, node.materials, node.flags.uv_mapping};
     key.slots.resize(node.materials.size() < 2 ? 1 : slot_count(scene_.shapes[shape.index].geometry));
     return key;
 }

@@ -19,6 +19,7 @@ class NodeFacts {
     struct ShapeKey {
         uint32_t shape = 0;
         SlotMaterials slots;
+        bool uv_mapping = false;   ///< NodeFlags::uv_mapping, which stands before the texture
         friend auto operator<=>(const ShapeKey&, const ShapeKey&) = default;
     };
 

@@ -53,7 +53,10 @@ void NodeWriter::declare_shape(const Node& node, ShapeId shape) {
     c_.sdl.line("#declare", name, "=");
     if (key.slots.size() == 1 && geometry != geometries_.end()) c_.sdl.begin("object"), c_.sdl.line(geometry->second);
     else begin_shape(entry.geometry, key.slots, c_);
-    if (key.slots[0] || facts_.defaults_at_shapes()) c_.textures.use_on_object(key.slots, true);
+    if (has_texture(key)) {
+        if (key.uv_mapping) c_.sdl.line("uv_mapping");
+        c_.textures.use(key.slots[0]);
+    }
     c_.sdl.end();
     shapes_.emplace(key, name);
 }
@@ -79,15 +82,6 @@ void NodeWriter::named_or_object(NodeId id) {
 
 void NodeWriter::block(NodeId id, bool is_root) {
     const Node& node = c_.scene.nodes[id.index];
-    const bool uv_placed = std::any_of(node.materials.begin(), node.materials.end(), [&](const auto& material) { return material && c_.scene.materials[material->index].uv_placed; });
-    if (!uv_placed) return plain_block(node, is_root);
-    c_.sdl.begin("union");
-    plain_block(node, is_root);
-    c_.sdl.line("uv_mapping");
-    c_.sdl.end();
-}
-
-void NodeWriter::plain_block(const Node& node, bool is_root) {
     c_.sdl.comment(node.name);
     const bool shape = facts_.draws_shape(node), light = facts_.draws_light(node);
     const size_t lights = light ? LightWriter::parts(c_.scene.lights[std::get<LightId>(node.what).index]) : 0, pieces = facts_.children(node).size() + shape + lights;
@@ -126,7 +120,7 @@ void NodeWriter::lone_shape(const Node& node, ShapeId shape, bool is_root) {
     } else {
         begin_shape(c_.scene.shapes[shape.index].geometry, key.slots, c_);
     }
-    modifiers(node, is_root, named == shapes_.end() || (!key.slots[0] && !facts_.defaults_at_shapes()));
+    modifiers(node, is_root, named == shapes_.end() || !has_texture(key));
     c_.sdl.end();
 }
 
@@ -162,18 +156,10 @@ void NodeWriter::pieces(const Node& node) {
     for (const NodeId child : facts_.children(node)) object(child);
 }
 
-bool NodeWriter::can_map_all(const Node& node) const {
-    const std::vector<NodeId> parts = facts_.children(node);
-    return std::all_of(parts.begin(), parts.end(), [&](NodeId id) {
-        const Node& part = c_.scene.nodes[id.index];
-        return (!facts_.material_counts(part) || c_.scene.materials[part.materials[0]->index].uv_placed) && can_map_all(part);
-    });
-}
-
 void NodeWriter::texture(const Node& node, bool is_root) {
     if (facts_.material_counts(node)) {
         if (is_root && !node.inside_material && (is_default(c_.scene, *node.materials[0]) || needs_own_default(node))) return;
-        c_.textures.use_on_object(node.materials, can_map_all(node));
+        c_.textures.use(node.materials[0]);
         c_.losses.add("faces that show what they lay open", node.usual_material && facts_.lays_open(node), "the texture of #default");
     } else if (facts_.defaults_at_shapes() ? facts_.draws_shape(node) : is_root && facts_.is_bare({uint32_t(&node - c_.scene.nodes.data())})) {
         c_.textures.use(std::nullopt);
@@ -182,6 +168,7 @@ void NodeWriter::texture(const Node& node, bool is_root) {
 
 bool NodeWriter::is_placement(const Node& node) const {
     const std::vector<NodeId> parts = facts_.children(node);
+    if (node.flags.uv_mapping && !facts_.material_counts(node)) return false;   // POV-Ray does not take the word behind a texture, which the part may have
     return parts.size() == 1 && !facts_.draws_shape(node) && !facts_.draws_light(node) && (node.csg == CsgKind::none || facts_.children(c_.scene.nodes[parts[0].index]).empty());
 }
 
@@ -214,6 +201,7 @@ void NodeWriter::cut(const char* word, const std::vector<NodeId>& by) {
 
 /// The transformation comes last: all before it lies in the node's own space.
 void NodeWriter::modifiers(const Node& node, bool is_root, bool textured) {
+    if (textured && node.flags.uv_mapping) c_.sdl.line("uv_mapping");   // before the texture, as POV-Ray has it
     if (textured) texture(node, is_root);
     if (node.inside_material) {
         c_.sdl.begin("interior_texture");

@@ -23,15 +23,14 @@ class NodeWriter {
     void object(NodeId id);
     void named_or_object(NodeId id);
     void block(NodeId id, bool is_root);
-    void plain_block(const Node& node, bool is_root);
     void group(const Node& node, bool is_root);
     void lone_shape(const Node& node, ShapeId shape, bool is_root);
     void light_part(const Light& light, const Transform& to_parent, size_t part);
     void pieces(const Node& node);
     void modifiers(const Node& node, bool is_root, bool textured);
     void texture(const Node& node, bool is_root);
-    /// Would uv_mapping that the node says change no texture in it but its own?
-    bool can_map_all(const Node& node) const;
+    /// Is a shape declared with its texture?
+    bool has_texture(const NodeFacts::ShapeKey& key) const { return key.slots[0] || facts_.defaults_at_shapes(); }
     bool needs_own_default(const Node& root) const;
     void flags(const Node& node);
     /// Is it written as an `object`? A set of one set stays one: it decides which of coincident surfaces is seen.

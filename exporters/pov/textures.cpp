@@ -97,27 +97,12 @@ const PatternSignal* uv_mapped_bumps(const Scene& scene, const Material& m) {
     return uv_mapped_bumps(scene, map ? map->pattern : finish ? finish->normal : std::nullopt);
 }
 
-bool has_bumps(const Scene& scene, const Material& m) {
-    bool found = std::any_of(m.layers.begin(), m.layers.end(), [](const auto& layer) {
-        const auto* finish = std::get_if<PovFinish>(&layer);
-        return finish && finish->normal;
-    });
-    for_each_part(m, [&](MaterialId part) { found = found || has_bumps(scene, scene.materials[part.index]); });
-    return found;
-}
-
-/// Must the object say uv_mapping, so that the bumps do not follow what is done to it? A normal alone says so itself, unless it was turned before.
-bool bumps_stay(const Scene& scene, const Material& m) {
-    const PatternSignal* pattern = uv_mapped_bumps(scene, m);
-    return pattern && !pattern->turns && (std::holds_alternative<PovTextureMap>(m.layers.front()) ? has_bumps(scene, m) : pattern->turned != Mat3(1.0));
-}
-
 }  // namespace
 
 void TextureWriter::layer(const PovFinish& f) {
     sdl_.begin("texture");
     const PatternSignal* bumps = uv_mapped_bumps(scene_, f.normal);
-    if (bumps && (bumps->turns || bumps->turned != Mat3(1.0))) sdl_.line("uv_mapping");
+    if (bumps && (bumps->bumps_turn || bumps->bumps_turned != Mat3(1.0))) sdl_.line("uv_mapping");
     patterns_.pigment_block(f.pigment);
     if (f.normal) patterns_.normal_block(*f.normal);
     write_finish(sdl_, f);
@@ -158,7 +143,7 @@ void TextureWriter::layer(const PovTextureMap& m) {
 /// A declared texture that says uv_mapping turns its bumps with what is done to it later, and nothing else.
 void TextureWriter::turn(MaterialId id) {
     const PatternSignal* bumps = uv_mapped_bumps(scene_, scene_.materials[id.index]);
-    if (bumps && bumps->turned != Mat3(1.0)) sdl_.line("#declare", texture_name(id), "= texture {", texture_name(id), Transform{bumps->turned, Vec3(0)}, "}");
+    if (bumps && bumps->bumps_turned != Mat3(1.0)) sdl_.line("#declare", texture_name(id), "= texture {", texture_name(id), Transform{bumps->bumps_turned, Vec3(0)}, "}");
 }
 
 void TextureWriter::declare_one(MaterialId id) {
@@ -203,13 +188,6 @@ void TextureWriter::tinted(MaterialId material, const Vec4& tint) {
 }
 
 void TextureWriter::use(std::optional<MaterialId> material) { sdl_.line("texture {", material ? texture_name(*material) : "Texture_default", "}"); }
-
-void TextureWriter::use_on_object(const std::vector<std::optional<MaterialId>>& materials, bool can_map_all) {
-    const bool stays = std::any_of(materials.begin(), materials.end(), [&](const auto& material) { return material && bumps_stay(scene_, scene_.materials[material->index]); });
-    if (stays && can_map_all) sdl_.line("uv_mapping");   // said of an operation, it holds for the textures of its parts, too
-    losses_.add("bumps in texture coordinates that do not turn with an object whose parts have other textures", stays && !can_map_all, "bumps that turn");
-    use(materials.front());
-}
 
 void TextureWriter::medium(const Interior::Medium& m) {
     sdl_.begin("media");

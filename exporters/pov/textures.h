@@ -22,8 +22,6 @@ class TextureWriter {
     void tinted(MaterialId material, const Vec4& tint);
     /// `texture { }`; of nothing: the default.
     void use(std::optional<MaterialId> material);
-    /// The first of an object's materials; `can_map_all`: uv_mapping that it says changes no other texture.
-    void use_on_object(const std::vector<std::optional<MaterialId>>& materials, bool can_map_all);
     /// What a solid of this material is filled with: `inside`, and the refraction that the material itself asks for. Nothing where that is nothing.
     void interior(std::optional<MaterialId> material, std::optional<InteriorId> inside);
     /// `media { }`.

@@ -31,10 +31,6 @@ void append(std::vector<T>& all, T&& one) {
     all.push_back(std::move(one));
 }
 
-/// Where `uv_mapping` stands (by experiment). In a texture: its bumps turn when they are moved later. Beside a texture, even such a one: they stay as they are then. Around the object:
-/// its textures are those of space, where the surface's (u, v, 0) is the point.
-enum class UvMapping { in_texture, beside_texture, around };
-
 /// The scene under construction. Builders read blocks and add to it; what they do not model they tally with the parser.
 struct Build {
     explicit Build(Parser& parser) : p(parser) {}
@@ -62,7 +58,6 @@ struct Build {
 
     bool shapes_alone = false;                          ///< textures, materials and interiors are passed over: the scene is asked where its shapes are, and not drawn
     int copying = 0;                                    ///< references that are being built anew because their texture changes
-    std::optional<UvMapping> uv_mapping;                ///< what is built says it itself (beside_texture), or one of the objects around it does: it holds for all textures in them
     int lit_globally = 0;                               ///< light groups around what is built that take global lights
     int by_name = 0;                                    ///< names that what is built was reached by: POV-Ray copies what is declared
     size_t copies_of_copies = 0;                        ///< those among them that stood in another: each level can double them

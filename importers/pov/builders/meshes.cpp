@@ -82,9 +82,7 @@ class Slots {
     uint32_t of(const Block& texture) {
         if (build_.shapes_alone) return 0;
         const auto [at, added] = known_.try_emplace(&texture, uint32_t(materials_.size()));
-        if (added) {
-            materials_.emplace_back(add_material(build_, build_texture(build_, texture), texture.place, build_.uv_mapping == UvMapping::around));
-        }
+        if (added) materials_.emplace_back(add_material(build_, build_texture(build_, texture), texture.place));
         return at->second;
     }
     std::vector<std::optional<MaterialId>> take() { return materials_.size() > 1 ? std::move(materials_) : std::vector<std::optional<MaterialId>>(); }
@@ -347,10 +345,9 @@ BuiltShape build_mesh2(Build& build, Cursor& at) {
 void map_triangles(Build& build, const Node& mesh, const Transform& before) {
     for (size_t slot = 1; slot < mesh.materials.size(); ++slot) {
         if (!mesh.materials[slot]) continue;
-        Material& material = build.scene.materials[mesh.materials[slot]->index];
-        move_layers(build, material.layers, before);
-        set_uv_mapped(build, material.layers, UvMapping::beside_texture);
-        material.uv_placed = false;
+        TextureLayers& layers = build.scene.materials[mesh.materials[slot]->index].layers;   // the mesh's alone: a reference that says uv_mapping is built anew
+        move_layers(build, layers, before);
+        set_uv_mapped(build, layers, Bumps::stay);
     }
 }
 

@@ -29,7 +29,7 @@ struct Draft {
     Transform transform;                  ///< behind the texture; of all, if there is none
     TextureLayers layers, inside;         ///< of the inside: those of interior_texture
     Place texture_place;
-    std::optional<UvMapping> uv_mapping;  ///< of the texture that follows
+    bool uv_mapped = false;               ///< of the texture that follows
     bool parts_textured = false;          ///< a referenced object brings its own
     bool shows_cuts = false;              ///< cutaway_textures stands around it, which is said of the operation itself
     bool changed = false;                 ///< a texture or interior stands around it, which takes the place of its own
@@ -50,7 +50,7 @@ CsgKind csg_of(WordId word) {
 }
 
 bool changes_surface(const Item& item) {
-    return item.value_kind() == Kind::block && belongs_to_objects(item.block().word);
+    return item.value_kind() == Kind::block ? belongs_to_objects(item.block().word) : item.kind == Item::Kind::word && item.word == "uv_mapping"_w;
 }
 
 /// `no_image off` takes back what the declared object says.
@@ -77,7 +77,7 @@ bool take_layer(Build& build, Draft& d, Cursor& at) {
     begin_texture(d, block->place);
     if (d.layers.empty()) d.layers.push_back(default_texture(build, block->defaults));
     const bool taken = take_layer_part(build, at, d.layers, d.transform);
-    if (d.uv_mapping == UvMapping::beside_texture) set_uv_mapped(build, d.layers, *d.uv_mapping);
+    if (d.uv_mapped) set_uv_mapped(build, d.layers, Bumps::stay);
     return taken;
 }
 
@@ -85,7 +85,7 @@ bool take_layer(Build& build, Draft& d, Cursor& at) {
 void add_textures(Build& build, Draft& d, TextureLayers& layers, TextureLayers more, const Block& block) {
     if (more.empty()) return;
     begin_texture(d, block.place);
-    if (d.uv_mapping == UvMapping::beside_texture) set_uv_mapped(build, more, *d.uv_mapping);
+    if (d.uv_mapped) set_uv_mapped(build, more, Bumps::stay);
     move_layers(build, more, inverse(d.transform).value_or(Transform()));   // what stood between the layers moves those before it alone
     add_layers(build, layers, std::move(more), block.version);
 }
@@ -102,7 +102,7 @@ bool take_surface(Build& build, Draft& d, Cursor& at) {
     if (take_layer(build, d, at)) return true;
     if (at.at_word("uv_mapping"_w)) {
         if (!d.layers.empty()) build.p.fail(at.place(), "uv_mapping must stand before the texture");
-        d.uv_mapping = UvMapping::beside_texture;
+        d.uv_mapped = d.node.flags.uv_mapping = true;
         map_triangles(build, d.node, d.transform);
     } else if (const Block* texture = at.block_at("texture"_w)) add_textures(build, d, d.layers, build_texture(build, *texture), *texture);
     else if (const Block* inside = at.block_at("interior_texture"_w)) add_textures(build, d, d.inside, build_texture(build, *inside), *inside);
@@ -247,35 +247,35 @@ bool reference(Build& build, const Block& object, Draft& d) {
     return true;
 }
 
-/// What holds in here, and no longer behind it.
-template <class T> struct Within {
-    Within(T& outside, T inside) : place(outside), before(std::exchange(outside, std::move(inside))) {}
+/// Counts the calls that one stands in.
+struct Within {
+    Within(int& calls, bool counts) : depth(calls), by(counts ? 1 : 0) { depth += by; }
     Within(const Within&) = delete;
-    ~Within() { place = std::move(before); }
-    T& place;
-    T before;
+    ~Within() { depth -= by; }
+    int& depth;
+    int by;
 };
 
 /// `object { NAME ... }`: the thing itself where its texture or interior is changed, a child that it shares with other references where not.
 bool object(Build& build, Cursor& at, Draft& d) {
     const Block* inner = at.any_block();
-    const Within named(build.by_name, build.by_name + (inner && at.at_declared()));
+    const Within named(build.by_name, inner && at.at_declared());
     if (!inner || !is_object(inner->word)) build.p.fail(at.place(), fmt::format("an object is expected in {} {{ }}", kWords[at.block().word]));
     at.next();
     const std::span<const Item> items = at.block().items();
     d.shows_cuts = d.shows_cuts || std::any_of(items.begin(), items.end(), shows_cuts);
-    d.changed = d.changed || std::any_of(items.begin(), items.end(), changes_surface) || undoes_flags(items) || at.block().word == "light_group"_w || (inner->word == "light_group"_w && build.lit_globally > 0) || build.uv_mapping;
+    d.changed = d.changed || std::any_of(items.begin(), items.end(), changes_surface) || undoes_flags(items) || at.block().word == "light_group"_w || (inner->word == "light_group"_w && build.lit_globally > 0);
     if (build.shapes_alone || !(d.shows_cuts || d.changed)) return reference(build, *inner, d);
     constexpr size_t kMostCopies = 50'000;
     if (build.copying && ++build.copies_of_copies > kMostCopies) build.p.fail_limit(at.block().place, fmt::format("more than {} objects are copied in copies, because their textures or interiors change", kMostCopies));
-    const Within copying(build.copying, build.copying + 1);
+    const Within copying(build.copying, true);
     return draft(build, *inner, d);
 }
 
 void take_children(Build& build, Draft& d, Cursor& at) {
     while (const Block* child = at.any_block()) {
         if (!is_object(child->word)) return;
-        const Within named(build.by_name, build.by_name + at.at_declared());
+        const Within named(build.by_name, at.at_declared());
         at.next();
         if (const auto built = build_object(build, *child)) d.node.children.push_back(built->node);
         else if (d.node.csg == CsgKind::difference && d.node.children.empty()) d.node.children.push_back(build.add_node({}));   // what is left out has no parts
@@ -321,11 +321,6 @@ bool draft(Build& build, const Block& block, Draft& d) {
     Cursor at(build, block);
     const bool wraps = block.word == "object"_w || block.word == "looks_like"_w || block.word == "projected_through"_w;
     const Transform placed = std::exchange(d.placed, Transform());
-    const Within uv(build.uv_mapping, build.uv_mapping ? std::optional(UvMapping::around) : std::nullopt);
-    const auto says_uv_mapping = [](const Item& item) { return item.kind == Item::Kind::word && item.word == "uv_mapping"_w; };
-    if (std::any_of(block.items().begin(), block.items().end(), says_uv_mapping)) build.uv_mapping = UvMapping::beside_texture;
-    const auto has_inside = [](const Item& item) { return item.value_kind() == Kind::block && item.block().word == "interior_texture"_w; };
-    if (!d.uv_mapping && std::none_of(block.items().begin(), block.items().end(), has_inside)) d.uv_mapping = build.uv_mapping;   // POV-Ray does not map those with two sides by what is said around them
     if (wraps || names_an_object(block, at)) {
         if (!object(build, at, d)) return false;
         d.transform = placed * d.transform;
@@ -338,7 +333,7 @@ bool draft(Build& build, const Block& block, Draft& d) {
         d.node.children = build_text(build, at).letters;
     } else if (block.word == "light_group"_w) {
         d.is_group = true, d.node.open_light_group = build.by_name > 0, d.is_lit = d.node.global_lights = build.lit_globally > 0;
-        const Within lit(build.lit_globally, build.lit_globally + takes_global_lights(block));
+        const Within lit(build.lit_globally, takes_global_lights(block));
         take_children(build, d, at);
         for (const NodeId child : d.node.children) gather_lights(build.scene, child, d.node.light_group);
     } else if (!shape(build, block, at, d)) {
@@ -357,19 +352,19 @@ BuiltObject finish(Build& build, Draft& d) {
         d.node.to_parent = d.transform;
         return {build.add_node(std::move(d.node)), d.parts_textured};
     }
-    const bool uv_placed = d.uv_mapping == UvMapping::around;
-    const MaterialId material = add_material(build, std::move(d.layers), d.texture_place, uv_placed);
+    const MaterialId material = add_material(build, std::move(d.layers), d.texture_place);
     const bool moved = !d.before.is_identity();
     Node* carrier = &d.node;
     Node outer;
     if (moved) {
         outer.from = d.node.from;
+        outer.flags.uv_mapping = std::exchange(d.node.flags.uv_mapping, false);
         d.node.to_parent = d.before;
         carrier = &outer;
     }
     if (carrier->materials.empty()) carrier->materials.resize(1);
     carrier->materials[0] = material;
-    if (!d.inside.empty()) carrier->inside_material = add_material(build, std::move(d.inside), d.texture_place, uv_placed);
+    if (!d.inside.empty()) carrier->inside_material = add_material(build, std::move(d.inside), d.texture_place);
     if (moved) {
         const NodeId inner = build.add_node(std::move(d.node));
         outer.children.push_back(inner);

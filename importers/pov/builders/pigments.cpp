@@ -212,8 +212,8 @@ SignalId moved_in_space(Build& build, SignalId id, const Transform& transform) {
     Signal signal = build.scene.signals[id.index];
     PatternSignal* pattern = pattern_of(signal);
     if (!pattern || !pattern->uv_mapped) return moved(build, id, transform);
-    if (!pattern->turns) return id;
-    pattern->turned = transform.linear * pattern->turned;
+    if (!pattern->bumps_turn) return id;
+    pattern->bumps_turned = transform.linear * pattern->bumps_turned;
     return build.add_signal(std::move(signal));
 }
 

@@ -155,7 +155,7 @@ void read_texture(Build& build, Cursor& at, Draft& d) {
         else at.skip_unmodelled();
     }
     if (!d.textures.empty()) d.layers = {PovTextureMap{build.add_signal(std::move(d.pattern), at.place()), std::move(d.textures)}};
-    if (d.uv_mapped) set_uv_mapped(build, d.layers, UvMapping::in_texture);
+    if (d.uv_mapped) set_uv_mapped(build, d.layers, Bumps::turn);
 }
 
 /// What `#default { ... }` makes of the default texture.
@@ -195,14 +195,14 @@ void move_layers(Build& build, TextureLayers& layers, const Transform& t) {
     if (!t.is_identity()) replace_signals(layers, [&](SignalId id, bool) { return moved_in_space(build, id, t); });
 }
 
-void set_uv_mapped(Build& build, TextureLayers& layers, UvMapping said) {
+void set_uv_mapped(Build& build, TextureLayers& layers, Bumps bumps) {
     replace_signals(layers, [&](SignalId id, bool bends) {
         Signal signal = build.scene.signals[id.index];
         PatternSignal* pattern = pattern_of(signal);
         if (!pattern) return id;
-        const bool turns = bends && said == UvMapping::in_texture;
-        if (pattern->uv_mapped && pattern->turns == turns) return id;
-        pattern->uv_mapped = true, pattern->turns = turns;
+        const bool turn = bends && bumps == Bumps::turn;
+        if (pattern->uv_mapped && pattern->bumps_turn == turn) return id;
+        pattern->uv_mapped = true, pattern->bumps_turn = turn;
         return build.add_signal(std::move(signal));
     });
 }
@@ -257,7 +257,7 @@ TextureLayers build_texture(Build& build, const Block& block, size_t skipped) {
     return std::move(d.layers);
 }
 
-MaterialId add_material(Build& build, TextureLayers layers, Place at, bool uv_placed) {
+MaterialId add_material(Build& build, TextureLayers layers, Place at) {
     const auto is_map = [](const auto& layer) { return std::holds_alternative<PovTextureMap>(layer); };
     if (layers.size() > 1 && std::any_of(layers.begin(), layers.end(), is_map)) build.p.fail(at, "a texture with a map of textures cannot be one of several layers: POV-Ray refuses it, too");
     for (auto& layer : layers) {
@@ -268,7 +268,6 @@ MaterialId add_material(Build& build, TextureLayers layers, Place at, bool uv_pl
     material.from = build.position(at);
     material.name = fmt::format("texture {}", build.scene.materials.size());
     material.layers = std::move(layers);
-    material.uv_placed = uv_placed;
     build.scene.materials.push_back(std::move(material));
     return {uint32_t(build.scene.materials.size() - 1)};
 }

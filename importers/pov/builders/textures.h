@@ -20,14 +20,16 @@ bool take_layer_part(Build& build, Cursor& at, TextureLayers& layers, const Tran
 void add_layers(const Build& build, TextureLayers& layers, TextureLayers more, float version);
 /// Moves layers behind all that they have; what is uv_mapped already stays with its surface.
 void move_layers(Build& build, TextureLayers& layers, const Transform& t);
-/// `uv_mapping` in a texture, or beside one. What is said around the object is no matter of its layers: Material::uv_placed.
-void set_uv_mapped(Build& build, TextureLayers& layers, UvMapping said);
+/// What bumps on texture coordinates do when the object is moved (by experiment).
+enum class Bumps { stay, turn };
+/// `uv_mapping` in a texture: its bumps turn. Beside a texture, even such a one: they stay as they are then. (Around an object that has its own it is no matter of layers: NodeFlags.)
+void set_uv_mapped(Build& build, TextureLayers& layers, Bumps bumps);
 /// `finish { ... }` over what `layer` has. Source   POV-Ray 3.7 reference, 3.4.3.3 "Finish".
 void build_finish(Build& build, const Block& block, PovFinish& layer);
 /// All of the layer but its pigment and normal becomes that of a declared finish, which begins with the default one where it was declared.
 void take_declared_finish(Build& build, const Block& block, PovFinish& layer);
 
-MaterialId add_material(Build& build, TextureLayers layers, Place at, bool uv_placed = false);
+MaterialId add_material(Build& build, TextureLayers layers, Place at);
 /// The default texture as a material, made once.
 MaterialId default_material(Build& build, uint32_t count);
 
