@@ -85,7 +85,8 @@ Ref<Slot> parse_subscripts(Parser& p, Array& array, bool make) {
         p.expect(']', "behind the subscript of an array");
     }
     if (make && !array.slots[index]) array.slots[index] = Ref<Slot>(new Slot);
-    return array.slots[index];
+    const bool empty = array.slots[index] && array.slots[index]->value.kind == Kind::nothing;    // of which #undef has taken the value, or one that was never given
+    return empty && !make ? Ref<Slot>() : array.slots[index];
 }
 
 }  // namespace alidade::pov

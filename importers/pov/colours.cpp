@@ -116,6 +116,7 @@ Value parse_colour(Parser& p, Standing standing) {
     if (const ColourWord* entry = find_colour_word(token)) return parse_colour_components(p, from_word(p, *entry, standing), standing);
     p.put_back(token);
     if (component_of(token) >= 0) return parse_colour_components(p, Value::colour({}), standing);
+    if (!begins_expression(p, token)) return p.warn(token.place(), fmt::format("no colour is given before {}: it is black, as in POV-Ray", p.describe(token))), Value::colour({});
     const Value given = parse_expression(p, standing);
     if (!given.numeric()) p.fail(token.place(), fmt::format("a colour is expected, not {}", kind_name(given)));
     return parse_colour_components(p, Value::colour(promoted(given, 5)), standing);

@@ -24,7 +24,7 @@ Ref<Deprecation> read_deprecation(Parser& p, Token& name) {
 /// The element `name[i]...` that is assigned to, or empty if a whole identifier is.
 Ref<Slot> element(Parser& p, const Token& name) {
     Slot* slot = p.symbols.find(name.id);
-    if (!slot || slot->value.kind != Kind::array || !p.peek().is('[')) return {};
+    if (!slot || slot->value.kind != Kind::array || !p.peek_behind_value().is('[')) return {};
     return parse_reference(p, name, true);
 }
 
@@ -50,6 +50,7 @@ void declare(Parser& p, const Token& directive) {
     const bool local = directive.directive.word == "local"_w;
     const size_t depth = p.symbols.depth();
     Ref<Slot> into = element(p, name);
+    const bool of_this_level = p.symbols.is_at_this_level(name.id);
     if (!into && !local) into = Ref<Slot>(p.symbols.find(name.id));    // now: a macro in the value may hide the name
     p.expect('=', "behind the name that is declared");
     const Place at = p.peek().place();
@@ -58,15 +59,20 @@ void declare(Parser& p, const Token& directive) {
     if (value.kind == Kind::array) value = owned(p, std::move(value), at);
     Slot& slot = into ? *into : local ? p.symbols.local(name.id, depth) : p.symbols.global(name.id);
     const bool needs_semicolon = value.numeric();
-    slot.value = std::move(value);
-    slot.deprecation = std::move(deprecation);
+    if (into && local && into->value.kind != Kind::nothing && !of_this_level) {     // by experiment
+        p.warn(name.place(), "#local leaves an element as it is of an array that was not declared in the same macro or file, as in POV-Ray: #declare sets it");
+    } else {
+        slot.value = std::move(value);
+        slot.deprecation = std::move(deprecation);
+    }
     end_declaration(p, needs_semicolon, name);
 }
 
 void undefine(Parser& p, const Token&) {
     const Token name = p.raw_token();
     if (name.kind != TokenKind::name) p.fail(name.place(), fmt::format("a name is expected behind #undef, not {}", p.describe(name)));
-    if (!p.symbols.undefine(name.id)) p.warn(name.place(), fmt::format("{} is not declared, so #undef has nothing to do", p.names.text(name.id)));
+    if (const Ref<Slot> part = element(p, name)) part->value = {};
+    else if (!p.symbols.undefine(name.id)) p.warn(name.place(), fmt::format("{} is not declared, so #undef has nothing to do", p.names.text(name.id)));
 }
 
 void set_version(Parser& p) {

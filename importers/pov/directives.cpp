@@ -23,6 +23,14 @@ void obey_message(Parser& p, const Token& directive) {
     }
 }
 
+void obey_include(Parser& p, const Token& directive) {
+    const Token token = p.peek();
+    if (token.kind == TokenKind::name && !p.symbols.find(token.id)) p.fail_limit(token.place(), "the name of a file stands in quotes behind #include", "#include \"colors.inc\"");
+    const std::string name = parse_string(p);
+    if (name.empty()) p.fail_limit(token.place(), "the name of the file is empty");
+    p.include(name, directive.place());
+}
+
 /// `#max_trace_level 5` of old scenes, also without the #: a `global_settings { max_trace_level 5 }`.
 void obey_setting(Parser& p, const Token& directive) {
     p.check_items(directive.place());
@@ -42,7 +50,7 @@ void obey(Parser& p, const Token& directive) {
     switch (directive.directive.word) {
         case "declare"_w: case "local"_w: case "undef"_w: case "default"_w: case "version"_w: return obey_declaration(p, directive);
         case "macro"_w: return define_macro(p, directive, index);
-        case "include"_w: return p.include(parse_string(p), directive.place());
+        case "include"_w: return obey_include(p, directive);
         case "debug"_w: case "warning"_w: case "error"_w: case "render"_w: case "statistics"_w: return obey_message(p, directive);
         case "fopen"_w: case "fclose"_w: case "read"_w: case "write"_w: return obey_file_directive(p, directive);
         case "if"_w: case "ifdef"_w: case "ifndef"_w: case "else"_w: case "elseif"_w: case "end"_w: case "while"_w: case "for"_w: case "switch"_w:

@@ -37,6 +37,7 @@ Value component(Parser& p, const Value& value, const Token& word) {
     for (const auto& [name, index] : kComponents)
         if (word.is_word(name)) {
             if (value.terms == 1 && index > 0) p.fail(word.place(), "a float has no second component");
+            if (value.terms == 1) return value;
             Value one = value;
             one.kind = Kind::number, one.terms = 1, one.rest = value.terms, one.c[0] = value.c[index];
             return one;
@@ -65,8 +66,13 @@ bool is_included(const Parser& p, const std::string& file) {
 
 std::string undeclared_hint(Parser& p, std::string_view text) {
     if (const std::string file = include_that_declares(text); !file.empty() && !is_included(p, file)) return fmt::format("{0} declares it: #include \"{0}\"", file);
-    constexpr size_t kShortestMeant = 4;   // shorter ones are near to everything
-    const std::string_view near = text.size() < kShortestMeant ? "" : p.names.nearest(text, [&](WordId id) { return id < kWordCount || p.symbols.find(id) != nullptr; });
+    constexpr size_t kShortestMeant = 4;   // shorter ones are near to everything, but for rbg
+    const auto is_meant = [&](WordId id) {
+        const std::string_view name = p.names.text(id);
+        const bool near = text.size() >= kShortestMeant || (name.size() == text.size() && std::is_permutation(text.begin(), text.end(), name.begin()));
+        return near && (id < kWordCount ? !is_directive(id) : p.symbols.find(id) != nullptr);
+    };
+    const std::string_view near = p.names.nearest(text, is_meant);
     return near.empty() ? "" : fmt::format("did you mean {}?", near);
 }
 
@@ -99,16 +105,18 @@ Value identifier(Parser& p, const Token& name) {
 }
 
 /// Takes a float that stands there as a literal or in a variable, if one does: what most operands are, so that no Value is made of them.
-bool take_plain(Parser& p, double& x) {
+bool take_plain(Parser& p, double& x, Standing standing = Standing::in_brackets) {
     const Token& token = p.peek();
     if (token.kind == TokenKind::number) {
         x = token.number;
-    } else {
-        const Slot* slot = token.kind == TokenKind::name ? p.symbols.find(token.id) : nullptr;
-        if (!slot || slot->value.kind != Kind::number || slot->deprecation) return false;
-        x = slot->value.c[0];
+        p.take();
+        return true;
     }
+    const Slot* slot = token.kind == TokenKind::name ? p.symbols.find(token.id) : nullptr;
+    if (!slot || slot->value.kind != Kind::number || slot->deprecation) return false;
+    x = slot->value.c[0];
     p.take();
+    while (peek_behind(p, standing).is('.')) p.next(), x = component(p, Value::number(x), p.next()).c[0];
     return true;
 }
 
@@ -154,7 +162,7 @@ Value factor_without_components(Parser& p, Standing standing) {
 }
 
 Value factor(Parser& p, Standing standing) {
-    if (double x; take_plain(p, x)) return Value::number(x);
+    if (double x; take_plain(p, x, standing)) return Value::number(x);
     Value value = factor_without_components(p, standing);
     take_components(p, value, standing);
     return value;
@@ -178,7 +186,7 @@ bool is_sum(const Token& token) { return token.mark == '+' || token.mark == '-';
 void continue_term(Parser& p, Value& left, Standing standing = Standing::in_brackets) {
     while (is_product(peek_behind(p, standing))) {
         const Token op = p.next();
-        if (double x; take_plain(p, x)) calculate(p, op, left, x);
+        if (double x; take_plain(p, x, standing)) calculate(p, op, left, x);
         else calculate(p, op, left, factor(p, standing));
     }
 }
@@ -188,7 +196,7 @@ void continue_expression(Parser& p, Value& left, Standing standing = Standing::i
     while (is_sum(peek_behind(p, standing))) {
         const Token op = p.next();
         double x = 0;
-        const bool plain = take_plain(p, x);
+        const bool plain = take_plain(p, x, standing);
         if (plain && !is_product(peek_behind(p, standing))) {
             calculate(p, op, left, x);
             continue;
@@ -220,9 +228,8 @@ Value comparison(Parser& p) {
         if (left.kind == Kind::string && right.kind == Kind::string) {
             left = Value::number(compared(op.mark, left.text(), right.text()));
         } else {
-            if (left.kind != Kind::number || right.kind != Kind::number)
-                p.fail(op.place(), fmt::format("two floats or two strings can be compared, not {} and {}", kind_name(left), kind_name(right)));
-            left = Value::number(compared(op.mark, left.c[0], right.c[0]));
+            if (!left.numeric() || !right.numeric()) p.fail(op.place(), fmt::format("two numbers or two strings can be compared, not {} and {}", kind_name(left), kind_name(right)));
+            compare(op.mark, left, right);
         }
     }
     return left;
@@ -280,8 +287,10 @@ Value parse_full(Parser& p) {
     Value left = comparison(p);
     while (p.peek().is('&') || p.peek().is('|')) {       // of equal precedence, from left to right; both sides are evaluated
         const Token op = p.next();
-        const bool a = truth_of(p, left, op.place()), b = truth_of(p, comparison(p), op.place());
-        left = Value::number(op.is('&') ? a && b : a || b);
+        const Value right = comparison(p);
+        require_numeric(p, left, op.place());
+        require_numeric(p, right, op.place());
+        compare(op.mark, left, right);
     }
     if (!p.peek().is('?')) return left;
     const Token op = p.next();
@@ -296,7 +305,7 @@ Value parse_full(Parser& p) {
 double parse_float(Parser& p, Standing standing) {
     const Place at = p.peek().place();
     Value value;
-    if (double x; take_plain(p, x)) {
+    if (double x; take_plain(p, x, standing)) {
         if (const Token& behind = peek_behind(p, standing); !has_plain_operators(p) || (!is_product(behind) && !is_sum(behind))) return x;
         value = Value::number(x);
         continue_expression(p, value, standing);
@@ -349,6 +358,7 @@ Value parse_vector(Parser& p, Place at, std::vector<double>& list) {
     size_t count = 0;
     for (; !p.accept('>'); ++count) {
         if (count > 1000) p.fail(at, "more than 1000 numbers stand in < >");
+        if (count > 0 && !begins_expression(p, p.peek())) p.fail(p.peek().place(), fmt::format("> is expected behind the components of a vector, not {}", p.describe(p.peek())));
         const double x = parse_float(p);
         if (count == v.c.size()) list.assign(v.c.begin(), v.c.end());
         if (count < v.c.size()) v.c[count] = x;

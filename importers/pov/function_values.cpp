@@ -46,7 +46,7 @@ constexpr FloatFunction kFunctions[] = {
 };
 
 void check_count(const Parser& p, size_t parameters, size_t arguments, Place at) {
-    if (parameters != arguments) p.fail(at, fmt::format("the function has {} parameters, and {} arguments are given", parameters, arguments));
+    if (parameters != arguments) p.fail(at, fmt::format("the function takes {} argument{}, and {} are given", parameters, parameters == 1 ? "" : "s", arguments));
 }
 
 SpaceFunctions& space_functions(Parser& p) {
@@ -107,14 +107,16 @@ class Evaluation {
     }
 
     double comparison() {
-        const double left = sum();
-        if (take('<')) return left < sum();
-        if (take('>')) return left > sum();
-        if (take('=')) return left == sum();
-        if (take(kLessEqual)) return left <= sum();
-        if (take(kGreaterEqual)) return left >= sum();
-        if (take(kNotEqual)) return left != sum();
-        return left;
+        double left = sum();
+        for (;;) {
+            if (take('<')) left = left < sum();
+            else if (take('>')) left = left > sum();
+            else if (take('=')) left = left == sum();
+            else if (take(kLessEqual)) left = left <= sum();
+            else if (take(kGreaterEqual)) left = left >= sum();
+            else if (take(kNotEqual)) left = left != sum();
+            else return left;
+        }
     }
 
     double sum() {
@@ -168,7 +170,7 @@ class Evaluation {
         for (const BuiltinEntry& entry : constants())
             if (token().is_word(entry.word))
                 if (const Value value = entry.evaluate(p_, token().place()); value.kind == Kind::number) return ++at_, value.c[0];
-        p_.fail(token().place(), fmt::format("{} in a function is not modelled yet", p_.describe(token())));
+        p_.fail(token().place(), fmt::format("{} cannot stand in a function, in POV-Ray either: there are functions of floats, operators, and what a scene has declared", p_.describe(token())));
     }
 
     double built_in() {

@@ -35,15 +35,6 @@ CharKind kind_of(char c) { return kKinds[static_cast<unsigned char>(c)]; }
 bool is_letter(char c) { return kind_of(c) == kLetter; }
 bool is_digit(char c) { return kind_of(c) == kDigit; }
 
-bool is_directive(WordId id) {
-    switch (id) {
-        case "declare"_w: case "local"_w: case "undef"_w: case "default"_w: case "version"_w: case "macro"_w: case "include"_w: case "debug"_w: case "warning"_w: case "error"_w: case "render"_w:
-        case "statistics"_w: case "fopen"_w: case "fclose"_w: case "read"_w: case "write"_w: case "if"_w: case "ifdef"_w: case "ifndef"_w: case "else"_w: case "elseif"_w: case "end"_w: case "while"_w:
-        case "for"_w: case "switch"_w: case "case"_w: case "range"_w: case "break"_w: case "max_trace_level"_w: case "max_intersections"_w: return true;
-        default: return false;
-    }
-}
-
 class Lexer {
   public:
     Lexer(const Source& source, uint16_t number, Names& names, std::vector<Token>& room)

@@ -62,14 +62,14 @@ void call_macro(Parser& p, const Token& name, Ref<Macro> macro) {
     if (p.symbols.depth() >= p.options.limits.levels)
         p.fail_limit(name.place(), fmt::format("more than {} macros call one another: does {} ever end?", p.options.limits.levels, p.names.text(name.id)));
     p.expect('(', "behind the name of a macro");
+    const auto asks = [&] { return fmt::format("{} takes {} argument{}", p.names.text(name.id), macro->parameters.size(), macro->parameters.size() == 1 ? "" : "s"); };
     std::vector<Ref<Slot>> arguments;
     while (!p.accept(')')) {
-        if (arguments.size() >= macro->parameters.size()) p.fail(p.peek().place(), fmt::format("{} has {} parameters, and more arguments are given", p.names.text(name.id), macro->parameters.size()));
+        if (arguments.size() >= macro->parameters.size()) p.fail(p.peek().place(), fmt::format("{}, and more are given", asks()));
         arguments.push_back(argument(p));
         p.accept(',');
     }
-    if (arguments.size() < macro->parameters.size())
-        p.fail(name.place(), fmt::format("{} has {} parameters, and {} arguments are given", p.names.text(name.id), macro->parameters.size(), arguments.size()));
+    if (arguments.size() < macro->parameters.size()) p.fail(name.place(), fmt::format("{}, and {} are given", asks(), arguments.size()));
     p.symbols.enter();
     for (size_t i = 0; i < arguments.size(); ++i) p.symbols.alias(macro->parameters[i], std::move(arguments[i]));
     p.stream.push_macro(std::move(macro), name.place());

@@ -17,15 +17,20 @@ std::array<double, 5> promoted(const Value& value, uint8_t terms) {
 
 std::array<double, 5> as_vector(const Value& value, uint8_t terms) { return value.rest > 0 ? value.c : promoted(value, terms); }
 
-bool apply(char op, Value& left, const Value& right) {
+/// Makes `left` a value of as many components as the longer one has, and returns those of `right`.
+static std::array<double, 5> promote_both(Value& left, const Value& right) {
     const uint8_t terms = std::max(left.terms, right.terms);
     if (terms > 1) {
         const bool colour = left.kind == Kind::colour || right.kind == Kind::colour;
         left.c = promoted(left, terms), left.terms = terms, left.rest = 0, left.kind = colour ? Kind::colour : Kind::vector;
     }
-    const std::array<double, 5> all = promoted(right, terms);
+    return promoted(right, terms);
+}
+
+bool apply(char op, Value& left, const Value& right) {
+    const std::array<double, 5> all = promote_both(left, right);
     bool by_zero = false;
-    for (int i = 0; i < terms; ++i) {
+    for (int i = 0; i < left.terms; ++i) {
         const bool zero = op == '/' && all[i] == 0;
         left.c[i] = zero ? std::numeric_limits<double>::infinity() : arithmetic(op, left.c[i], all[i]);
         by_zero |= zero;
@@ -37,6 +42,12 @@ void negate(Value& value) {
     for (int i = 0; i < value.terms; ++i) value.c[i] = -value.c[i];
 }
 
+void compare(char op, Value& left, const Value& right) {
+    const std::array<double, 5> all = promote_both(left, right);
+    left.rest = 0;
+    for (int i = 0; i < left.terms; ++i) left.c[i] = compared(op, left.c[i], all[i]);
+}
+
 double compared(char op, double a, double b) {
     const bool equal = std::fabs(a - b) <= kEpsilon;
     switch (op) {
@@ -45,6 +56,8 @@ double compared(char op, double a, double b) {
         case kLessEqual: return a <= b || equal;
         case kGreaterEqual: return a >= b || equal;
         case kNotEqual: return !equal;
+        case '&': return truth(a) && truth(b);
+        case '|': return truth(a) || truth(b);
         default: return equal;
     }
 }

@@ -22,7 +22,9 @@ inline double arithmetic(char op, double a, double b) { return op == '+' ? a + b
 /// The same with b in all components of `left` or in each its own; both are numeric. True if a 0 has divided.
 bool apply(char op, Value& left, const Value& right);
 void negate(Value& value);
-/// `a op b` for < > = and the two-character marks: 1 or 0.
+/// The same for < > = & | and the two-character marks: each component becomes 1 or 0.
+void compare(char op, Value& left, const Value& right);
+/// `a op b`: 1 or 0.
 double compared(char op, double a, double b);
 double compared(char op, const std::string& a, const std::string& b);
 

@@ -29,6 +29,22 @@ Macro* Parser::macro_of(const Token& token) const {
     return slot && slot->value.kind == Kind::macro ? &slot->value.as<Macro>() : nullptr;
 }
 
+/// The end of what is read just now, as a token where that ends.
+Token Parser::end_of_frame() {
+    Token end;
+    end.source = stream.frame().source, end.offset = stream.frame().tokens[stream.frame().end].offset;
+    return end;
+}
+
+/// Also for what other languages say.
+static std::string hint_at_directive(const Names& names, std::string_view text) {
+    static constexpr std::pair<std::string_view, std::string_view> kElsewhere[] = {{"endif", "end"}, {"elif", "elseif"}, {"elsif", "elseif"}, {"define", "declare"}};
+    std::string_view meant = names.nearest(text, [](WordId id) { return id < kWordCount && is_directive(id); });
+    for (const auto& [elsewhere, here] : kElsewhere)
+        if (text == elsewhere) meant = here;
+    return meant.empty() ? "" : fmt::format("did you mean #{}?", meant);
+}
+
 /// What a directive has looked at and left comes before the next token of the stream.
 Token Parser::resolve(Token token, Waiting waiting) {
     for (;; token = stream.raw()) {
@@ -39,7 +55,7 @@ Token Parser::resolve(Token token, Waiting waiting) {
                 obey(*this, token);
                 break;
             case TokenKind::hashed:
-                if (!symbols.find(token.id)) fail_limit(token.place(), fmt::format("there is no directive #{}", names.text(token.id)));
+                if (!symbols.find(token.id)) fail_limit(token.place(), fmt::format("there is no directive #{}", names.text(token.id)), hint_at_directive(names, names.text(token.id)));
                 token.kind = TokenKind::name;
                 [[fallthrough]];
             case TokenKind::name: {
@@ -51,11 +67,7 @@ Token Parser::resolve(Token token, Waiting waiting) {
             }
             case TokenKind::bad: fail_limit(token.place(), text(token));
             case TokenKind::end:
-                if (stream.frames().size() == 1 && !stream.frame_has_conditions()) {
-                    Token end;
-                    end.source = stream.frame().source, end.offset = stream.frame().tokens[stream.frame().end].offset;
-                    return end;
-                }
+                if (stream.frames().size() == 1 && !stream.frame_has_conditions()) return end_of_frame();
                 finish_frame();
                 break;
             default: return token;
@@ -99,7 +111,7 @@ Token Parser::raw_token() {
     }
     const Token token = stream.raw();
     if (token.kind == TokenKind::bad) fail_limit(token.place(), text(token));
-    return token;
+    return token.kind == TokenKind::end ? end_of_frame() : token;
 }
 
 Value Parser::vector(const Token& token) const {

@@ -122,6 +122,7 @@ class Parser {
     /// What is given out for `token`, which has been taken from the stream: directives are obeyed, macros are called.
     Token resolve(Token token, Waiting waiting);
     Token peek_within(Waiting waiting);
+    Token end_of_frame();
     void finish_frame();
     std::string path_of_include(const std::string& name, Place at);
     /// The tokens of a file of the disk, or of what the scene has written to a file in memory.

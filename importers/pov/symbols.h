@@ -16,6 +16,8 @@ class Symbols {
 
     /// The slot that `id` means, or null.
     Slot* find(WordId id) const { return id < newest_.size() ? newest_[id] : nullptr; }
+    /// Is what `id` means of the present level?
+    bool is_at_this_level(WordId id) const { return id < bindings_.size() && !bindings_[id].empty() && bindings_[id].back().level + 1 == depth_; }
     /// #declare: the slot that `id` means, or a new one at the outermost level.
     Slot& declare(WordId id);
     /// #local: the slot at a level (depth() where the directive stands: macros in its value may not have ended yet); made if there is none.

@@ -43,6 +43,15 @@ WordId Names::id(std::string_view name, uint32_t hash) {
     return fresh;
 }
 
+bool is_directive(WordId id) {
+    switch (id) {
+        case "declare"_w: case "local"_w: case "undef"_w: case "default"_w: case "version"_w: case "macro"_w: case "include"_w: case "debug"_w: case "warning"_w: case "error"_w: case "render"_w:
+        case "statistics"_w: case "fopen"_w: case "fclose"_w: case "read"_w: case "write"_w: case "if"_w: case "ifdef"_w: case "ifndef"_w: case "else"_w: case "elseif"_w: case "end"_w: case "while"_w:
+        case "for"_w: case "switch"_w: case "case"_w: case "range"_w: case "break"_w: case "max_trace_level"_w: case "max_intersections"_w: return true;
+        default: return false;
+    }
+}
+
 bool is_object(WordId word) {
     static constexpr WordId kObjects[] = {
         "sphere"_w, "plane"_w, "box"_w, "cylinder"_w, "cone"_w, "disc"_w, "torus"_w, "triangle"_w, "smooth_triangle"_w, "mesh"_w, "mesh2"_w, "union"_w, "merge"_w,

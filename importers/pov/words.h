@@ -109,6 +109,9 @@ class Names {
     std::vector<Entry> table_;              ///< a power of two of places, at most half of them taken: a name stands at its hash or behind; asked for every name of a file
 };
 
+/// Is #word one?
+bool is_directive(WordId id);
+
 /// Does the block of this word hold an object (or a light)? Also those that are not modelled yet.
 bool is_object(WordId word);
 

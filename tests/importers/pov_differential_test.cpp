@@ -95,12 +95,12 @@ void ask_listed(Questions& q) {
                           "rand(R2)", "rand(R2)", "rand(R3)", "F(1, 2)", "F(F(1, 2), 3)", "FT(1, 2, 3)", "Sum(5, 100)", "Sum(0, 3)", "Sum(3.5, 0)", "Prod(2)", "Prod(-4)", "Unnamed(1, 2, 3)", "Named(2, 3)", "Texture(2, 3)", "Other(2, 3)", "Twice(2, 3)", "Same(FA[0](3))", "Same(FA[1](FA[0](2), 7) + 1)",
                           "Of(SA[0](.3))", "sin(1).x", "defined(x)", "defined(pi)", "defined(sphere)", "val(\"0x1F\")", "val(\" -0x1.8p1\")", "val(\"+7\")", "val(\"--7\")", "val(\"- 7\")", "val(\"\")",
                           "strlen(substr(\"abc\", 0, 2))", "G(1, 2, 3)", "H(2.5)", "H(-7)", "A[1-1e-10]", "A[1-2e-10]", "A[-.5e-10]",
-                          "dimension_size(A, 2)", "Frame(2)"})
+                          "dimension_size(A, 2)", "dimension_size(A, 0)", "dimension_size(A, -1)", "Frame(2)", "K.x", "K.u*2 - K.red", "-K.x/3", "A[1].x", "Chain(1, 2, 3)", "Chain(3, 2, 1)", "Chain(1, 1, 1)"})
         q.number(e);
     for (const char* e : {"vnormalize(<1,2,3>)", "vcross(<1,2,3>, <4,5,6>)", "vrotate(<1,2,3>, <10,20,30>)", "vrotate(x, y*90)", "vaxis_rotate(x, z, 30)", "vaxis_rotate(<1,2,3>, <3,-1,2>, 77)",
                           "<1,2,3>*<4,5>", "2*y - x/3", "C", "C*2", "C + <1,2,3>", "color C filter .5", "rgb <.1,.2,.3>", "S1(.25)", "S1(-1)", "S1(9)", "S1(1.5)", "S2(.3)", "S2(1.25)", "S2(2.5)", "S3(1.1)",
                           "S3(1.9)", "S3(.5)", "S3(2.6)", "S4(.2)", "S4(1.5)", "S4(2.9)", "T1(1, 2, 3)", "T2(1, 2, 3)", "T3(1, 2, 3)", "T4(1, 2, 3)", "T5(1, 2, 3)", "T6(1, 2, 3)", "T7(1, 2, 3)", "!<1,0,-2>", "S5(0)", "S5(2)", "S5(2.5)", "S5(3)", "S5(4.5)", "S5(5)", "S6(.25)", "S6(0)", "S6(3)", "min_extent(Boxed)",
-                          "max_extent(Boxed)", "min_extent(Both)", "max_extent(Both)"})
+                          "max_extent(Boxed)", "min_extent(Both)", "max_extent(Both)", "(x = y)", "(<1,2,3> < 2)", "(3 != <1,2,3>)", "(<1,0,3> & <2,2,0>)", "(x | y)", "(<1,2> = <1,2,0>)", "(W >= -.25)", "K.red*<1,2,3>"})
         q.vector(e, 3);
     for (const char* e : {"rgbf .5", "rgbt .5", "rgbft .5", "rgbft <.1,.2,.3,.4,.5>", "rgbt C", "rgbt C5", "rgbt C5*2", "rgbf C5", "rgbt V5", "rgbt <.1,.2,.3>", "color red .3 green .2", "C*.5", "color <1,2,3> transmit .25", "srgb <.2,.5,.9>", "srgb .01", "srgbt <.2,.5,.9,.3>", "V5", "V5*3", "<.1,.2,.3,.4,.5>",
                           "Same(<.1,.2,.3,.4,.5>)", "S5(3.7)"})
@@ -112,7 +112,7 @@ void ask_strings(Questions& q) {
         for (const char* format : {"0, 0", "10, 3", "-10, 3", "0, -1", "12, -4", "3, 1", "-3, 0", "0, 20"}) q.line(fmt::format("str({}, {})", v, format), fmt::format("str({}, {})", v, format));
     for (const char* e : {"vstr(3, <1,2,3>, \",\", 0, 1)", "vstr(2, x, \" \", 6, 2)", "vstr(5, rgbf .5, \"/\", 0, 0)", "vstr(7, <1,2>, \";\", 0, 0)", "vstr(1, <1,2>, \";\", 0, 0)", "vstr(3, 2, \",\", 0, 0)",
                           "substr(\"hello\", 2, 3)", "substr(\"hello\", 5, 1)", "strupr(\"aBc1\")", "strlwr(\"aBc1\")", "chr(65)", "concat(\"a\", \"b\", str(1, 0, 0))", "concat(\"a\" \"b\", \"c\")", "datetime(0.5)", "datetime(7500.25, \"%Y/%j\")",
-                          "datetime(-100)"})
+                          "datetime(-100)", "str(strlen(str(1e250, 0, 3)), 0, 0)", "str(1e251, 0, 3)", "str(1.23456789e300, 15, 7)", "str(-1e300, 15, -1)", "str(1, 20, 300)", "str(strlen(str(1, 254, 3)), 0, 0)", "str(1, 255, 3)", "str(val(\"1e400\"), 0, 0)"})
         q.line(std::string(e) == "vstr(5, rgbf .5, \"/\", 0, 0)" ? "vstr(5, C, \"/\", 0, 0)" : e, e);
 }
 
@@ -133,7 +133,7 @@ Questions questions() {
                  "#declare T3 = function { transform { matrix <1,2,3, 0,1,0, 1,0,1, 5,6,7> } }\n#declare T4 = function { transform { T scale 2 inverse translate x } }\n"
                  "#declare T5 = function { transform { transform { T } rotate 90*y } }\n#declare T6 = function { transform { scale <0,2,1> } }\n"
                  "#declare T7 = function { transform { matrix <1,0,.5, .2,0,.3, 0,0,1, 0,0,0> } }\n#declare FT = function(x, y, z) { T1(x, y, z).y + T5(y, z, x).z }\n";
-    q.prelude += "#declare S6 = spline { cubic_spline 0, x 1, <3,1,2> }\n#declare Frame = function(q) { q*2 + frame_number + clock_delta + initial_clock + final_clock }\n";
+    q.prelude += "#declare S6 = spline { cubic_spline 0, x 1, <3,1,2> }\n#declare Chain = function(a, b, c) { (a < b < c) + 10*(a = b = c) }\n#declare Frame = function(q) { q*2 + frame_number + clock_delta + initial_clock + final_clock }\n";
     q.prelude += "#declare S5 = spline { linear_spline 0, 1 1, <1,2,3> 2, 9 3, 5 4, <1,2,3,4,5> 5, <6,7> }\n#declare FA = array[2] {function(x) { x*2 }, function(x, y) { x - y }}\n#declare SA = array[1]\n#declare SA[0] = S4;\n"
                  "#declare Sum = function(n, i) { sum(i, 1, n, i*i) + i }\n#declare Prod = function(n) { prod(k, n, n + 2, sum(j, 1, k, j*k)) }\n#declare Unnamed = function { u*100 + v*10 + x + y + z }\n"
                  "#declare Named = function(y, x) { u + 10*v + z }\n#declare Texture = function(u, v) { x - y/3 }\n#declare Other = function(a, x) { u + v + a }\n#declare Twice = function(u, x) { u + 10*x }\n"

@@ -130,13 +130,13 @@ TEST(PovSpaceFunctions, ThoseOfTheIncludeFileAreKnown) {
 TEST(PovSpaceFunctions, WhatCannotBeCalledIsAnErrorWithItsPlace) {
     const std::string s = "#declare P = function { pigment { bozo } }\n#declare F = function { pattern { bozo } }\n#declare N = function { internal(76) }\n";
     const std::pair<const char*, const char*> cases[] = {
-        {"#declare K = F(1, 2);", "scene.pov:4:14: error: the function has 3 parameters, and 2 arguments are given"},
-        {"#declare K = P(1, 2);", "4:14: error: the function has 3 parameters, and 2 arguments are given"},
-        {"#declare K = N(1, 2, 3, 4);", "4:14: error: the function has 3 parameters, and 4 arguments are given"},
+        {"#declare K = F(1, 2);", "scene.pov:4:14: error: the function takes 3 arguments, and 2 are given"},
+        {"#declare K = P(1, 2);", "4:14: error: the function takes 3 arguments, and 2 are given"},
+        {"#declare K = N(1, 2, 3, 4);", "4:14: error: the function takes 3 arguments, and 4 are given"},
         {"#declare M = function { internal(12) } #declare K = M(1, 2, 3);", "4:14: error: internal(12) is not modelled yet"},
         {"#declare M = function { P(x, y, z) } #declare K = M(1, 2, 3);", "4:25: error: this function gives a colour, and a component of it is expected"},
         {"#declare M = function { P(x, y, z) + 1 } #declare K = M(1, 2, 3);", "4:25: error: this function gives a colour"},
-        {"#declare M = function { P(x, y).red } #declare K = M(1, 2, 3);", "4:25: error: the function has 3 parameters"},
+        {"#declare M = function { P(x, y).red } #declare K = M(1, 2, 3);", "4:25: error: the function takes 3 arguments"},
         {"#declare M = function { pattern { slope y } } #declare K = M(1, 2, 3);", "4:35: error: slope in the pattern of a function is not modelled"},
         {"#declare M = function { pattern { bozo color_map { [0 rgb 1] } } } #declare K = M(1, 2, 3);", "4:40: error: color_map in the pattern of a function is not modelled"},
         {"#declare M = function { pattern { average } } #declare K = M(1, 2, 3);", "4:25: error: the pattern average has no number"},

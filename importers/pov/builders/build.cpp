@@ -67,7 +67,8 @@ Vec3 Cursor::vector(const char* what, uint8_t terms) {
 }
 
 std::array<double, 5> Cursor::colour(const char* what) {
-    if (!at_numeric()) build_.p.fail(place(), fmt::format("a colour is expected as {}", what));
+    if (!done() && peek().kind == Item::Kind::value && !at_numeric()) build_.p.fail(place(), fmt::format("a colour is expected as {}", what));
+    if (!at_numeric()) return build_.p.warn(place(), fmt::format("no colour is given as {}: it is black, as in POV-Ray", what)), std::array<double, 5>{};
     return promoted(next().value(), 5);        // a float by itself is all five
 }
 

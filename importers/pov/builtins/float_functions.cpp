@@ -132,11 +132,9 @@ Value dimension_size(Parser& p, Place) {
     p.expect('(', "behind dimension_size");
     const Array& array = array_argument(p);
     p.accept(',');
-    const Place at = p.peek().place();
     const double which = parse_float(p);
-    if (!(which >= 1)) p.fail(at, fmt::format("dimensions are counted from 1, there is no dimension {}", which));
     p.expect(')', "behind the dimension");
-    if (which >= double(array.sizes.size()) + 1) return Value::number(0);   // as POV-Ray has it
+    if (!(which >= 1 && which < double(array.sizes.size()) + 1)) return Value::number(0);   // as POV-Ray has it
     return Value::number(array.sizes[size_t(which) - 1]);
 }
 

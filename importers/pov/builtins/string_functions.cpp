@@ -18,6 +18,9 @@ namespace {
 /// What is asked for beyond this has no use, and would only fill memory.
 constexpr int kMostDigits = 1000;
 
+/// What is longer in str() is written with an exponent, and what is longer even so is no number (by experiment).
+constexpr size_t kMostCharacters = 254;
+
 /// What strings are counted by: with `charset utf8` characters, else bytes.
 std::vector<uint32_t> characters(const Parser& p, const std::string& s) {
     if (p.charset_utf8) return pov::characters(s);
@@ -54,7 +57,9 @@ Value str(Parser& p, Place) {
     p.expect('(', "behind str");
     const double x = parse_float(p), width = next_float(p), precision = next_float(p);
     p.expect(')', "behind the arguments of str");
-    return Value::string(formatted(x, width, precision));
+    std::string text = formatted(x, width, precision);
+    if (text.size() > kMostCharacters) text = fmt::format("{:{}.{}g}", x, std::min(std::abs(to_int(width)), kMostDigits), precision < 0 ? 6 : std::min(to_int(precision), kMostDigits));
+    return Value::string(text.size() > kMostCharacters ? "<invalid>" : std::move(text));
 }
 
 /// vstr(terms, vector, separator, width, precision); from two to five terms are shown whatever is asked for.
@@ -107,7 +112,8 @@ Value val(Parser& p, Place) {
     if (negative || s[begin] == '+') ++begin;
     const bool hexadecimal = s[begin] == '0' && (s[begin + 1] == 'x' || s[begin + 1] == 'X');
     double x = 0;
-    if (s[begin] != '-') std::from_chars(s.c_str() + begin + (hexadecimal ? 2 : 0), s.c_str() + s.size(), x, hexadecimal ? std::chars_format::hex : std::chars_format::general);
+    const auto read = s[begin] == '-' ? std::from_chars_result{} : std::from_chars(s.c_str() + begin + (hexadecimal ? 2 : 0), s.c_str() + s.size(), x, hexadecimal ? std::chars_format::hex : std::chars_format::general);
+    if (read.ec == std::errc::result_out_of_range) x = std::strtod(s.c_str() + begin, nullptr);      // infinite, or 0
     return Value::number(negative ? -x : x);
 }
 

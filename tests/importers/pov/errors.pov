@@ -7,8 +7,10 @@ sphere { 0, Radios }    // expect error 2:13 Radios is not declared
 #end
 //---- a missing semicolon
 #declare A = 3 B        // expect error 1:16 ; is expected behind the value of A
-//---- a comparison of vectors
-#if (<1,2> = <1,2>) #end   // expect error 1:12 two floats or two strings can be compared
+//---- a condition that is a vector
+#if (<1,2> = <1,2>) #end   // expect error 1:5 a condition is a float, not a vector of 2
+//---- a comparison of different things
+#if (1 = "a") #end         // expect error 1:8 two numbers or two strings can be compared
 //---- subscripts
 #declare A = array[3] {1, 2, 3}
 #debug str(A[3], 0, 0)  // expect error 2:14 the subscript 3 is out of range
@@ -20,7 +22,7 @@ sphere { 0, Radios }    // expect error 2:13 Radios is not declared
 #debug str(A[1], 0, 0)  // expect error 2:12 this array element has no value yet
 //---- too few arguments
 #macro P(a, b) #end
-P(1)                    // expect error 2:1 P has 2 parameters, and 1 arguments are given
+P(1)                    // expect error 2:1 P takes 2 arguments, and 1 are given
 //---- a word of the language cannot be declared
 #declare sphere = 3;    // expect error 1:10 sphere is a word of the language
 //---- no #end
@@ -55,3 +57,10 @@ M()                     // expect error 1:12 macros call one another
 #switch (1) #else #debug "no\n" #end   // expect error 2:13 #case or #range is expected in #switch before #else
 //---- a # before a name that is none
 #delcare A = 3          // expect error 1:1 there is no directive #delcare
+//---- a vector that is not closed
+#declare V = <1, 2, 3;  // expect error 1:22 > is expected behind the components of a vector, not ;
+//---- the name of a file without quotes
+#include colors.inc     // expect error 1:10 the name of a file stands in quotes
+//---- the end behind a directive
+sphere { 0, 1 }
+#declare                // expect error 3:1 a name is expected behind #declare, not the end of the text

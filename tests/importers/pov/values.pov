@@ -117,3 +117,30 @@ global_settings { assumed_gamma 1 }
 global_settings { assumed_gamma srgb }
 #declare C = srgb <.5,.7,.02>;
 #debug concat(vstr(3, C, ",", 0, 5), "\n")                  // expect 0.50000,0.70000,0.02000
+//---- components of floats
+#declare K = 3;
+#declare L = K.x;
+#macro At(F) concat(str(F.u, 0, 0), str(F.red*2 + F.x, 0, 0)) #end
+#debug concat(str(L, 0, 0), At(K), At(4), "\n")             // expect 339412
+//---- #undef of an element
+#declare A = array[2] {1, 2}
+#undef A[1]
+#ifdef (A[1]) #debug "still there\n" #end
+#declare A[1] = 5;
+#debug concat(str(A[0], 0, 0), str(A[1], 0, 0), "\n")       // expect 15
+#undef A #ifdef (A) #debug "still there\n" #end
+//---- #local and the elements of arrays: one that has a value keeps it, unless the array was declared in the same macro or file, or is its parameter
+#declare A = array[2] {1, 2}
+#declare B = array[1]
+#macro Outer() #local A[0] = 7; #local B[0] = 8; #local B[0] = 9; #end
+#macro Parameter(C) #local C[1] = 6; #end
+#macro Own() #local D = array[1] {1} #local D[0] = 3; #debug str(D[0], 0, 0) #end
+Outer()
+Parameter(A)
+Own()
+#local B[0] = B[0] + 1;
+#debug concat(str(A[0], 0, 0), str(A[1], 0, 0), str(B[0], 0, 0), "\n")   // expect 3169
+//---- no colour is black
+#declare C = color;
+#declare P = pigment { color }
+#debug concat(vstr(5, C, ",", 0, 0), "\n")                  // expect 0,0,0,0,0
