@@ -50,7 +50,7 @@ void declare(Parser& p, const Token& directive) {
     const bool local = directive.directive.word == "local"_w;
     const size_t depth = p.symbols.depth();
     Ref<Slot> into = element(p, name);
-    const bool of_this_level = p.symbols.is_at_this_level(name.id);
+    const bool of_outer_level = into && local && !p.symbols.is_at_this_level(name.id);
     if (!into && !local) into = Ref<Slot>(p.symbols.find(name.id));    // now: a macro in the value may hide the name
     p.expect('=', "behind the name that is declared");
     const Place at = p.peek().place();
@@ -59,7 +59,7 @@ void declare(Parser& p, const Token& directive) {
     if (value.kind == Kind::array) value = owned(p, std::move(value), at);
     Slot& slot = into ? *into : local ? p.symbols.local(name.id, depth) : p.symbols.global(name.id);
     const bool needs_semicolon = value.numeric();
-    if (into && local && into->value.kind != Kind::nothing && !of_this_level) {     // by experiment
+    if (of_outer_level && into->value.kind != Kind::nothing) {     // by experiment
         p.warn(name.place(), "#local leaves an element as it is of an array that was not declared in the same macro or file, as in POV-Ray: #declare sets it");
     } else {
         slot.value = std::move(value);

@@ -104,8 +104,14 @@ Value identifier(Parser& p, const Token& name) {
     p.fail(token.place(), fmt::format("a number, a vector or another value is expected, not {}", p.describe(token)));
 }
 
+/// `.x`, `.u` and `.red` of a float, which are itself. Not inlined: it is rare, and its values would cost all that asks.
+[[gnu::noinline]] double first_component(Parser& p, double x) {
+    while (p.accept('.')) x = component(p, Value::number(x), p.next()).c[0];
+    return x;
+}
+
 /// Takes a float that stands there as a literal or in a variable, if one does: what most operands are, so that no Value is made of them.
-bool take_plain(Parser& p, double& x, Standing standing = Standing::in_brackets) {
+bool take_plain(Parser& p, double& x) {
     const Token& token = p.peek();
     if (token.kind == TokenKind::number) {
         x = token.number;
@@ -116,7 +122,7 @@ bool take_plain(Parser& p, double& x, Standing standing = Standing::in_brackets)
     if (!slot || slot->value.kind != Kind::number || slot->deprecation) return false;
     x = slot->value.c[0];
     p.take();
-    while (peek_behind(p, standing).is('.')) p.next(), x = component(p, Value::number(x), p.next()).c[0];
+    if (p.stream.goes_on_with('.')) x = first_component(p, x);
     return true;
 }
 
@@ -162,7 +168,7 @@ Value factor_without_components(Parser& p, Standing standing) {
 }
 
 Value factor(Parser& p, Standing standing) {
-    if (double x; take_plain(p, x, standing)) return Value::number(x);
+    if (double x; take_plain(p, x)) return Value::number(x);
     Value value = factor_without_components(p, standing);
     take_components(p, value, standing);
     return value;
@@ -186,7 +192,7 @@ bool is_sum(const Token& token) { return token.mark == '+' || token.mark == '-';
 void continue_term(Parser& p, Value& left, Standing standing = Standing::in_brackets) {
     while (is_product(peek_behind(p, standing))) {
         const Token op = p.next();
-        if (double x; take_plain(p, x, standing)) calculate(p, op, left, x);
+        if (double x; take_plain(p, x)) calculate(p, op, left, x);
         else calculate(p, op, left, factor(p, standing));
     }
 }
@@ -196,7 +202,7 @@ void continue_expression(Parser& p, Value& left, Standing standing = Standing::i
     while (is_sum(peek_behind(p, standing))) {
         const Token op = p.next();
         double x = 0;
-        const bool plain = take_plain(p, x, standing);
+        const bool plain = take_plain(p, x);
         if (plain && !is_product(peek_behind(p, standing))) {
             calculate(p, op, left, x);
             continue;
@@ -305,7 +311,7 @@ Value parse_full(Parser& p) {
 double parse_float(Parser& p, Standing standing) {
     const Place at = p.peek().place();
     Value value;
-    if (double x; take_plain(p, x, standing)) {
+    if (double x; take_plain(p, x)) {
         if (const Token& behind = peek_behind(p, standing); !has_plain_operators(p) || (!is_product(behind) && !is_sum(behind))) return x;
         value = Value::number(x);
         continue_expression(p, value, standing);

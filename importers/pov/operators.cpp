@@ -18,7 +18,7 @@ std::array<double, 5> promoted(const Value& value, uint8_t terms) {
 std::array<double, 5> as_vector(const Value& value, uint8_t terms) { return value.rest > 0 ? value.c : promoted(value, terms); }
 
 /// Makes `left` a value of as many components as the longer one has, and returns those of `right`.
-static std::array<double, 5> promote_both(Value& left, const Value& right) {
+[[gnu::always_inline]] static inline std::array<double, 5> promote_both(Value& left, const Value& right) {
     const uint8_t terms = std::max(left.terms, right.terms);
     if (terms > 1) {
         const bool colour = left.kind == Kind::colour || right.kind == Kind::colour;

@@ -36,13 +36,14 @@ Token Parser::end_of_frame() {
     return end;
 }
 
-/// Also for what other languages say.
-static std::string hint_at_directive(const Names& names, std::string_view text) {
+/// With a hint also for what other languages say.
+void Parser::fail_no_directive(const Token& hashed) const {
+    const std::string_view text = names.text(hashed.id);
     static constexpr std::pair<std::string_view, std::string_view> kElsewhere[] = {{"endif", "end"}, {"elif", "elseif"}, {"elsif", "elseif"}, {"define", "declare"}};
     std::string_view meant = names.nearest(text, [](WordId id) { return id < kWordCount && is_directive(id); });
     for (const auto& [elsewhere, here] : kElsewhere)
         if (text == elsewhere) meant = here;
-    return meant.empty() ? "" : fmt::format("did you mean #{}?", meant);
+    fail_limit(hashed.place(), fmt::format("there is no directive #{}", text), meant.empty() ? "" : fmt::format("did you mean #{}?", meant));
 }
 
 /// What a directive has looked at and left comes before the next token of the stream.
@@ -55,7 +56,7 @@ Token Parser::resolve(Token token, Waiting waiting) {
                 obey(*this, token);
                 break;
             case TokenKind::hashed:
-                if (!symbols.find(token.id)) fail_limit(token.place(), fmt::format("there is no directive #{}", names.text(token.id)), hint_at_directive(names, names.text(token.id)));
+                if (!symbols.find(token.id)) fail_no_directive(token);
                 token.kind = TokenKind::name;
                 [[fallthrough]];
             case TokenKind::name: {

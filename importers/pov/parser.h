@@ -123,6 +123,7 @@ class Parser {
     Token resolve(Token token, Waiting waiting);
     Token peek_within(Waiting waiting);
     Token end_of_frame();
+    [[noreturn]] void fail_no_directive(const Token& hashed) const;
     void finish_frame();
     std::string path_of_include(const std::string& name, Place at);
     /// The tokens of a file of the disk, or of what the scene has written to a file in memory.

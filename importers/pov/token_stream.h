@@ -49,6 +49,8 @@ class TokenStream {
         ++tokens_read_;
         return frame.tokens[frame.at++];
     }
+    /// Is that a mark as it stands in the text, in the same frame?
+    bool goes_on_with(char mark) const { return frames_.back().tokens[frames_.back().at].is(mark); }
     uint64_t tokens_read() const { return tokens_read_; }
 
     void push_file(uint16_t number, Place from);
