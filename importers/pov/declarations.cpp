@@ -42,6 +42,16 @@ void end_declaration(Parser& p, bool needs_semicolon, const Token& name) {
     p.warn(behind.place(), fmt::format("; is expected behind the value of {}", p.names.text(name.id)));
 }
 
+Value declared_value(Parser& p, const Token& name) try {
+    const Place at = p.peek().place();
+    Value value = parse_value(p, Standing::in_declaration);
+    if (value.kind == Kind::nothing) p.fail(at, "this has no value");
+    return value.kind == Kind::array ? owned(p, std::move(value), at) : value;
+} catch (const Failure&) {
+    if (!p.symbols.find(name.id)) p.failed_names.insert(name.id);
+    throw;
+}
+
 void declare(Parser& p, const Token& directive) {
     Token name = p.raw_token();
     Ref<Deprecation> deprecation = read_deprecation(p, name);
@@ -53,10 +63,7 @@ void declare(Parser& p, const Token& directive) {
     const bool of_outer_level = into && local && !p.symbols.is_at_this_level(name.id);
     if (!into && !local) into = Ref<Slot>(p.symbols.find(name.id));    // now: a macro in the value may hide the name
     p.expect('=', "behind the name that is declared");
-    const Place at = p.peek().place();
-    Value value = parse_value(p, Standing::in_declaration);
-    if (value.kind == Kind::nothing) p.fail(at, "this has no value");
-    if (value.kind == Kind::array) value = owned(p, std::move(value), at);
+    Value value = declared_value(p, name);
     Slot& slot = into ? *into : local ? p.symbols.local(name.id, depth) : p.symbols.global(name.id);
     const bool needs_semicolon = value.numeric();
     if (of_outer_level && into->value.kind != Kind::nothing) {     // by experiment

@@ -78,6 +78,7 @@ std::string undeclared_hint(Parser& p, std::string_view text) {
 
 [[noreturn]] void fail_undeclared(Parser& p, const Token& name) {
     const std::string_view text = p.names.text(name.id);
+    if (p.failed_names.count(name.id)) throw Failure{{}, false, true};
     const auto [hint, added] = p.undeclared_hints.try_emplace(name.id);
     if (added) hint->second = undeclared_hint(p, text);
     p.fail(name.place(), fmt::format("{} is not declared", text), hint->second);

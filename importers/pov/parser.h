@@ -10,6 +10,7 @@
 
 #include <exception>
 #include <map>
+#include <set>
 #include <memory>
 
 namespace alidade::pov {
@@ -18,6 +19,7 @@ namespace alidade::pov {
 struct Failure {
     Diagnostic diagnostic;
     bool fatal = false;          ///< a limit or #error: reading ends
+    bool follows = false;        ///< from an error that is said already
 };
 
 class Parser {
@@ -107,6 +109,7 @@ class Parser {
     std::vector<OpenItem> open_items;                     ///< of the blocks that are being read, those of the innermost last
     std::vector<std::pair<Place, Value>> defaults;    ///< #default, in order
     std::vector<Value> globals;                       ///< blocks of global_settings so far, in order
+    std::set<WordId> failed_names;                    ///< whose declarations had errors: that they are not declared follows
     std::map<WordId, std::string> undeclared_hints;   ///< of names that were not declared: a loop comes to one again and again
     std::unique_ptr<class ObjectQueries> objects;     ///< made when an object is first asked for something
     std::unique_ptr<class SpaceFunctions> functions;  ///< made when the function of a pattern or a pigment is first called

@@ -43,7 +43,7 @@ class Reader {
         try {
             step();
         } catch (Failure& failure) {
-            p_.report(std::move(failure.diagnostic));
+            if (!failure.follows) p_.report(std::move(failure.diagnostic));
             ++failures_;
             done_ = done_ || failure.fatal || p_.stream.frames().empty();
             if (!done_) recover();

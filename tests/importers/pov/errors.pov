@@ -64,3 +64,8 @@ M()                     // expect error 1:12 macros call one another
 //---- the end behind a directive
 sphere { 0, 1 }
 #declare                // expect error 3:1 a name is expected behind #declare, not the end of the text
+//---- what follows from an error is not said
+#declare A = <1, 2;     // expect error 1:19 > is expected behind the components of a vector, not ;
+#declare B = A*2;
+sphere { 0, B }
+sphere { 0, Radios }    // expect error 4:13 Radios is not declared
