@@ -11,7 +11,11 @@ Frustum frustum_of_cone(const ShapeGeometry& geometry) {
 }
 
 Bounds cone_bounds(const ShapeGeometry& geometry) { return bounds(geometry); }
-Crossings cone_wanted(const ShapeGeometry& geometry, const Bounds& own, const Ray& ray, Wanted wanted) { return frustum_of_cone(geometry).crossings(own, ray, wanted); }
+Crossings cone_wanted(const ShapeGeometry& geometry, const Bounds& own, const Ray& ray, Wanted wanted) {
+    const Cone& c = std::get<Cone>(geometry);
+    if (surely_passes(c.a, c.b, std::max(std::abs(c.radius_a), std::abs(c.radius_b)), ray)) return {};
+    return frustum_of_cone(geometry).crossings(own, ray, wanted);
+}
 Crossings cone_crossings(const ShapeGeometry& geometry, const Ray& ray) { return cone_wanted(geometry, cone_bounds(geometry), whole_line(ray), Wanted::all); }
 ErrorBound cone_error(const ShapeGeometry& geometry, const Ray& ray, double t, uint32_t part) { return frustum_of_cone(geometry).error(ray, t, part); }
 SurfacePoint cone_surface(const ShapeGeometry& geometry, const Vec3& point, uint32_t part) { return frustum_of_cone(geometry).surface(point, part); }

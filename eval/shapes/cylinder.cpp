@@ -11,7 +11,11 @@ Frustum frustum_of_cylinder(const ShapeGeometry& geometry) {
 }
 
 Bounds cylinder_bounds(const ShapeGeometry& geometry) { return bounds(geometry); }
-Crossings cylinder_wanted(const ShapeGeometry& geometry, const Bounds& own, const Ray& ray, Wanted wanted) { return frustum_of_cylinder(geometry).crossings(own, ray, wanted); }
+Crossings cylinder_wanted(const ShapeGeometry& geometry, const Bounds& own, const Ray& ray, Wanted wanted) {
+    const Cylinder& c = std::get<Cylinder>(geometry);
+    if (surely_passes(c.a, c.b, std::abs(c.radius), ray)) return {};
+    return frustum_of_cylinder(geometry).crossings(own, ray, wanted);
+}
 Crossings cylinder_crossings(const ShapeGeometry& geometry, const Ray& ray) { return cylinder_wanted(geometry, cylinder_bounds(geometry), whole_line(ray), Wanted::all); }
 ErrorBound cylinder_error(const ShapeGeometry& geometry, const Ray& ray, double t, uint32_t part) { return frustum_of_cylinder(geometry).error(ray, t, part); }
 SurfacePoint cylinder_surface(const ShapeGeometry& geometry, const Vec3& point, uint32_t part) { return frustum_of_cylinder(geometry).surface(point, part); }

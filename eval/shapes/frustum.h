@@ -7,6 +7,16 @@
 
 namespace alidade {
 
+/// Does the ray's line surely pass the cylinder of `radius` around the line from `a` to `b`? Without a root or a division: most rays that are asked of a frustum's box are told by it.
+/// Method   the distance of the two lines is |w . n| / |n| with w = origin - a and n = d x (b - a). What is computed of w . n is off by less than `rounding`; nothing is told of
+///          numbers so large or small that their squares are not numbers.
+inline bool surely_passes(const Vec3& a, const Vec3& b, double radius, const Ray& ray) {
+    const Vec3 axis = b - a, from = ray.origin - a, across = cross(ray.dir, axis);
+    const double rounding = 1e-14 * max_abs(from) * max_abs(ray.dir) * max_abs(axis), apart = std::abs(dot(from, across)) - rounding;
+    const double square = dot(across, across);
+    return apart > 0 && apart < 1e140 && square > 1e-280 && apart * apart > (1 + 1e-6) * radius * radius * square;
+}
+
 class Frustum {
   public:
     Frustum(const Vec3& a, const Vec3& b, double radius_a, double radius_b, bool open);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 /// Cylinders and cones.
+#include "eval/shapes/frustum.h"
 #include "tests/eval/crossings.h"
 #include "tests/eval/shape_samples.h"
 
@@ -116,6 +117,30 @@ TEST(Frustum, DistancesAgainst113Bits) {
         std::printf("[          ] from %g: %.2f eps (|t| + 4 / |d|) / cosine\n", distance, worst);
         EXPECT_LT(worst, 4);
     }
+}
+
+/// Rays beside the infinite cylinder around a frustum, from near to far, at all scales: one that is told to pass it does, and at usual scales those that pass it clearly are told.
+TEST(Frustum, WhatSurelyPassesDoesPass) {
+    test::Draw draw(62);
+    int told = 0, clear = 0, clear_told = 0, near = 0;
+    for (int i = 0; i < 200000; ++i) {
+        Cone c;
+        test::randomize(c, draw);
+        const double radius = std::max(std::abs(c.radius_a), std::abs(c.radius_b));
+        Ray ray = test::ray_from(std::pow(10.0, 2 * (i % 9)), draw);
+        const QuadVec across = cross(QuadVec(ray.dir), QuadVec(c.b) - QuadVec(c.a)), apart = (1 / length(across)) * across;
+        const auto distance = [&] { return dot(QuadVec(ray.origin) - QuadVec(c.a), apart); };
+        if (i % 3 == 0)   // almost a tangent
+            ray.origin += double(Quad((1 + 1e-7 * (i % 7 - 3)) * radius) - distance()) * Vec3(double(apart.x), double(apart.y), double(apart.z));
+        const double parts = double(fabsq(distance()) / Quad(radius)), scale = std::ldexp(1.0, i % 5 == 0 ? 150 * (i % 9 - 4) : 0);
+        const bool passes = surely_passes(scale * c.a, scale * c.b, scale * radius, {scale * ray.origin, scale * ray.dir, ray.tmin, ray.tmax});
+        EXPECT_TRUE(!passes || parts > 1) << i;
+        told += passes, near += std::abs(parts - 1) < 1e-6;
+        if (scale == 1 && parts > 1.01 && i % 9 < 4) ++clear, clear_told += passes;
+    }
+    EXPECT_GT(told, 20000);
+    EXPECT_GT(near, 10000);
+    EXPECT_EQ(clear_told, clear);
 }
 
 /// Tangents at depths down to 1e-9: two crossings, or none outside.
