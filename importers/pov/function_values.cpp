@@ -16,6 +16,7 @@ namespace alidade::pov {
 namespace {
 
 constexpr int kMostCalls = 200;      // of functions inside one another
+constexpr uint64_t kStepsOfCall = 4; // what a call in a function counts as, among the steps of the scene
 
 /// A built-in of floats; `arity` 0: any number.
 struct FloatFunction {
@@ -249,6 +250,7 @@ class Evaluation {
 
     double inner_call(const Function& inner, Place at) {
         const std::vector<double> values = call_arguments();
+        p_.charge(kStepsOfCall, at);
         if (const auto colour = function_colour(p_, inner, values, at)) {
             if (!take('.')) p_.fail(at, "this function gives a colour, and a component of it is expected", "write .red, .green, .blue, .filter, .transmit or .gray behind it");
             return component(*colour);

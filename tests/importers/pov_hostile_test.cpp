@@ -71,6 +71,7 @@ std::vector<Hostile> cases() {
         {"ObjectsOfOneAnother", {"#declare A = sphere { 0, 1 } #while (1) #declare A = union { object { A } } #end"}, "too deeply"},
         {"ArraysOfOneAnother", {"#declare A = array[1] {1} #while (1) #declare B = array[1] {A} #declare A = B; #end"}, "too deeply"},
         {"FunctionsOfOneAnother", {"#declare A = function { x } #while (1) #declare B = function { A(x, y, z) } #declare A = B; #end"}, "too deeply"},
+        {"FunctionsThatDouble", {"#declare F = function(x) { x } #for (i, 1, 60) #declare G = function(x) { F(x) + F(x) } #declare F = G; #end #debug str(F(1), 0, 3)"}, "never end"},
         {"LongString", {"#declare A = \"0123456789\"; #while (1) #declare A = concat(A, A); #end"}, "string has more than"},
         {"ManyObjects", {"#while (1) union { sphere { 0, 1 } sphere { 1, 2 } } #end"}, "words and values"},
         {"ManyTerms", {"#declare A = ", "1+", 1000000}, "expected"},

@@ -28,6 +28,12 @@ TEST_F(PovBuilders, ValuesThatMeanNothingAreErrors) {
         EXPECT_EQ(said(fine), "") << fine;
 }
 
+TEST_F(PovBuilders, UvMappingBeginsAndMapsHaveEntries) {
+    for (const Refusal& r : {Refusal{"sphere { 0, 1 pigment { gradient x uv_mapping } }", "1:36: error: uv_mapping must stand before the colour or the pattern"}, {"sphere { 0, 1 normal { bumps uv_mapping } }", "1:30: error: uv_mapping must stand before the pattern"},
+                             {"sphere { 0, 1 pigment { gradient x color_map { } } }", "1:36: error: this color_map has no entry"}, {"sphere { 0, 1 pigment { gradient x pigment_map { } } }", "1:36: error: this pigment_map has no entry"}})
+        EXPECT_THAT(said(r.scene), HasSubstr(r.message)) << r.scene;
+}
+
 TEST_F(PovBuilders, WhatOtherEditorsWriteIsNamed) {
     for (const Refusal& r : {Refusal{"sphere 0, 1 }", "1:8: error: { is expected behind sphere, not the number 0"}, {"camera location y", "{ is expected behind camera, not location"}, {"#debug \u201ctext\u201d", "U+201C means nothing here: strings stand in \" \""},
                              {"sphere { 0,\u00a01 }", "1:12: error: the character U+00A0 means nothing here: it looks like a blank"}, {"sphere { \u22121, 1 }", "U+2212 means nothing here: a minus sign is -"}, {"box { \u2013y, 1 }", "U+2013 means nothing here: a minus sign is -"},

@@ -51,6 +51,8 @@ struct Build {
     std::map<std::pair<const Block*, SignalId>, SignalId> pigments;                                 ///< what a block made of a pigment
     std::map<std::pair<const Block*, std::optional<SignalId>>, SignalId> normals;    ///< of a normal
     std::map<SignalId, PatternSignal> loose_modifiers;   ///< of plain colours: transformations, turbulence ..., which act on a pattern that a later block puts in their place
+    std::map<SignalId, PatternSignal> around_uv;         ///< of pigments that say uv_mapping: POV-Ray has them as a pattern of one pigment, its map here, and what follows changes that pattern alone
+    std::map<SignalId, ReliefSignal> around_uv_normals;  ///< the same of normals
     std::map<SignalId, ConstantSignal> quick_colors;     ///< of pigments that have one
     std::set<SignalId> without_maps;                     ///< pigments that have their pattern's own colours: those of another pattern that takes its place are its own again
     std::map<const Block*, MaterialId> parts;           ///< textures of maps

@@ -149,7 +149,6 @@ bool take_pattern(Build& build, Cursor& at, PatternSignal& s, double* depth) {
 bool take_pattern_modifier(Build& build, Cursor& at, PatternSignal& s) {
     if (at.at_transform()) move(s, at.transform());
     else if (const Block* warp = at.block_at("warp"_w)) at.next(), s.warps.push_back(build_warp(build, *warp));
-    else if (at.accept("uv_mapping"_w)) s.uv_mapped = true;
     else if (at.accept("frequency"_w)) s.frequency = at.number("the frequency");
     else if (at.accept("phase"_w)) s.phase = at.number("the phase");
     else if (at.accept("noise_generator"_w)) s.noise = NoiseGenerator(at.integer("the noise generator", 1, 3));

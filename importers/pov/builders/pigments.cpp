@@ -7,7 +7,6 @@
 #include "scene/graph.h"
 
 #include <fmt/format.h>
-#include <tuple>
 #include <utility>
 
 namespace alidade::pov {
@@ -58,77 +57,107 @@ bool take_maps(Build& build, Cursor& at, PatternSignal& s) {
     s.map.clear();
     at.next();
     for_each_entry(build, block, [&](const Block& entry) { (colours ? read_colour_entry : read_pigment_entry)(build, entry, s.map); });
+    if (s.map.empty()) build.p.fail(block.place, fmt::format("this {} has no entry", kWords[block.word]));
     return true;
 }
 
-/// What modifiers change: the pattern, or what a plain colour keeps for one that may take its place.
-PatternSignal& modified(Signal& pigment, PatternSignal& loose) {
-    auto* pattern = std::get_if<PatternSignal>(&pigment.what);
-    return pattern ? *pattern : loose;
+/// A pigment that is being read.
+struct PigmentDraft {
+    Signal pigment;
+    PatternSignal loose;                  ///< of a plain colour: what modifiers change, for a pattern that may take its place
+    std::optional<ConstantSignal> quick;
+    std::optional<PatternSignal> around;  ///< Build::around_uv: what modifiers change instead
+};
+
+/// What a pigment begins with that begins as `start` does: not with its colours, if it has those of its pattern.
+PigmentDraft pigment_draft(const Build& build, SignalId start) {
+    const auto known = [](const auto& table, SignalId id) {
+        const auto there = table.find(id);
+        return there == table.end() ? std::nullopt : std::optional(there->second);
+    };
+    PigmentDraft d{build.scene.signals[start.index], known(build.loose_modifiers, start).value_or(PatternSignal()), known(build.quick_colors, start), known(build.around_uv, start)};
+    if (build.without_maps.contains(start)) std::get<PatternSignal>(d.pigment.what).map.clear();
+    return d;
+}
+
+SignalId finish_pigment(Build& build, PigmentDraft&& d, Place at) {
+    auto* pattern = d.around ? nullptr : std::get_if<PatternSignal>(&d.pigment.what);
+    const bool without_map = pattern && pattern->map.empty() && !list_length(*pattern), plain = std::holds_alternative<ConstantSignal>(d.pigment.what);
+    if (pattern && pattern->pattern != kImageMap && (pattern->pattern != "average" || pattern->map.empty())) add_default_map(build, *pattern);
+    d.pigment.from = build.position(at);
+    const SignalId id = build.add_signal(std::move(d.pigment));
+    if (plain) build.loose_modifiers.emplace(id, std::move(d.loose));
+    if (without_map) build.without_maps.insert(id);
+    if (d.quick) build.quick_colors.emplace(id, *d.quick);
+    if (d.around) build.around_uv.emplace(id, std::move(*d.around));
+    return id;
 }
 
 /// False where what stands there is none of a pattern's, and nothing is read.
-bool take_patterned(Build& build, Cursor& at, Signal& pigment, PatternSignal& loose) {
-    const bool known = std::holds_alternative<PatternSignal>(pigment.what);
-    PatternSignal& s = modified(pigment, loose);
-    if (!take_pattern(build, at, s)) return take_maps(build, at, s) || take_pattern_modifier(build, at, s);
-    read_list(build, at, s);
-    if (!known) pigment.what = std::exchange(loose, {});
+bool take_patterned(Build& build, Cursor& at, PigmentDraft& d) {
+    auto* pattern = std::get_if<PatternSignal>(&d.pigment.what);
+    PatternSignal& s = d.around ? *d.around : pattern ? *pattern : d.loose;
+    if (take_pattern(build, at, s)) {
+        read_list(build, at, s);
+        if (d.around) d.pigment.what = *std::exchange(d.around, {});
+        else if (!pattern) d.pigment.what = std::exchange(d.loose, {});
+        return true;
+    }
+    if (!take_maps(build, at, s)) return take_pattern_modifier(build, at, s);
+    if (d.around) d.pigment.what = build.scene.signals[s.map.front().signal.index].what;    // the number of POV-Ray's own pattern is 0 (probed)
     return true;
 }
 
-/// What a pigment begins with that begins as `start` does: not with its colours, if it has those of its pattern.
-Signal copy_of(const Build& build, SignalId start) {
-    Signal copy = build.scene.signals[start.index];
-    if (build.without_maps.contains(start)) std::get<PatternSignal>(copy.what).map.clear();
-    return copy;
-}
-
-PatternSignal loose_of(const Build& build, SignalId plain) {
-    const auto known = build.loose_modifiers.find(plain);
-    return known == build.loose_modifiers.end() ? PatternSignal() : known->second;
-}
-
-std::optional<ConstantSignal> quick_color_of(const Build& build, SignalId pigment) {
-    const auto known = build.quick_colors.find(pigment);
-    return known == build.quick_colors.end() ? std::nullopt : std::optional(known->second);
+void take_colour(Cursor& at, PigmentDraft& d) {
+    const std::array<double, 5> c = at.colour("a pigment");
+    if (d.around) d.loose = *std::exchange(d.around, {});
+    else if (auto* hidden = std::get_if<PatternSignal>(&d.pigment.what)) d.loose = std::move(*hidden);   // all but its name is there for another one
+    d.pigment.what = ConstantSignal{Vec4(c[0], c[1], c[2], 1), c[3], c[4]};
 }
 
 bool is_quick_color(Cursor& at) { return at.accept("quick_color"_w) || at.accept("quick_colour"_w); }
 
-void read_pigment(Build& build, Cursor& at, Signal& pigment, PatternSignal& loose, std::optional<ConstantSignal>& quick) {
+void read_pigment(Build& build, Cursor& at, PigmentDraft& d);
+
+/// `uv_mapping` and all behind it: a pigment of its own, which begins as the default one does.
+void read_uv_mapped(Build& build, Cursor& at, PigmentDraft& d) {
+    const Place place = at.place();
+    at.next();
+    PigmentDraft inside = pigment_draft(build, usual_pigment(build, at.block()));
+    read_pigment(build, at, inside);
+    d = {inside.pigment, {}, inside.quick, {}};
+    const SignalId id = finish_pigment(build, std::move(inside), place);
+    d.pigment.what = build.scene.signals[id.index].what;
+    if (auto* pattern = std::get_if<PatternSignal>(&d.pigment.what)) pattern->uv_mapped = true;
+    d.around.emplace().map = {{0, id}};
+}
+
+void read_pigment(Build& build, Cursor& at, PigmentDraft& d) {
     bool open = true;       // a colour or a pattern may stand before its modifiers alone
-    std::optional<std::pair<Signal, PatternSignal>> settled;   // a declared pigment that is uv_mapped stays as it is, whatever follows (probed)
     while (!at.done()) {
         if (const Block* base = at.block_at("pigment"_w)) {
             at.next();
-            const SignalId id = build_pigment(build, *base, usual_pigment(build, *base));
-            const bool uv_mapped = modified(pigment, loose).uv_mapped;
-            pigment = copy_of(build, id), loose = loose_of(build, id), quick = quick_color_of(build, id);
-            settled = modified(pigment, loose).uv_mapped ? std::optional(std::pair(pigment, loose)) : std::nullopt;
-            modified(pigment, loose).uv_mapped |= uv_mapped;   // `uv_mapping P`: stays, as nothing else does
+            d = pigment_draft(build, build_pigment(build, *base, usual_pigment(build, *base)));
         } else if (at.at_numeric() && (std::exchange(open, false) || (at.at_colour() && at.block().version < 3))) {
-            const std::array<double, 5> c = at.colour("a pigment");
-            if (auto* hidden = std::get_if<PatternSignal>(&pigment.what)) loose = std::move(*hidden);   // all but its name is there for another one
-            pigment.what = ConstantSignal{Vec4(c[0], c[1], c[2], 1), c[3], c[4]};
+            take_colour(at, d);
         } else if (is_quick_color(at)) {
             open = false;
             if (!at.at_numeric()) continue;
             const std::array<double, 5> c = at.colour("quick_color");
-            quick = ConstantSignal{Vec4(c[0], c[1], c[2], 1), c[3], c[4]};
+            d.quick = ConstantSignal{Vec4(c[0], c[1], c[2], 1), c[3], c[4]};
         } else if (at.at_word("uv_mapping"_w)) {
-            take_patterned(build, at, pigment, loose);
-        } else if (take_patterned(build, at, pigment, loose)) {
+            if (!open) build.p.fail(at.place(), "uv_mapping must stand before the colour or the pattern, and what changes it");
+            return read_uv_mapped(build, at, d);
+        } else if (take_patterned(build, at, d)) {
             open = false;
         } else {
             at.refuse_misplaced();
             if (at.at_numeric()) at.skip_unmodelled();
             tally_pattern(build, at.peek(), "pigment");
-            pigment.what = ConstantSignal{Vec4(0.5, 0.5, 0.5, 1)};
+            d.pigment.what = ConstantSignal{Vec4(0.5, 0.5, 0.5, 1)}, d.around.reset();
             return;
         }
     }
-    if (settled) std::tie(pigment, loose) = std::move(*settled);
 }
 
 }  // namespace
@@ -158,20 +187,10 @@ SignalId build_pigment(Build& build, const Block& block, SignalId start, size_t 
     const std::pair key(&block, start);
     const auto known = build.pigments.find(key);
     if (known != build.pigments.end()) return known->second;
-    Signal pigment = copy_of(build, start);
+    PigmentDraft d = pigment_draft(build, start);
     Cursor at(build, block, skipped);
-    PatternSignal loose = loose_of(build, start);
-    std::optional<ConstantSignal> quick = quick_color_of(build, start);
-    read_pigment(build, at, pigment, loose, quick);
-    auto* pattern = std::get_if<PatternSignal>(&pigment.what);
-    const bool without_map = pattern && pattern->map.empty() && !list_length(*pattern);
-    if (pattern && pattern->pattern != kImageMap && (pattern->pattern != "average" || pattern->map.empty())) add_default_map(build, *pattern);
-    pigment.from = build.position(block.place);
-    const bool plain = !pattern;
-    const SignalId id = build.add_signal(std::move(pigment));
-    if (plain) build.loose_modifiers.emplace(id, std::move(loose));
-    if (without_map) build.without_maps.insert(id);
-    if (quick) build.quick_colors.emplace(id, *quick);
+    read_pigment(build, at, d);
+    const SignalId id = finish_pigment(build, std::move(d), block.place);
     build.pigments.emplace(key, id);
     return id;
 }
@@ -180,7 +199,7 @@ namespace {
 
 /// A plain colour looks the same wherever it is; a pattern that takes its place is where it was.
 SignalId moved_plain(Build& build, SignalId id, const Transform& transform) {
-    PatternSignal loose = loose_of(build, id);
+    PatternSignal loose = build.loose_modifiers[id];
     move(loose, transform);
     const SignalId there = build.add_signal(Signal(build.scene.signals[id.index]));
     build.loose_modifiers.emplace(there, std::move(loose));
@@ -199,7 +218,7 @@ SignalId moved_signal(Build& build, SignalId id, const Transform& transform) {
 
 SignalId moved(Build& build, SignalId id, const Transform& transform) {
     const SignalId there = moved_signal(build, id, transform);
-    if (const auto quick = quick_color_of(build, id)) build.quick_colors.emplace(there, *quick);
+    if (const auto quick = build.quick_colors.find(id); quick != build.quick_colors.end()) build.quick_colors.emplace(there, quick->second);
     if (build.without_maps.contains(id)) build.without_maps.insert(there);
     return there;
 }
@@ -208,9 +227,31 @@ void show_quick_colors(Build& build) {
     for (const auto& [pigment, quick] : build.quick_colors) build.scene.signals[pigment.index].what = quick;
 }
 
+namespace {
+
+/// What says uv_mapping stays; `around` is the pattern that POV-Ray has around it, which was moved.
+template <class T> SignalId with_around(Build& build, SignalId id, std::map<SignalId, T>& table, T around) {
+    const SignalId same = build.add_signal(Signal(build.scene.signals[id.index]));
+    table.emplace(same, std::move(around));
+    if (const auto quick = build.quick_colors.find(id); quick != build.quick_colors.end()) build.quick_colors.emplace(same, quick->second);
+    return same;
+}
+
+}  // namespace
+
 SignalId moved_in_space(Build& build, SignalId id, const Transform& transform) {
     Signal signal = build.scene.signals[id.index];
     PatternSignal* pattern = pattern_of(signal);
+    if (const auto there = build.around_uv.find(id); there != build.around_uv.end()) {
+        PatternSignal around = there->second;
+        move(around, transform);
+        return with_around(build, id, build.around_uv, std::move(around));
+    }
+    if (const auto there = build.around_uv_normals.find(id); there != build.around_uv_normals.end()) {
+        ReliefSignal around = there->second;
+        move(around.pattern, transform);
+        return with_around(build, id, build.around_uv_normals, std::move(around));
+    }
     if (!pattern || !pattern->uv_mapped) return moved(build, id, transform);
     if (!pattern->bumps_turn) return id;
     pattern->bumps_turned = transform.linear * pattern->bumps_turned;

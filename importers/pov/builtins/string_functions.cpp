@@ -34,9 +34,12 @@ void append(const Parser& p, std::string& s, uint32_t code) {
     else s += char(code);
 }
 
+/// A width or precision as a whole number that is no larger.
+int at_most(double asked) { return std::clamp(to_int(asked), -kMostDigits, kMostDigits); }
+
 /// POV-Ray's str(): "%*.*f", with zeros in front for a negative width, and six digits for a negative precision.
 std::string formatted(double x, double width, double precision) {
-    const int w = std::clamp(to_int(width), -kMostDigits, kMostDigits), p = std::clamp(to_int(precision), -1, kMostDigits);
+    const int w = at_most(width), p = std::max(at_most(precision), -1);
     char digits[kMostDigits + 400];                      // 309 stand before the point of the largest double
     const char* const end = std::to_chars(digits, std::end(digits), x, std::chars_format::fixed, p < 0 ? 6 : p).ptr;
     std::string text(digits, size_t(end - digits));
@@ -58,7 +61,7 @@ Value str(Parser& p, Place) {
     const double x = parse_float(p), width = next_float(p), precision = next_float(p);
     p.expect(')', "behind the arguments of str");
     std::string text = formatted(x, width, precision);
-    if (text.size() > kMostCharacters) text = fmt::format("{:{}.{}g}", x, std::min(std::abs(to_int(width)), kMostDigits), precision < 0 ? 6 : std::min(to_int(precision), kMostDigits));
+    if (text.size() > kMostCharacters) text = fmt::format("{:{}.{}g}", x, std::abs(at_most(width)), precision < 0 ? 6 : at_most(precision));
     return Value::string(text.size() > kMostCharacters ? "<invalid>" : std::move(text));
 }
 
