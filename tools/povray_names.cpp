@@ -23,7 +23,7 @@ std::pair<int, int> subset_of(const PovrayRequest& r) {
     const double frames = double(r.final_frame) - r.initial_frame + 1;
     const auto number = [&](double end) { return int(end < 1 ? frames * std::max(end, 0.0) : end); };
     const int first = r.subset_start > 0 ? std::max(number(r.subset_start), r.initial_frame) : r.initial_frame;
-    return {first, r.subset_end != 0 ? std::max(number(r.subset_end), first) : std::max(r.final_frame, first)};
+    return {first, r.subset_end < kInf ? std::max(number(r.subset_end), first) : std::max(r.final_frame, first)};
 }
 
 std::string output_name(const PovrayRequest& r, int frame) {

@@ -2,6 +2,8 @@
 /// POV-Ray's own words: +W320 -A Width=320 scene.ini[High] ...
 #pragma once
 
+#include "core/vec.h"
+
 #include <array>
 #include <cstdint>
 #include <optional>
@@ -34,7 +36,7 @@ struct PovrayRequest {
     bool cyclic = false;
     int frame_step = 1;
     int initial_frame = 1, final_frame = 1;
-    double subset_start = 0, subset_end = 0;   ///< frames, or shares of the animation below 1; 0: all
+    double subset_start = 0, subset_end = kInf;   ///< frames, or shares of the animation below 1
     double start_column = 0, end_column = 0, start_row = 0, end_row = 0;   ///< pixels from 1, or shares of the picture up to 1; 0: all
     bool shows_scene_text = true;         ///< the console of the debug stream. Diagnostics always are shown
     std::array<std::string, kMessageStreams> message_files;   ///< by MessageStream; "": none

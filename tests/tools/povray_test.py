@@ -214,7 +214,7 @@ class Povray(InFolder):
 
     def test_subsets_of_frames(self):
         for number, (words, first, last) in enumerate([("+KFF10 +SF0.5 +EF0.7", 5, 7), ("+KFF10 Subset_Start_Frame=.65", 6, 10), ("+KFI5 +KFF14 +SF0.8", 8, 14), ("+KFI5 +KFF14 +EF0.8", 5, 8), ("+KFI20 +KFF29 +SF0.5 +EF0.8", 20, 20),
-                                                       ("+KFF10 +EF0.99", 1, 9), ("+KFF10 +SF2.7 +EF4.2", 2, 4), ("+KFF10 +SF5 +EF3", 5, 5), ("+KFF10 +SF12 +EF14", 12, 14), ("+KFF10 +SF12", 12, 12), ("+KFF10 +EF-2", 1, 1), ("+KFF1000000000 +EF-1e8", 1, 1), ("+KFI5 +KFF14 +SF2 +EF4", 5, 5),
+                                                       ("+KFF10 +EF0.99", 1, 9), ("+KFF10 +EF0", 1, 1), ("+KFF10 +SF3 +EF0", 3, 3), ("+KFF10 +SF2.7 +EF4.2", 2, 4), ("+KFF10 +SF5 +EF3", 5, 5), ("+KFF10 +SF12 +EF14", 12, 14), ("+KFF10 +SF12", 12, 12), ("+KFF10 +EF-2", 1, 1), ("+KFF1000000000 +EF-1e8", 1, 1), ("+KFI5 +KFF14 +SF2 +EF4", 5, 5),
                                                        ("+KFI3 +KFF1", 3, 3), ("+KFI-1 +KFF2", 0, 2), ("+KFF2 +STP0", 1, 2)]):
             self.render("+Is.pov", "+W4", "+H3", "+FP", f"+Or{number}_", *words.split())
             self.assertEqual(sorted(int(p.stem.split("_")[1]) for p in self.folder.glob(f"r{number}_*.ppm")), list(range(first, last + 1)), words)
