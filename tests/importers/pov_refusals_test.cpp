@@ -30,7 +30,10 @@ TEST_F(PovBuilders, ValuesThatMeanNothingAreErrors) {
 
 TEST_F(PovBuilders, UvMappingBeginsAndMapsHaveEntries) {
     for (const Refusal& r : {Refusal{"sphere { 0, 1 pigment { gradient x uv_mapping } }", "1:36: error: uv_mapping must stand before the colour or the pattern"}, {"sphere { 0, 1 normal { bumps uv_mapping } }", "1:30: error: uv_mapping must stand before the pattern"},
-                             {"sphere { 0, 1 pigment { gradient x color_map { } } }", "1:36: error: this color_map has no entry"}, {"sphere { 0, 1 pigment { gradient x pigment_map { } } }", "1:36: error: this pigment_map has no entry"}})
+                             {"sphere { 0, 1 pigment { gradient x color_map { } } }", "1:36: error: this color_map has no entry"}, {"sphere { 0, 1 pigment { gradient x pigment_map { } } }", "1:36: error: this pigment_map has no entry"},
+                             {"sphere { 0, 1 normal { gradient x normal_map { } } }", "1:35: error: this normal_map has no entry"}, {"sphere { 0, 1 texture { gradient x texture_map { } } }", "1:36: error: this texture_map has no entry"},
+                             {"sphere { 0, 1 pigment { gradient x color_map { [0] } } }", "a colour is expected as the colour of a map"}, {"sphere { 0, 1 finish { ambient } }", "warning: no colour is given as the ambient colour: it is black"},
+                             {"sphere { 0, 1 finish { ambient \"1\" } }", "error: a colour is expected as the ambient colour"}})
         EXPECT_THAT(said(r.scene), HasSubstr(r.message)) << r.scene;
 }
 

@@ -67,12 +67,12 @@ Vec3 Cursor::vector(const char* what, uint8_t terms) {
 }
 
 std::array<double, 5> Cursor::colour(const char* what) {
-    if (!done() && peek().kind == Item::Kind::value && !at_numeric()) build_.p.fail(place(), fmt::format("a colour is expected as {}", what));
-    if (!at_numeric()) return build_.p.warn(place(), fmt::format("no colour is given as {}: it is black, as in POV-Ray", what)), std::array<double, 5>{};
+    if (!at_numeric()) build_.p.fail(place(), fmt::format("a colour is expected as {}", what));
     return promoted(next().value(), 5);        // a float by itself is all five
 }
 
 Color Cursor::rgb(const char* what) {
+    if (done() || peek().kind != Item::Kind::value) return build_.p.warn(place(), fmt::format("no colour is given as {}: it is black, as in POV-Ray", what)), Color(0);
     const std::array<double, 5> c = colour(what);
     return {c[0], c[1], c[2]};
 }

@@ -4,6 +4,8 @@
 
 #include "importers/pov/builders/build.h"
 
+#include <fmt/format.h>
+
 namespace alidade::pov {
 
 /// Reads the pattern that comes next, its name and the values that belong to the name, into `s`, whose modifiers stay. False, and nothing read, where no
@@ -28,10 +30,11 @@ MapPlace place_in_map(Build& build, const Block& entry);
 /// A number of a map, which POV-Ray keeps in single precision.
 double map_position(Cursor& at);
 
-/// Calls `read` with each entry, `[ ... ]`, of a map and of the declared maps that stand in it.
+/// Calls `read` with each entry, `[ ... ]`, of a map and of the declared maps that stand in it. Fails where there is none, as POV-Ray does.
 template <class F>
 void for_each_entry(Build& build, const Block& map, const F& read) {
     const Nested nested(build.p, map.place);
+    if (map.items().empty()) build.p.fail(map.place, fmt::format("this {} has no entry", kWords[map.word]));
     for (Cursor at(build, map); !at.done();) {
         if (const Block* base = at.any_block()) at.next(), for_each_entry(build, *base, read);
         else if (at.peek().kind == Item::Kind::entry) read(at.next().block());

@@ -57,7 +57,6 @@ bool take_maps(Build& build, Cursor& at, PatternSignal& s) {
     s.map.clear();
     at.next();
     for_each_entry(build, block, [&](const Block& entry) { (colours ? read_colour_entry : read_pigment_entry)(build, entry, s.map); });
-    if (s.map.empty()) build.p.fail(block.place, fmt::format("this {} has no entry", kWords[block.word]));
     return true;
 }
 
@@ -125,9 +124,9 @@ void read_uv_mapped(Build& build, Cursor& at, PigmentDraft& d) {
     at.next();
     PigmentDraft inside = pigment_draft(build, usual_pigment(build, at.block()));
     read_pigment(build, at, inside);
-    d = {inside.pigment, {}, inside.quick, {}};
     const SignalId id = finish_pigment(build, std::move(inside), place);
-    d.pigment.what = build.scene.signals[id.index].what;
+    d = pigment_draft(build, id);
+    d.pigment = build.scene.signals[id.index];   // with the colours that its pattern has
     if (auto* pattern = std::get_if<PatternSignal>(&d.pigment.what)) pattern->uv_mapped = true;
     d.around.emplace().map = {{0, id}};
 }
