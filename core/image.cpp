@@ -72,6 +72,7 @@ void linearize(Stored& stored) {
         }
 }
 
+constexpr const char* kNoEnding = "the name has no ending that says which format to write";
 constexpr const char* kNoMemory = "not enough memory";
 
 }  // namespace
@@ -124,7 +125,7 @@ tl::expected<StoredPicture, std::string> read_stored_picture(const std::string& 
 }
 
 tl::expected<std::vector<std::byte>, std::string> encode_picture(const Picture& picture, const std::string& ending, int bits) try {
-    if (ending.empty()) return tl::unexpected(std::string("the name has no ending that says which format to write"));
+    if (ending.empty()) return tl::unexpected(std::string(kNoEnding));
     if (picture.width <= 0 || picture.height <= 0 || picture.channels <= 0) return tl::unexpected(std::string("the picture is empty"));
     if (ending == ".png" && bits > 8) return image::encode_deep_png(picture);
     if (ending == ".ppm" && bits > 8) return image::encode_deep_ppm(picture);
@@ -146,6 +147,14 @@ tl::expected<void, std::string> write_picture(const std::string& path, const Pic
     const Result<Bytes> bytes = encode_picture(picture, lower_ending(path), bits);
     if (!bytes) return tl::unexpected(fmt::format("cannot write {}: {}", path, bytes.error()));
     return write_file(path, *bytes);
+}
+
+std::string why_no_format(const std::string& path) {
+    const std::string ending = lower_ending(path);
+    if (ending.empty()) return kNoEnding;
+    if (find_format(ending)) return {};
+    const auto done = image::check_module_writes(ending);
+    return done ? std::string() : done.error();
 }
 
 bool can_write_picture(const std::string& path) { return find_format(lower_ending(path)) != nullptr; }

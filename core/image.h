@@ -68,6 +68,9 @@ std::string lower_ending(const std::string& path);
 /// The endings that write_picture knows without a module.
 bool can_write_picture(const std::string& path);
 
+/// Why write_picture could write no picture to a file with the ending of `path`; "" if it can. Opens the OpenImageIO module where the format needs it.
+std::string why_no_format(const std::string& path);
+
 /// True once the OpenImageIO module is open (a test holds that it is not, unless a file needs it).
 bool image_module_loaded();
 

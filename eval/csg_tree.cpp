@@ -96,9 +96,13 @@ void sort_by_place(Plain& p, const CsgNarrow& narrow) {
     const Vec3 extent = middles.extent();
     const int axis = extent.x >= extent.y && extent.x >= extent.z ? 0 : extent.y >= extent.z ? 1 : 2;
     std::stable_sort(bounded, p.parts.end(), [axis](const Plain& a, const Plain& b) { return a.box.center()[axis] < b.box.center()[axis]; });
+    // Without what the parts took: levels of halves, each with room for all that was sorted into them, would hold most of the memory of a large merge.
+    const auto middle = bounded + (count + 1) / 2;
     Plain halves[2];
-    for (std::ptrdiff_t i = 0; i < count; ++i) halves[2 * i >= count].parts.push_back(std::move(bounded[i]));
-    p.parts.erase(bounded, p.parts.end());
+    halves[0].parts.assign(std::move_iterator(bounded), std::move_iterator(middle));
+    halves[1].parts.assign(std::move_iterator(middle), std::move_iterator(p.parts.end()));
+    std::vector<Plain> rest(std::move_iterator(p.parts.begin()), std::move_iterator(bounded));
+    p.parts = std::move(rest);
     for (Plain& half : halves) {
         half.op = p.op, half.mask = p.mask;
         finish(half, narrow);

@@ -18,6 +18,7 @@ struct ImportOptions {
     bool scene_folder_last = false;                  ///< what a POV scene reads is looked for in its own folder behind all others, not before them
     std::string header;                              ///< a file that a POV scene is read behind, as if it began with #include; empty: none
     std::vector<std::string> declarations;           ///< NAME=VALUE
+    pov::Limits limits;                              ///< --limit: of POV scenes
     bool strict = false;                             ///< warnings about what is not understood become errors
     std::optional<std::string> write_folder;         ///< --allow-write: where a scene's program may write
     pov::FrameSettings frame;                        ///< what a scene's program may ask of the picture and the clock

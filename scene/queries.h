@@ -60,6 +60,8 @@ void visit_paths(const Scene& scene, const std::function<bool(const Visit&)>& vi
 /// How many paths visit_paths() would walk, and those through what clips a node, in time linear in the graph: thirty levels of two references each are
 /// already a billion. The scene must have passed validate().
 double path_count(const Scene& scene);
+/// The same of each node: the paths that begin there; 0 of one that is hidden.
+std::vector<double> path_counts(const Scene& scene);
 
 /// All signals reachable from `root`, itself included, appended to `out`.
 void collect_signals(const Scene& scene, SignalId root, std::vector<SignalId>& out);

@@ -51,7 +51,7 @@ void visit_paths(const Scene& scene, const std::function<bool(const Visit&)>& vi
         if (!visit_below(scene, root, visitor, order)) return;
 }
 
-double path_count(const Scene& scene) {
+std::vector<double> path_counts(const Scene& scene) {
     const auto children = [&](uint32_t i, const auto& f) {
         for (const NodeId child : scene.nodes[i].children) f(child.index);
         for (const NodeId clip : scene.nodes[i].clips) f(clip.index);
@@ -63,6 +63,11 @@ double path_count(const Scene& scene) {
         below[*i] = 1;
         children(*i, [&](uint32_t child) { below[*i] += below[child]; });
     }
+    return below;
+}
+
+double path_count(const Scene& scene) {
+    const std::vector<double> below = path_counts(scene);
     double all = 0;
     for (const NodeId root : scene.roots) all += below[root.index];
     return all;

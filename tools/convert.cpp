@@ -42,7 +42,7 @@ int run_convert(const Verb& verb, const Words& given) {
     const ExporterEntry* exporter = find_exporter(output);
     if (!exporter) return usage_error(verb, fmt::format("'{}' has no ending that names a format to write: {}", output, known_endings()));
     const auto fail = [](const std::string& sentence) { return fmt::print(stderr, "alidade: error: {}\n", sentence), int(kError); };
-    if (const std::string why = why_not_writable(output); !why.empty()) return fail(why);
+    if (const std::string why = why_no_file(output); !why.empty()) return fail(why);
 
     exit_on_signal();
     Loaded loaded = load(request);

@@ -61,6 +61,16 @@ void add_choice(CLI::App& app, const char* option, std::vector<std::string> name
     add(app, option, "NAME", [names](const std::string& word) { return one_of(word, names); }, store, fmt::format("{}: {}", doc, fmt::join(names, ", ")));
 }
 
+/// Each name with what it counts, as the table has it.
+void add_limit_option(CLI::App& app, pov::Limits& limits) {
+    std::string doc = "how much a POV scene may ask for; may be given more than once. Names:";
+    for (const pov::LimitEntry& e : pov::limit_entries()) doc += fmt::format("\n  {} ({}): {}", e.name, pov::Limits().*e.value, e.doc);
+    app.add_option_function<std::vector<std::string>>("--limit", [&limits](const std::vector<std::string>& words) {
+        for (const std::string& word : words)
+            if (const std::string why = pov::set_limit(limits, word); !why.empty()) throw CLI::ValidationError("--limit", why);
+    }, doc)->type_name("NAME=N")->expected(1)->take_all();
+}
+
 void add_scene_options(CLI::App& app, Request& request) {
     app.add_option("SCENE", request.scene, "the scene's file")->type_name("FILE")->required();
     add_number(app, "--time", "T", -1e9, [&request](double t) { request.time = request.render.time = t; },
@@ -71,6 +81,7 @@ void add_scene_options(CLI::App& app, Request& request) {
     app.add_option("-I", request.import.include_paths, "a folder where POV scenes' includes are looked for; may be given more than once")->type_name("DIR")->expected(1)->take_all();
     app.add_option("--declare", request.import.declarations, "a number that a POV scene finds declared; may be given more than once")->type_name("NAME=VALUE")->expected(1)->take_all();
     app.add_option("--allow-write", request.import.write_folder, "where a POV scene's #write may write (default: nowhere)")->type_name("DIR");
+    add_limit_option(app, request.import.limits);
     add_mesh_options(app, request.reshape);
     group_options(app, "The scene");
 }

@@ -47,7 +47,8 @@ std::string why_no_file(const std::string& path) {
 std::string why_not_writable(const std::string& path) {
     if (std::string why = why_no_file(path); !why.empty()) return why;
     if (fs::path(path).extension().empty()) return fmt::format("'{}' has no ending that names a format, such as .png or .exr", path);
-    return {};
+    const std::string why = why_no_format(path);
+    return why.empty() ? why : fmt::format("'{}': {}", path, why);
 }
 
 tl::expected<std::vector<std::string>, std::string> write_film(const std::string& path, const Picture& picture, int bits) {

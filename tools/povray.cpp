@@ -44,6 +44,7 @@ Request request_of(const PovrayRequest& r, int frame) {
     request.import.declarations = r.declarations;
     request.import.version = r.version;
     request.import.write_folder = r.write_folder;
+    request.import.limits = r.limits;
     request.import.quality = r.quality;
     request.compile.threads = r.threads;
     pov::FrameSettings& f = request.import.frame;
@@ -156,7 +157,7 @@ int render_to_file(const PovrayRequest& r, const CompiledScene& scene, const Ren
 int render_frame(const PovrayRequest& r, int frame) {
     const std::string output = output_name(r, frame);
     if (done_already(r, output)) return fmt::print(stderr, "{}: rendered already, and +C: skipped\n", output), kDone;
-    if (const std::string wrong = r.writes_file() ? why_no_file(output) : ""; !wrong.empty()) return fail(wrong);   // as POV-Ray, before it is rendered
+    if (const std::string wrong = r.writes_file() ? why_not_writable(output) : ""; !wrong.empty()) return fail(wrong);   // as POV-Ray, before it is rendered
     SceneText text(r.shows_scene_text);
     Request request = request_of(r, frame);
     request.import.print = [&](pov::TextStream where, const std::string& what) { text.print(where, what); };
@@ -182,7 +183,8 @@ int render_frames(const PovrayRequest& r) {
 
 std::string help(const Verb& verb) {
     return fmt::format("alidade {}\n\n{}\n\nThe words are POV-Ray's: +Iscene.pov +Oout.png +W320 +H240 +A<threshold> -A +AM<method> +R<depth> -J +L<folder> +FN +UA +Q<quality> +WT<threads> +C +K<clock> +KFI1 +KFF10 +SF +EF +SC +EC +SR +ER,\n"
-                       "Key=Value, Declare=NAME=VALUE, scene.ini[section]. docs/pov-support.md lists what they do. Two are ours alone: --seed=N, other random numbers; --allow-write=DIR, where the scene may write.\n\nExit codes: {}.\n",
+                       "Key=Value, Declare=NAME=VALUE, scene.ini[section]. docs/pov-support.md lists what they do. Three are ours alone: --seed=N, other random numbers; --allow-write=DIR, where the scene may write;\n"
+                       "--limit=NAME=N, what it may ask for (the option of `alidade render`).\n\nExit codes: {}.\n",
                        verb.usage, verb.doc, verb.exits);
 }
 

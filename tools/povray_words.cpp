@@ -27,7 +27,7 @@ std::string unknown(const std::string& word) {
     return fmt::format("'{}' is no word of POV-Ray{}", word, near.empty() ? "" : fmt::format("; did you mean '{}='?", near));
 }
 
-constexpr std::string_view kSeed = "--seed=", kAllowWrite = "--allow-write=";   // ours alone
+constexpr std::string_view kSeed = "--seed=", kAllowWrite = "--allow-write=", kLimit = "--limit=";   // ours alone
 
 std::string unquoted(const std::string& text) {
     return text.size() > 1 && (text[0] == '"' || text[0] == '\'') && text.back() == text[0] ? text.substr(1, text.size() - 2) : text;
@@ -51,6 +51,7 @@ class Reading {
         if (word.empty()) return {};
         if (word.rfind(kSeed, 0) == 0) return take_seed(word);
         if (word.rfind(kAllowWrite, 0) == 0 && word.size() > kAllowWrite.size()) return request.write_folder = word.substr(kAllowWrite.size()), std::string();
+        if (word.rfind(kLimit, 0) == 0) return pov::set_limit(request.limits, std::string_view(word).substr(kLimit.size()));
         if (word[0] == '+' || word[0] == '-') return take_switch(word);
         const size_t equals = word.find('=');
         if (equals != std::string::npos) return take_key(word, equals);

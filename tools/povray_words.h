@@ -3,6 +3,7 @@
 #pragma once
 
 #include "core/vec.h"
+#include "importers/pov/limits.h"
 
 #include <array>
 #include <cstdint>
@@ -42,6 +43,7 @@ struct PovrayRequest {
     std::array<std::string, kMessageStreams> message_files;   ///< by MessageStream; "": none
     std::optional<double> version;        ///< of the language, before the scene's first #version
     std::optional<std::string> write_folder;   ///< --allow-write=DIR, ours alone, too: where the scene may write
+    pov::Limits limits;                   ///< --limit=NAME=N, ours alone, too
     uint64_t seed = 0;                    ///< --seed=N, a word that POV-Ray does not have: other random numbers
     std::vector<std::string> notes;       ///< words that are known and change nothing here, each once
 

@@ -79,6 +79,7 @@ int run_render(const Verb& verb, const Words& given) {
     if (const auto code = parse_words(app, verb, given)) return *code;
     if (words.output.empty()) words.output = std::filesystem::path(words.request.scene).filename().replace_extension(".png").string();
     if (const std::string why = why_not_writable(words.output); !why.empty()) return fail(why);
+    if (const std::string why = words.stats.empty() ? "" : why_no_file(words.stats); !why.empty()) return fail("--stats: " + why);
 
     words.request.import.frame.image_width = words.request.render.width, words.request.import.frame.image_height = words.request.render.height;
     words.request.import.frame.clock = words.request.time.value_or(0);

@@ -2,19 +2,18 @@
 #include "accel/cell_boxes.h"
 #include "accel/lazy.h"
 #include "core/float_mode.h"
-#include "core/image_colors.h"
 #include "core/parallel.h"
 #include "eval/csg_expression.h"
 #include "scene/queries.h"
 #include "tracer/cameras.h"
 #include "tracer/cutaway.h"
+#include "tracer/environment.h"
 #include "tracer/instance_leaves.h"
 #include "tracer/instance_set.h"
 #include "tracer/light_groups.h"
 #include "tracer/materials.h"
 #include "tracer/normal_maps.h"
 #include "tracer/object_boxes.h"
-#include "tracer/pov_sky.h"
 #include "tracer/projector.h"
 #include "tracer/textures.h"
 #include "tracer/unrendered.h"
@@ -266,25 +265,6 @@ void build_structures(CompiledScene& out, const AcceleratorEntry& accel, std::ve
     if (out.scene.settings.first_box_shows) out.object_boxes = object_boxes(out);
     out.set = std::make_shared<InstanceSet>(out);
     out.top = accel.over_set(out.set, build);
-}
-
-/// The sky that the user asked for, else the file's.
-void make_sky(CompiledScene& out, const CompileOptions& options, Diagnostics& said) {
-    const Atmosphere& air = out.scene.atmosphere;
-    out.sky = std::make_unique<Sky>(air.background, false);
-    if (options.environment) {
-        out.sky = std::make_unique<Sky>(*options.environment, true);
-    } else if (!options.environment_file.empty()) {
-        auto picture = read_picture(options.environment_file, Encoding::automatic).and_then(colors_alone);
-        if (picture) out.sky = std::make_unique<Sky>(std::move(*picture), 1);
-        else said.error({}, fmt::format("environment '{}' cannot be read: {}", options.environment_file, picture.error()));
-    } else if (air.environment) {
-        out.sky = std::make_unique<Sky>(*air.environment * air.environment_strength, true);
-    } else if (air.sky && !air.sky->pigments.empty()) {
-        if (const auto from_world = inverse(air.sky->transform)) out.sky_from_world = *from_world;
-        else said.warning({}, "the sky's transform has no inverse: it is left out");
-        out.sky = std::make_unique<Sky>([scene = &out](const Vec3& direction) { return pov_sky(*scene, direction); });
-    }
 }
 
 /// What a file without lights is lit by: a sky, and a sun over the camera's left shoulder. Said on stderr, so that nobody takes it for the file's.

@@ -56,6 +56,8 @@ Result<Bytes> encode_exr(const Picture& picture);
 
 /// Everything else, by the OpenImageIO module. `ending` is the wanted format, with its dot.
 Result<Stored> decode_by_module(std::span<const std::byte> bytes);
+/// Is the ending one of a format that encode_by_module writes, and is the module there?
+Result<void> check_module_writes(const std::string& ending);
 Result<Bytes> encode_by_module(const Picture& picture, const std::string& ending);
 
 }  // namespace alidade::image

@@ -44,6 +44,12 @@ constexpr Writable kWritable[] = {
     {".tiff", "tiff", true, false}, {".hdr", "hdr", false, true},    {".tga", "targa", true, false}, {".bmp", "bmp", true, false},
 };
 
+Result<const Writable*> find_writable(const std::string& ending) {
+    for (const Writable& w : kWritable)
+        if (ending == w.ending) return &w;
+    return tl::unexpected(fmt::format("no picture format that can be written has the ending {}", ending));
+}
+
 /// TGA has no magic bytes: a header whose fields all make sense is taken for one.
 bool looks_like_tga(std::span<const std::byte> bytes) {
     if (bytes.size() < 18) return false;
@@ -154,11 +160,17 @@ Result<Stored> decode_by_module(std::span<const std::byte> bytes) {
     return std::move(decoding.stored);
 }
 
+Result<void> check_module_writes(const std::string& ending) {
+    const auto target = find_writable(ending);
+    if (!target) return tl::unexpected(target.error());
+    const auto& opened = module();
+    return opened ? Result<void>() : tl::unexpected(opened.error());
+}
+
 Result<Bytes> encode_by_module(const Picture& picture, const std::string& ending) {
-    const Writable* target = nullptr;
-    for (const Writable& w : kWritable)
-        if (ending == w.ending) target = &w;
-    if (!target) return tl::unexpected(fmt::format("no picture format has the ending {}", ending));
+    const auto found = find_writable(ending);
+    if (!found) return tl::unexpected(found.error());
+    const Writable* target = *found;
     ColorChannels colors = color_channels(picture);
     if (colors.count == 0) return tl::unexpected(fmt::format("{} holds colour, but the picture has no channels R, G, B or Y", target->format));
     colors.count = 3;

@@ -75,7 +75,7 @@ void choose_branch(Parser& p, uint32_t opened) {
 }
 
 void count_turn(Parser& p, Place at) {
-    if (++p.loop_turns > p.options.limits.loop_turns) p.fail_limit(at, fmt::format("the loops of the scene have made more than {} turns: does one never end?", p.options.limits.loop_turns));
+    if (++p.loop_turns > p.options.limits.loop_turns) p.fail_limit(at, &Limits::loop_turns, fmt::format("the loops of the scene have made more than {} turns: does one never end?", p.options.limits.loop_turns));
 }
 
 void obey_while(Parser& p, const Token& directive, uint32_t index) {

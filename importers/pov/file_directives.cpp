@@ -162,7 +162,7 @@ void write(Parser& p) {
         if (!value.numeric() && value.kind != Kind::string) p.fail(at, fmt::format("{} cannot be written", kind_name(value)));
         const std::string text = written(value);
         p.files.written += text.size();
-        if (p.files.written > p.options.limits.written_bytes) p.fail_limit(at, fmt::format("the scene writes more than {} bytes", p.options.limits.written_bytes));
+        if (p.files.written > p.options.limits.written_bytes) p.fail_limit(at, &Limits::written_bytes, fmt::format("the scene writes more than {} bytes", p.options.limits.written_bytes));
         if (!TextFiles::write(*file, text)) p.fail(at, fmt::format("the file {} cannot be written", file->path));
     }
 }

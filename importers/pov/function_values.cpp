@@ -200,7 +200,7 @@ class Evaluation {
         const size_t term = at_;
         double all = adds ? 0 : 1;
         for (double i = first; i <= last; ++i) {
-            if (++p_.loop_turns > p_.options.limits.loop_turns) p_.fail_limit(f_.place, fmt::format("the loops of the scene have made more than {} turns: does one never end?", p_.options.limits.loop_turns));
+            if (++p_.loop_turns > p_.options.limits.loop_turns) p_.fail_limit(f_.place, &Limits::loop_turns, fmt::format("the loops of the scene have made more than {} turns: does one never end?", p_.options.limits.loop_turns));
             at_ = term;
             counters_.emplace_back(counter, i);
             const double value = logical();

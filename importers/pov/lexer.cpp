@@ -46,7 +46,7 @@ class Lexer {
         const bool marked = at_ > 0;
         while (skip_blanks() && at_ < text_.size()) {
             if (count() + list_.vectors.size() >= max_tokens) {
-                bad(at_, fmt::format("the file has more than {} tokens", max_tokens));
+                bad(at_, fmt::format("the file has more than {} tokens: --limit tokens=N allows more", max_tokens));
                 break;
             }
             lex_one();

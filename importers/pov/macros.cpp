@@ -60,7 +60,7 @@ Ref<Slot> argument(Parser& p) {
 void call_macro(Parser& p, const Token& name, Ref<Macro> macro) {
     const Nested nested(p, name.place());
     if (p.symbols.depth() >= p.options.limits.levels)
-        p.fail_limit(name.place(), fmt::format("more than {} macros call one another: does {} ever end?", p.options.limits.levels, p.names.text(name.id)));
+        p.fail_limit(name.place(), &Limits::levels, fmt::format("more than {} macros call one another: does {} ever end?", p.options.limits.levels, p.names.text(name.id)));
     p.expect('(', "behind the name of a macro");
     const auto asks = [&] { return fmt::format("{} takes {} argument{}", p.names.text(name.id), macro->parameters.size(), macro->parameters.size() == 1 ? "" : "s"); };
     std::vector<Ref<Slot>> arguments;

@@ -16,7 +16,7 @@ Parser::~Parser() = default;
 
 void Parser::check_budget(Place at) const {
     if (stream.tokens_read() + charged_ > options.limits.tokens_read)
-        fail_limit(at, fmt::format("the scene has made more than {} steps: does a loop never end?", options.limits.tokens_read));
+        fail_limit(at, &Limits::tokens_read, fmt::format("the scene has made more than {} steps: does a loop never end?", options.limits.tokens_read));
 }
 
 void Parser::charge(uint64_t steps, Place at) {
@@ -233,22 +233,22 @@ void Parser::include(const std::string& name, Place at) {
     files.flush();
     const std::string* kept = files.kept(name);
     const std::string path = kept ? name : path_of_include(name, at);
-    if (symbols.depth() >= options.limits.levels) fail_limit(at, fmt::format("more than {} files and macros include or call one another", options.limits.levels));
+    if (symbols.depth() >= options.limits.levels) fail_limit(at, &Limits::levels, fmt::format("more than {} files and macros include or call one another", options.limits.levels));
     stream.push_file(lexed(path, kept, at), at);
     symbols.enter();
 }
 
 void Parser::check_array_elements(uint64_t more, Place at) const {
     if (more > options.limits.array_elements || elements->used + more > options.limits.array_elements)
-        fail_limit(at, fmt::format("the arrays have more than {} elements", options.limits.array_elements));
+        fail_limit(at, &Limits::array_elements, fmt::format("the arrays have more than {} elements", options.limits.array_elements));
 }
 
 void Parser::check_depth(const Value& value, Place at) const {
-    if (value.shared && value.shared->depth > options.limits.nesting) fail_limit(at, "objects or functions are made of one another too deeply");
+    if (value.shared && value.shared->depth > options.limits.nesting) fail_limit(at, &Limits::nesting, "objects or functions are made of one another too deeply");
 }
 
 void Parser::check_items(Place at) const {
-    if (items->used >= options.limits.items) fail_limit(at, fmt::format("the scene has more than {} words and values in its blocks", options.limits.items));
+    if (items->used >= options.limits.items) fail_limit(at, &Limits::items, fmt::format("the scene has more than {} words and values in its blocks", options.limits.items));
 }
 
 }  // namespace alidade::pov

@@ -64,6 +64,8 @@ class Parser {
     // ---- messages ----
     [[noreturn]] void fail(Place at, std::string message, std::string hint = {}) const;
     [[noreturn]] void fail_limit(Place at, std::string message, std::string hint = {}) const;
+    /// The same of one that can be raised.
+    [[noreturn]] void fail_limit(Place at, uint64_t Limits::*limit, std::string message) const { fail_limit(at, std::move(message), how_to_raise(options.limits, limit)); }
     /// Said once for each place.
     void warn(Place at, std::string message, std::string hint = {});
     /// An error that was caught. Said once: a loop comes to its place again and again.
@@ -152,7 +154,7 @@ class Nested {
   public:
     Nested(Parser& parser, Place at) : parser_(parser) {
         if (++parser_.nesting_ > parser_.options.limits.nesting)
-            parser_.fail_limit(at, "brackets, blocks or calls are nested too deeply");
+            parser_.fail_limit(at, &Limits::nesting, "brackets, blocks or calls are nested too deeply");
     }
     Nested(const Nested&) = delete;
     Nested& operator=(const Nested&) = delete;

@@ -21,6 +21,7 @@ ImportResult import_pov(const std::string& path, const ImportOptions& options) {
     read.quality = options.quality;
     read.write_folder = options.write_folder;
     read.print = options.print;
+    read.limits = options.limits;
     read.limits.file_bytes = std::min(read.limits.file_bytes, options.max_file_bytes);
     Imported out;
     std::optional<std::string> text = pov::read_scene_file(path, read, out.diagnostics);

@@ -195,7 +195,7 @@ TEST_F(ImageFiles, FailuresNameTheFileAndLeaveNothing) {
         return written ? std::string("written") : written.error();
     };
     EXPECT_THAT(error("no/such/folder.png", picture), testing::AllOf(HasSubstr("folder.png"), HasSubstr("No such file")));
-    EXPECT_THAT(error("a.xyz", picture), HasSubstr("no picture format has the ending .xyz"));
+    EXPECT_THAT(error("a.xyz", picture), HasSubstr("no picture format that can be written has the ending .xyz"));
     EXPECT_THAT(error("a", picture), HasSubstr("no ending"));
     EXPECT_THAT(error("a.png", Picture(2, 2, {"depth.Z"})), HasSubstr("no channels R, G, B"));
     EXPECT_THAT(error("a.exr", Picture(2, 2, {"Z", "Z"})), HasSubstr("same name"));

@@ -66,6 +66,8 @@ TEST_F(Output, SaysBeforehandWhatCannotBeWritten) {
     EXPECT_THAT(why_not_writable(folder.string()), HasSubstr("is a folder"));
     EXPECT_THAT(why_not_writable(folder.string() + "/"), HasSubstr("is a folder"));
     EXPECT_THAT(why_not_writable(in("a")), HasSubstr("no ending"));
+    EXPECT_THAT(why_not_writable(in("a.xyz")), HasSubstr("no picture format that can be written has the ending .xyz"));
+    EXPECT_EQ(why_no_file(in("a.xyz")), "");
 }
 
 }  // namespace

@@ -261,6 +261,12 @@ class Povray(InFolder):
         self.render("+Is.pov", "+W8", "+H6", "--allow-write=.")
         self.assertEqual((self.folder / "out.txt").read_text(), "12")
 
+    def test_what_a_scene_may_ask_for_is_raised(self):
+        (self.folder / "s.pov").write_text(SCENE + "#for(I, 1, 30) #declare A = I; #end\n")
+        self.assertIn("--limit turns=", self.render("+Is.pov", "+W8", "+H6", "--limit=turns=20", code=1))
+        self.render("+Is.pov", "+W8", "+H6", "--limit=turns=40")
+        self.assertIn("there is no limit 'turn'", self.render("+Is.pov", "--limit=turn=30", code=1))
+
     def test_the_language_of_scenes_that_do_not_say_theirs(self):
         (self.folder / "s.pov").write_text('#debug concat(str(version, 0, 2), "\\n")\nobject { sphere { <0 0 0> 2 } texture { ambient 0.2 color red 1 } }\n')
         for word in ("+MV1.0", "Version=1.0"):

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """`alidade render`: the files it leaves, what it says, and that the picture does not depend on how it was made."""
 import json
+import struct
 import unittest
 
 from program import InFolder, read_png, run
@@ -66,6 +67,13 @@ class Render(InFolder):
         pixels = (self.folder / "part.ppm").read_bytes().split(b"\n255\n", 1)[1]
         lit = {(i % 40, i // 40) for i in range(40 * 30) if pixels[3 * i] > 0}
         self.assertEqual(lit, {(x, y) for x in range(16, 24) for y in range(12, 18)})
+
+    def test_a_sky_with_pixels_that_are_no_numbers(self):
+        values = struct.pack("<24f", *[1.0] * 12, *[float("nan")] * 3, *[float("inf")] * 3, *[1.0] * 6)
+        (self.folder / "sky.pfm").write_bytes(b"PF\n4 2\n-1\n" + values)
+        said = self.render("-o", "lit.ppm", "--environment", "sky.pfm")
+        self.assertIn("environment 'sky.pfm' has 2 pixels that are not finite numbers: they are taken for black", said.stderr)
+        self.assertGreater((self.folder / "lit.ppm").read_bytes().split(b"\n255\n", 1)[1][3 * (15 * 40 + 20)], 100)
 
     def test_exposure_brightens(self):
         middle = []

@@ -10,7 +10,7 @@ from pictures import png_bytes, scene, write
 from program import PROGRAM, InFolder, run, triangle_gltf
 
 # Every option of the design's table that a verb has today.
-RENDER_OPTIONS = ("--output --size --region --camera --exposure --accel --integrator --spp --seed --max-depth --precision --intersect --isa --aov --time --environment "
+RENDER_OPTIONS = ("--output --size --region --camera --exposure --accel --integrator --spp --seed --max-depth --precision --intersect --isa --aov --time --environment --limit "
                   "--light-units --strict --subdivide --decimate --crease --sampler --light-samples --aperture --focus --lazy --full-kernel --threads --tile --stats --progress --json").split()
 
 
@@ -117,6 +117,8 @@ class BadInput(InFolder):
     def test_an_output_that_cannot_be_written_is_told_before_rendering(self):
         self.assert_error("render", self.scene, "-o", "none/out.png", says="there is no folder 'none'")
         self.assert_error("render", self.scene, "-o", ".", says="is a folder")
+        self.assert_error("render", self.scene, "-o", "out.xyz", says="no picture format that can be written has the ending .xyz")
+        self.assert_error("render", self.scene, "--stats", "none/x.json", says="--stats: 'none/x.json': there is no folder 'none'")
 
 
     def test_a_full_disk_is_no_success(self):

@@ -89,7 +89,7 @@ Value concat(Parser& p, Place at) {
     while (!p.accept(')')) {
         p.accept(',');                                    // as everywhere, commas may be left out
         all += parse_string(p);
-        if (all.size() > p.options.limits.string_bytes) p.fail_limit(at, fmt::format("a string has more than {} bytes", p.options.limits.string_bytes));
+        if (all.size() > p.options.limits.string_bytes) p.fail_limit(at, &Limits::string_bytes, fmt::format("a string has more than {} bytes", p.options.limits.string_bytes));
     }
     return Value::string(std::move(all));
 }

@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: Apache-2.0
+/// Limits of what a scene may ask for: each can be raised and lowered by its name, and its error says so.
+#include "importers/pov/limits.h"
+
+#include "importers/importer.h"
+#include "tests/core/folder_test.h"
+
+#include <algorithm>
+#include <fstream>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+namespace alidade::pov {
+namespace {
+
+using testing::HasSubstr;
+
+/// A scene for each limit that exceeds the default no, and a low one yes.
+const char* scene_of(const std::string& limit) {
+    if (limit == "steps" || limit == "turns") return "#for(I, 1, 1000) #declare A = I; #end";
+    if (limit == "tokens") return "sphere { 0, 1 } sphere { 0, 1 } sphere { 0, 1 } sphere { 0, 1 } sphere { 0, 1 } sphere { 0, 1 }";
+    if (limit == "levels") return "#macro A(N) #if(N) A(N - 1) #end #end A(40)";
+    if (limit == "nesting") return "#declare A = ((((((((((((((((((((((((1))))))))))))))))))))))));";
+    if (limit == "elements") return "#declare A = array[100];";
+    if (limit == "items") return "union { #for(I, 1, 40) sphere { I, 1 } #end }";
+    if (limit == "copies") return "#declare A = sphere { 0, 1 } #for(I, 1, 6) #declare A = merge { object { A } object { A translate x } } #end object { A }";
+    if (limit == "string") return "#declare A = concat(\"0123456789012345678901234567890\", \"0123456789012345678901234567890\");";
+    if (limit == "written") return "#fopen F \"a\" write #write(F, \"0123456789012345678901234567890\") #fclose F";
+    return nullptr;
+}
+
+std::string said_of(const std::string& text, const Limits& limits) {
+    const test::TempFolder folder;
+    const std::string path = (folder.path() / "scene.pov").string();
+    std::ofstream(path) << text << "\n";
+    ImportOptions options;
+    options.limits = limits;
+    options.write_folder = folder.path().string();
+    const ImportResult read = import_scene(path, options);
+    return read ? "" : read.error().text();
+}
+
+TEST(PovLimits, EachEndsAndCanBeRaised) {
+    for (const LimitEntry& entry : limit_entries()) {
+        SCOPED_TRACE(entry.name);
+        const char* text = scene_of(entry.name);
+        ASSERT_TRUE(text);
+        EXPECT_EQ(said_of(text, {}), "");
+        Limits low;
+        ASSERT_EQ(set_limit(low, std::string(entry.name) + "=20"), "");
+        const std::string said = said_of(text, low);
+        EXPECT_THAT(said, HasSubstr(std::string("--limit ") + entry.name + "="));
+        EXPECT_THAT(said, HasSubstr("scene.pov:1:"));
+        ASSERT_EQ(set_limit(low, std::string(entry.name) + "=2e3"), "");
+        EXPECT_EQ(low.*entry.value, 2000u);
+        low.tokens_read = std::max(low.tokens_read, uint64_t(100'000));
+        EXPECT_EQ(said_of(text, low), "");
+    }
+}
+
+TEST(PovLimits, WordsThatSetNone) {
+    Limits limits;
+    EXPECT_THAT(set_limit(limits, "turnes=3"), HasSubstr("there is no limit 'turnes': steps, turns"));
+    for (const char* word : {"turns", "turns=", "turns=0", "turns=x", "turns=1e300", "turns=nan", "nesting=1e5", "turns=3x"}) EXPECT_THAT(set_limit(limits, word), HasSubstr("a number from 1 to")) << word;
+    EXPECT_EQ(limits.loop_turns, Limits().loop_turns);
+}
+
+/// Levels of two names each are more objects than any memory holds, but a scene of as many objects of its own is not too large.
+TEST(PovLimits, ObjectsThatAreNamedTwiceAgainAndAgain) {
+    for (const char* operation : {"union", "merge", "intersection", "difference"}) {
+        const std::string text = std::string("#declare A = sphere { 0, 1 }\n#for(I, 1, 40) #declare A = ") + operation + " { object { A } object { A translate x * I } } #end\nobject { A }";
+        EXPECT_THAT(said_of(text, {}), HasSubstr("scene.pov:3:")) << operation;
+        EXPECT_THAT(said_of(text, {}), HasSubstr("the limit is 1000000")) << operation;
+    }
+    Limits low;
+    low.copies = 10;
+    EXPECT_EQ(said_of("#for(I, 1, 50) sphere { I, 1 } #end", low), "");
+}
+
+}  // namespace
+}  // namespace alidade::pov
