@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <charconv>
+#include <cmath>
 #include <fmt/format.h>
 
 namespace alidade::pov {
@@ -53,10 +54,11 @@ std::string set_limit(Limits& limits, std::string_view word) {
     return {};
 }
 
-std::string how_to_raise(const Limits& limits, uint64_t Limits::*value) {
+std::string how_to_raise(const Limits& limits, uint64_t Limits::*value, double needed) {
     const auto entry = std::find_if(std::begin(kEntries), std::end(kEntries), [&](const LimitEntry& e) { return e.value == value; });
-    if (entry == std::end(kEntries) || limits.*value >= entry->most) return {};
-    return fmt::format("--limit {}={} would allow more, up to {}", entry->name, std::min(limits.*value * 2, entry->most), entry->most);
+    if (entry == std::end(kEntries) || limits.*value >= entry->most || needed > double(entry->most)) return {};
+    const uint64_t enough = std::max(std::min(limits.*value * 2, entry->most), uint64_t(std::ceil(needed)));
+    return fmt::format("--limit {}={} would allow more, up to {}", entry->name, enough, entry->most);
 }
 
 }  // namespace alidade::pov

@@ -36,7 +36,7 @@ std::span<const LimitEntry> limit_entries();
 /// "steps=1e9": sets one, or says why not.
 std::string set_limit(Limits& limits, std::string_view word);
 
-/// What to do about a limit that was met; "" if it cannot be raised further.
-std::string how_to_raise(const Limits& limits, uint64_t Limits::*value);
+/// What to do about a limit that was met; "" if it cannot be raised so far. `needed`: what the scene asks for, if that is known.
+std::string how_to_raise(const Limits& limits, uint64_t Limits::*value, double needed = 0);
 
 }  // namespace alidade::pov

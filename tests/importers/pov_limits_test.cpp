@@ -72,6 +72,9 @@ TEST(PovLimits, ObjectsThatAreNamedTwiceAgainAndAgain) {
         EXPECT_THAT(said_of(text, {}), HasSubstr("scene.pov:3:")) << operation;
         EXPECT_THAT(said_of(text, {}), HasSubstr("the limit is 1000000")) << operation;
     }
+    for (const char* map : {"pigment_map { [0 P] [1 P scale 2] }", "pigment_map { [0 P scale 3] [1 P scale 2] }"})
+        EXPECT_THAT(said_of(std::string("#declare P = pigment { rgb 1 }\n#for(I, 1, 40)\n#declare P = pigment { gradient x ") + map + " } #end\nsphere { 0, 1 pigment { P } }", {}), HasSubstr("scene.pov:3:")) << map;
+    EXPECT_THAT(said_of("#declare N = normal { bumps }\n#for(I, 1, 40)\n#declare N = normal { average normal_map { [1 N] [1 N scale 2] } } #end\nsphere { 0, 1 normal { N } }", {}), HasSubstr("the limit is 1000000"));
     Limits low;
     low.copies = 10;
     EXPECT_EQ(said_of("#for(I, 1, 50) sphere { I, 1 } #end", low), "");

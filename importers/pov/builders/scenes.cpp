@@ -2,6 +2,7 @@
 #include "importers/pov/builders/scenes.h"
 
 #include "importers/pov/builders/cameras.h"
+#include "importers/pov/builders/copies.h"
 #include "importers/pov/builders/atmosphere.h"
 #include "importers/pov/builders/globals.h"
 #include "importers/pov/builders/misplaced.h"
@@ -9,9 +10,7 @@
 #include "importers/pov/builders/pigments.h"
 #include "importers/pov/builders/textures.h"
 #include "importers/pov/quality.h"
-#include "scene/queries.h"
 
-#include <algorithm>
 #include <fmt/format.h>
 
 namespace alidade::pov {
@@ -70,20 +69,6 @@ void add_camera(Build& build, const std::optional<Camera>& camera) {
     node.from = build.scene.cameras[0].from;
     build.scene.nodes.push_back(std::move(node));                    // also where there is no room for another object
     build.scene.roots.push_back({uint32_t(build.scene.nodes.size() - 1)});
-}
-
-/// Objects are stored once however often they are named, and drawn as often: a few levels of two names each, and there are more than fit anywhere.
-void check_copies(Build& build) {
-    const Scene& scene = build.scene;
-    const std::vector<double> below = path_counts(scene);
-    const auto less = [&](NodeId a, NodeId b) { return below[a.index] < below[b.index]; };
-    double copies = -double(scene.nodes.size());
-    for (const NodeId root : scene.roots) copies += below[root.index];
-    const uint64_t most = build.p.options.limits.copies;
-    if (copies <= double(most)) return;
-    const NodeId largest = *std::max_element(scene.roots.begin(), scene.roots.end(), less);
-    build.p.said.error(scene.nodes[largest.index].from, fmt::format("objects that are named more than once are {:.3g} copies, of which {:.3g} are in this object: the limit is {}", copies, below[largest.index], most),
-                       how_to_raise(build.p.options.limits, &Limits::copies));
 }
 
 }  // namespace
