@@ -294,7 +294,7 @@ void PovSurface::add_texture(const CompiledScene& scene, const PovTexture& textu
             const Vec3 back = mirrored(normal, facing);
             const PovFinish& film = *layers_[texture.begin].finish;
             const Color colored = film.irid != 0 ? mirroring_film(film, dot(back, normal), c) : Color(1);
-            out.push_back({back, p.faded * colored * texture.share, RayKind::reflection, state.inside, importance, false});
+            out.push_back({back, p.faded * colored * (texture.share * p.refraction), RayKind::reflection, state.inside, importance, false});   // `refraction` counts here, too (by experiment)
         } else {
             const double root = c < 0 ? -std::sqrt(t) : std::sqrt(t);   // a bent normal may face away: what passes is bent by its other side
             out.push_back({normalized(dir_ * p.ratio + normal * (p.ratio * c - root)), weight, RayKind::refraction, p.beyond, importance, false, shows});

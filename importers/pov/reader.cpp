@@ -2,6 +2,7 @@
 #include "importers/pov/reader.h"
 
 #include "importers/pov/blocks.h"
+#include "importers/pov/builtins/builtins.h"
 #include "importers/pov/directives.h"
 #include "importers/pov/expressions.h"
 
@@ -24,6 +25,7 @@ class Reader {
         attempt([&] {
             p_.open_scene(path, std::move(text));
             for (const std::string& declaration : p_.options.declarations) declare(declaration);
+            predeclare(p_);
             if (p_.options.version) p_.version = std::clamp(*p_.options.version, 1.0, 3.7), p_.version_given = true;
             if (!p_.options.header.empty()) p_.include(p_.options.header, {});
         });

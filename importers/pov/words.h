@@ -14,7 +14,7 @@ namespace alidade::pov {
 
 using WordId = uint32_t;
 
-/// POV-Ray 3.7 reference, 3.3.1.2 "Keywords", sorted. (`atand` is listed there, but POV-Ray lets scenes declare it.)
+/// POV-Ray 3.7 reference, 3.3.1.2 "Keywords", sorted. (What is listed there and POV-Ray lets scenes declare is a name: `atand`, and what predeclare() gives.)
 inline constexpr std::string_view kWords[] = {
     "aa_level", "aa_threshold", "abs", "absorption", "accuracy", "acos", "acosh", "adaptive", "adc_bailout", "agate", "agate_turb", "albedo", "all",
     "all_intersections", "alpha", "altitude", "always_sample", "ambient", "ambient_light", "angle", "aoi", "aperture", "append", "arc_angle",
@@ -22,18 +22,18 @@ inline constexpr std::string_view kWords[] = {
     "b_spline", "background", "bezier_spline", "bicubic_patch", "bitwise_and", "bitwise_or", "bitwise_xor", "black_hole", "blob", "blue",
     "blur_samples", "bmp", "bokeh", "bounded_by", "box", "boxed", "bozo", "break", "brick", "brick_size", "brightness", "brilliance", "bump_map",
     "bump_size", "bumps", "camera", "case", "caustics", "ceil", "cells", "charset", "checker", "chr", "circular", "clipped_by", "clock",
-    "clock_delta", "clock_on", "collect", "color", "color_map", "colour", "colour_map", "component", "composite", "concat", "cone", "confidence",
+    "clock_on", "collect", "color", "color_map", "colour", "colour_map", "component", "composite", "concat", "cone", "confidence",
     "conic_sweep", "conserve_energy", "contained_by", "control0", "control1", "coords", "cos", "cosh", "count", "crackle", "crand", "cube", "cubic",
     "cubic_spline", "cubic_wave", "cutaway_textures", "cylinder", "cylindrical", "datetime", "debug", "declare", "default", "defined", "degrees",
     "density", "density_file", "density_map", "dents", "deprecated", "df3", "difference", "diffuse", "dimension_size", "dimensions", "direction",
     "disc", "dispersion", "dispersion_samples", "dist_exp", "distance", "div", "double_illuminate", "eccentricity", "else", "elseif", "emission",
     "end", "error", "error_bound", "evaluate", "exp", "expand_thresholds", "exponent", "exr", "exterior", "extinction", "face_indices", "facets",
-    "fade_color", "fade_colour", "fade_distance", "fade_power", "falloff", "falloff_angle", "false", "fclose", "file_exists", "filter", "final_clock",
-    "final_frame", "finish", "fisheye", "flatness", "flip", "floor", "focal_point", "fog", "fog_alt", "fog_offset", "fog_type", "fopen", "for",
-    "form", "frame_number", "frequency", "fresnel", "function", "gamma", "gather", "gif", "global_lights", "global_settings", "gradient", "granite",
+    "fade_color", "fade_colour", "fade_distance", "fade_power", "falloff", "falloff_angle", "false", "fclose", "file_exists", "filter",
+    "finish", "fisheye", "flatness", "flip", "floor", "focal_point", "fog", "fog_alt", "fog_offset", "fog_type", "fopen", "for",
+    "form", "frequency", "fresnel", "function", "gamma", "gather", "gif", "global_lights", "global_settings", "gradient", "granite",
     "gray", "gray_threshold", "green", "hdr", "height_field", "hexagon", "hf_gray_16", "hierarchy", "hollow", "hypercomplex", "if", "ifdef", "iff",
-    "ifndef", "image_height", "image_map", "image_pattern", "image_width", "importance", "include", "initial_clock", "initial_frame",
-    "input_file_name", "inside", "inside_vector", "int", "interior", "interior_texture", "internal", "interpolate", "intersection", "intervals",
+    "ifndef", "image_map", "image_pattern", "importance", "include",
+    "inside", "inside_vector", "int", "interior", "interior_texture", "internal", "interpolate", "intersection", "intervals",
     "inverse", "ior", "irid", "irid_wavelength", "isosurface", "jitter", "jpeg", "julia", "julia_fractal", "lambda", "lathe", "leopard",
     "light_group", "light_source", "linear_spline", "linear_sweep", "ln", "load_file", "local", "location", "log", "look_at", "looks_like",
     "low_error_factor", "macro", "magnet", "major_radius", "mandel", "map_type", "marble", "material", "material_map", "matrix", "max", "max_extent",

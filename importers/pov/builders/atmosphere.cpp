@@ -64,8 +64,9 @@ void take_rainbow(Build& build, const Block& block, Rainbow& bow, std::optional<
         else if (at.accept("falloff_angle"_w)) falloff = at.number("the angle where the arc begins to fade");
         else if (at.accept("jitter"_w)) {
             if (at.number("the jitter of a rainbow") != 0) build.p.tally(place, "jitter in rainbow is not modelled yet: it is left out");
+        } else {
+            build.p.fail(at.place(), "a background is one colour and nothing else: a sky_sphere takes pigments");
         }
-        else at.skip_unmodelled();
     }
 }
 

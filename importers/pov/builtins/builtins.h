@@ -21,6 +21,8 @@ std::span<const BuiltinEntry> vector_functions();
 std::span<const BuiltinEntry> string_functions();
 std::span<const BuiltinEntry> object_functions();
 std::span<const BuiltinEntry> constants();
+/// What else POV-Ray gives a scene: names that it may declare anew, and the command line before it. After the scene is open.
+void predeclare(Parser& p);
 
 /// The built-in of a word, or null.
 Builtin find_builtin(WordId word);

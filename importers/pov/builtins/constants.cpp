@@ -3,6 +3,7 @@
 #include "importers/pov/builtins/builtins.h"
 
 #include <chrono>
+#include <filesystem>
 #include <numbers>
 
 namespace alidade::pov {
@@ -35,15 +36,25 @@ constexpr BuiltinEntry kConstants[] = {
     {"pi"_w, pi}, {"true"_w, whole<1>}, {"yes"_w, whole<1>}, {"on"_w, whole<1>}, {"false"_w, whole<0>}, {"no"_w, whole<0>}, {"off"_w, whole<0>},
     {"x"_w, unit<0, 3>}, {"y"_w, unit<1, 3>}, {"z"_w, unit<2, 3>}, {"t"_w, unit<3, 4>}, {"u"_w, unit<0, 2>}, {"v"_w, unit<1, 2>},
     {"version"_w, version}, {"now"_w, now},
-    {"clock"_w, of_frame<&FrameSettings::clock>}, {"clock_delta"_w, of_frame<&FrameSettings::clock_delta>}, {"clock_on"_w, of_frame<&FrameSettings::clock_on>},
-    {"initial_clock"_w, of_frame<&FrameSettings::initial_clock>}, {"final_clock"_w, of_frame<&FrameSettings::final_clock>},
-    {"initial_frame"_w, of_frame<&FrameSettings::initial_frame>}, {"final_frame"_w, of_frame<&FrameSettings::final_frame>},
-    {"frame_number"_w, of_frame<&FrameSettings::frame_number>},
-    {"image_width"_w, of_frame<&FrameSettings::image_width>}, {"image_height"_w, of_frame<&FrameSettings::image_height>},
+    {"clock"_w, of_frame<&FrameSettings::clock>}, {"clock_on"_w, of_frame<&FrameSettings::clock_on>},
 };
 
 }  // namespace
 
 std::span<const BuiltinEntry> constants() { return kConstants; }
+
+void predeclare(Parser& p) {
+    const FrameSettings& f = p.options.frame;
+    const std::pair<std::string_view, double> numbers[] = {
+        {"clock_delta", f.clock_delta}, {"initial_clock", f.initial_clock}, {"final_clock", f.final_clock}, {"initial_frame", f.initial_frame},
+        {"final_frame", f.final_frame}, {"frame_number", f.frame_number},   {"image_width", f.image_width}, {"image_height", f.image_height},
+    };
+    const auto set = [&](std::string_view name, Value value) {
+        const WordId id = p.names.id(name);
+        if (!p.symbols.find(id)) p.symbols.global(id).value = std::move(value);
+    };
+    for (const auto& [name, value] : numbers) set(name, Value::number(value));
+    set("input_file_name", Value::string(std::filesystem::path(p.stream.source(0).path()).filename().string()));
+}
 
 }  // namespace alidade::pov

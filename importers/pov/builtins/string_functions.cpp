@@ -176,12 +176,10 @@ Value file_exists(Parser& p, Place) {
     return Value::number(p.files.kept(name) || p.finder.find(name));
 }
 
-Value input_file_name(Parser& p, Place) { return Value::string(std::filesystem::path(p.stream.source(0).path()).filename().string()); }
-
 constexpr BuiltinEntry kStringFunctions[] = {
     {"str"_w, str}, {"vstr"_w, vstr}, {"concat"_w, concat}, {"chr"_w, chr}, {"asc"_w, asc}, {"val"_w, val}, {"strlen"_w, strlen_}, {"strcmp"_w, strcmp_},
     {"substr"_w, substr}, {"strlwr"_w, changed_case<std::tolower>}, {"strupr"_w, changed_case<std::toupper>}, {"datetime"_w, datetime},
-    {"file_exists"_w, file_exists}, {"input_file_name"_w, input_file_name},
+    {"file_exists"_w, file_exists},
 };
 
 }  // namespace
