@@ -93,7 +93,7 @@ void warn_if_deprecated(Parser& p, Slot& slot, const Token& name) {
 
 Value identifier(Parser& p, const Token& name) {
     Slot* plain = p.symbols.find(name.id);
-    if (!plain) fail_undeclared(p, name);
+    if (!plain || plain->value.kind == Kind::nothing) fail_undeclared(p, name);
     warn_if_deprecated(p, *plain, name);
     if (plain->value.numeric()) return plain->value;
     const Ref<Slot> slot = parse_reference(p, name, false);
@@ -161,7 +161,10 @@ Value factor_without_components(Parser& p, Standing standing) {
         case TokenKind::name: return identifier(p, token);
         case TokenKind::mark: return factor_of_mark(p, token, standing);
         case TokenKind::word:
-            if (const Builtin builtin = find_builtin(token.id)) return builtin(p, token.place());
+            if (const Builtin builtin = find_builtin(token.id)) {
+                const Nested nested(p, token.place());
+                return builtin(p, token.place());
+            }
             break;
         default: break;
     }

@@ -25,7 +25,7 @@ class Reader {
         attempt([&] {
             p_.open_scene(path, std::move(text));
             for (const std::string& declaration : p_.options.declarations) declare(declaration);
-            if (p_.options.version) p_.version = std::clamp(*p_.options.version, 1.0, 3.7), p_.version_given = true;
+            if (p_.options.version) p_.version = std::clamp(*p_.options.version, 0.0, 3.7), p_.version_given = true;
             if (!p_.options.header.empty()) p_.include(p_.options.header, {});
         });
         while (!done_ && p_.said.errors() < kMostErrors && failures_ < kMostFailures) {

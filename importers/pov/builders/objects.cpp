@@ -328,6 +328,7 @@ bool draft(Build& build, const Block& block, Draft& d) {
     } else if (const CsgKind csg = csg_of(block.word); csg != CsgKind::none) {
         d.node.csg = csg;
         take_children(build, d, at);
+        if (d.node.children.size() < 2) build.p.warn(block.place, fmt::format("{} has fewer than two parts", kWords[block.word]));
     } else if (block.word == "text"_w) {
         d.node.csg = CsgKind::union_;
         d.node.children = build_text(build, at).letters;
