@@ -274,6 +274,7 @@ Value kept(Value value) {
 
 Value called(Parser& p, Value value, Place at) {
     if ((value.kind != Kind::function && value.kind != Kind::spline) || !p.peek_in_value().is('(')) return value;
+    const Nested nested(p, at);
     return value.kind == Kind::function ? call_function(p, value.as<Function>(), at) : call_spline(p, value.as<Spline>(), at);
 }
 
