@@ -126,6 +126,7 @@ TEST_F(PovBuilders, WhatIsTooManyOrTooFewIsTold) {
     for (const Refusal& r : {Refusal{"camera { location y look_at 0 }\ncamera { location x look_at 0 }", "2:1: warning: the scene has more than one camera: the last one is used"}, {"union { sphere { 0, 1 } }", "1:1: warning: union has fewer than two parts"},
                              {"difference { sphere { 0, 1 } pigment { rgb 1 } }", "1:1: warning: difference has fewer than two parts"}, {"merge { }", "merge has fewer than two parts"}, {"light { 0, 1 }", "did you mean light_source?"}})
         EXPECT_THAT(said(r.scene), HasSubstr(r.message)) << r.scene;
+    EXPECT_THAT(said("union { julia_fractal { 0 } sphere { 1, 1 } }"), Not(HasSubstr("fewer")));
     EXPECT_EQ(said("union { sphere { 0, 1 } sphere { 1, 1 } } #declare S = sphere { 0, 1 } union { S }"), "");
     EXPECT_THAT(said("sphere { 0,\0 1 }"s), HasSubstr("1:12: warning: a byte 0 is taken as a blank"));
 }

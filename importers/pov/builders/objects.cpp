@@ -272,9 +272,11 @@ bool object(Build& build, Cursor& at, Draft& d) {
     return draft(build, *inner, d);
 }
 
-void take_children(Build& build, Draft& d, Cursor& at) {
-    while (const Block* child = at.any_block()) {
-        if (!is_object(child->word)) return;
+/// How many there are, those that are left out among them.
+size_t take_children(Build& build, Draft& d, Cursor& at) {
+    for (size_t parts = 0;; ++parts) {
+        const Block* child = at.any_block();
+        if (!child || !is_object(child->word)) return parts;
         const Within named(build.by_name, at.at_declared());
         at.next();
         if (const auto built = build_object(build, *child)) d.node.children.push_back(built->node);
@@ -327,8 +329,7 @@ bool draft(Build& build, const Block& block, Draft& d) {
         if (block.word == "light_group"_w) d.node.global_lights = build.lit_globally > 0;   // what the named group says of itself is not kept
     } else if (const CsgKind csg = csg_of(block.word); csg != CsgKind::none) {
         d.node.csg = csg;
-        take_children(build, d, at);
-        if (d.node.children.size() < 2) build.p.warn(block.place, fmt::format("{} has fewer than two parts", kWords[block.word]));
+        if (take_children(build, d, at) < 2) build.p.warn(block.place, fmt::format("{} has fewer than two parts", kWords[block.word]));
     } else if (block.word == "text"_w) {
         d.node.csg = CsgKind::union_;
         d.node.children = build_text(build, at).letters;
