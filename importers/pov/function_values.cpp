@@ -81,7 +81,7 @@ class Evaluation {
     /// Guards the call stack: stands where brackets, signs and calls nest.
     struct Level {
         explicit Level(Evaluation& evaluation) : of(evaluation) {
-            constexpr size_t kDeepest = 2000;
+            constexpr size_t kDeepest = 1000;   // sanitizers have large frames
             if (++of.depth_ > kDeepest) of.p_.fail_limit(of.f_.place, fmt::format("brackets and calls of a function are nested too deeply: more than {} in one another", kDeepest));
         }
         Level(const Level&) = delete;
