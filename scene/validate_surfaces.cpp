@@ -63,10 +63,16 @@ void check_reliefs(Validation& v, size_t i) {
     for (const MapEntry& entry : pattern->map) check(entry.signal, is_relief(v.scene, {uint32_t(i)}));
 }
 
+const char* kind_of(const Signal& signal) {
+    static constexpr const char* kKinds[] = {"a colour or number", "a picture", "a product", "a channel", "a pattern", "a relief", "a function"};
+    static_assert(std::size(kKinds) == std::variant_size_v<decltype(Signal::what)>);
+    return kKinds[signal.what.index()];
+}
+
 void check_signals(Validation& v) {
     const std::vector<Signal>& signals = v.scene.signals;
     for (size_t i = 0; i < signals.size(); ++i) {
-        if (!finite(signals[i])) v.error(signals[i].from, label("signal", i).text() + " has a number that is not finite");
+        if (!finite(signals[i])) v.error(signals[i].from, fmt::format("{} has a number that is not finite (it is {})", label("signal", i).text(), kind_of(signals[i])));
         check_reliefs(v, i);
         const auto* channel = std::get_if<ChannelSignal>(&signals[i].what);
         if (channel && (channel->channel < 0 || channel->channel > 3))

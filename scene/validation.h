@@ -50,9 +50,10 @@ class Validation {
     Diagnostics found;
 
   private:
-    /// Two files of a scene may have one path, and then one entry in the diagnostics.
+    /// Two files of a scene may have one path, and then one entry in the diagnostics. What has no place is the first file's.
     SourcePos moved(SourcePos at) const {
-        at.file = at.file < files_.size() ? files_[at.file] : kNoFile;
+        const uint32_t usual = files_.empty() ? kNoFile : files_[0];
+        at.file = at.file < files_.size() ? files_[at.file] : usual;
         return at;
     }
 

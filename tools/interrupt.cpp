@@ -4,6 +4,7 @@
 #include "tools/verbs.h"
 
 #include <csignal>
+#include <initializer_list>
 #include <string_view>
 #include <unistd.h>
 
@@ -14,15 +15,27 @@ namespace {
 std::atomic<bool> stop_flag{false};   // a signal handler can only reach what is global
 static_assert(std::atomic<bool>::is_always_lock_free);
 
-void handle(void (*handler)(int), int flags) {
+constexpr std::initializer_list<int> kWishes = {SIGINT, SIGTERM};
+
+void handle(std::initializer_list<int> signals, void (*handler)(int), int flags) {
     struct sigaction action {};
     action.sa_handler = handler;
     action.sa_flags = flags;
     sigemptyset(&action.sa_mask);
-    for (const int signal : {SIGINT, SIGTERM}) sigaction(signal, &action, nullptr);
+    for (const int signal : signals) sigaction(signal, &action, nullptr);
 }
 
-void set_stop(int) { stop_flag = true; }
+/// A pixel has no end that is near: a pattern may iterate for hours, and to ask it for the flag would cost all others.
+void tell_of_pixel(int) {
+    constexpr std::string_view text = "\nalidade: a pixel that takes long is under way: a second signal ends the program without it\n";
+    [[maybe_unused]] const auto written = write(STDERR_FILENO, text.data(), text.size());
+}
+
+void set_stop(int) {
+    constexpr unsigned kPatience = 2;   // seconds
+    stop_flag = true;
+    alarm(kPatience);
+}
 
 void exit_interrupted(int) {
     constexpr std::string_view text = "alidade: interrupted\n";
@@ -34,13 +47,18 @@ void exit_interrupted(int) {
 
 StopOnSignal::StopOnSignal() {
     stop_flag = false;
-    handle(set_stop, int(SA_RESETHAND) | SA_RESTART);   // reset: the second signal is not ours
+    handle({SIGALRM}, tell_of_pixel, SA_RESTART);
+    handle(kWishes, set_stop, int(SA_RESETHAND) | SA_RESTART);   // reset: the second signal is not ours
 }
 
-StopOnSignal::~StopOnSignal() { handle(SIG_DFL, 0); }
+StopOnSignal::~StopOnSignal() {
+    handle(kWishes, SIG_DFL, 0);
+    alarm(0);
+    handle({SIGALRM}, SIG_DFL, 0);
+}
 
 const std::atomic<bool>& StopOnSignal::stop() const { return stop_flag; }
 
-void exit_on_signal() { handle(exit_interrupted, 0); }
+void exit_on_signal() { handle(kWishes, exit_interrupted, 0); }
 
 }  // namespace alidade

@@ -6,7 +6,7 @@
 
 namespace alidade {
 
-/// While one lives, the first SIGINT or SIGTERM sets `stop()` and the second ends the process as the system would. Before and after, both end it.
+/// While one lives, the first SIGINT or SIGTERM sets `stop()` (where that is not heard soon, the user is told) and the second ends the process as the system would. Before and after, both end it.
 /// One at a time.
 class StopOnSignal {
   public:

@@ -62,6 +62,15 @@ Request request_of(const PovrayRequest& r, int frame) {
 int first_pixel(double start, int size) { return start <= 0 ? 0 : start < 1 ? int(start * size) : int(start) - 1; }
 int end_pixel(double end, int size) { return end <= 0 ? size : end <= 1 ? int(end * size) : int(end); }
 
+/// What is wrong with the ends of a part of the picture, in the numbers that were given; "" if nothing is. POV-Ray takes a part without pixels, and writes a black picture.
+std::string why_no_part(const char* of, char letter, double start, double end, int size) {
+    const int first = first_pixel(start, size), last = end_pixel(end, size);
+    if (first >= size) return fmt::format("+S{}{}: the picture has {} {}", letter, start, size, of);
+    if (last > size) return fmt::format("+E{}{}: the picture has {} {}", letter, end, size, of);
+    if (first >= last) return fmt::format("+S{0}{1} +E{0}{2}: of {3} {4} none is between them", letter, start, end, size, of);
+    return {};
+}
+
 /// PNG, TGA and BMP files. EXR's alpha is associated; others have none.
 bool has_straight_alpha(const PovrayRequest& r) { return std::string_view("NTB").find(r.file_type) != std::string_view::npos; }
 
@@ -205,6 +214,8 @@ int run_povray(const Verb& verb, const Words& words) {
     if (request->to_file && request->bits != 8 && request->bits != 16) fmt::print(stderr, "alidade: warning: {} bits a colour are asked for: PNG and PPM files have 8 or 16\n", request->bits);
     if (request->alpha && request->to_file && !has_straight_alpha(*request) && request->file_type != 'E')
         fmt::print(stderr, "alidade: warning: +UA (Output_Alpha): files of this type (+F{}) have no alpha, what is missing is black\n", request->file_type);
+    for (const std::string& wrong : {why_no_part("columns", 'C', request->start_column, request->end_column, request->width), why_no_part("rows", 'R', request->start_row, request->end_row, request->height)})
+        if (!wrong.empty()) return fail(wrong);
     exit_on_signal();
     for (const std::string& file : request->message_files)
         if (!file.empty() && !std::ofstream(file)) return fail(fmt::format("'{}' cannot be written", file));   // and is empty now

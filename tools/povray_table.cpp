@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tools/povray_table.h"
 
+#include "importers/pov/declared.h"
 #include "tools/values.h"
 #include "tools/verbs.h"
 
@@ -17,6 +18,12 @@ namespace {
 /// Where `Debug_File=on` writes to. Source   POV-Ray 3.7 reference, 3.2.7.2 "Directing Text Streams to Files".
 constexpr const char* kDefaultMessageFiles[kMessageStreams] = {"ALLTEXT.OUT", "DEBUG.OUT", "FATAL.OUT", "RENDER.OUT", "STATS.OUT", "WARNING.OUT"};
 
+/// What a word says that has been taken.
+constexpr const char* kTaken = "";
+
+constexpr int kMostPixels = 65536;
+constexpr double kMostNumber = 1e30, kMostFrames = 1e9;
+
 /// A word is told of once.
 void tell(PovrayRequest& r, std::string note) {
     if (std::find(r.notes.begin(), r.notes.end(), note) == r.notes.end()) r.notes.push_back(std::move(note));
@@ -31,70 +38,72 @@ std::optional<int> whole_number(PovrayRequest& r, const PovrayWord& w, int low, 
     return n;
 }
 
-template <int PovrayRequest::* Member, int Low, int High> bool integer(PovrayRequest& r, const PovrayWord& w) {
+template <int PovrayRequest::* Member, int Low, int High> std::string integer(PovrayRequest& r, const PovrayWord& w) {
     const auto n = whole_number(r, w, Low, High);
-    return n ? (r.*Member = *n, true) : false;
+    return n ? (r.*Member = *n, kTaken) : fmt::format("a whole number from {} to {}, without an exponent", Low, High);
 }
 
 enum class End { first, last };
 
 /// A row or column, counted from 1, or a share of the picture: a last one is beyond 0.
-template <double PovrayRequest::* Member, End Which> bool edge(PovrayRequest& r, const PovrayWord& w) {
-    const auto x = parse_number(w.value, 0);
-    return x && (*x > 0 || Which == End::first) ? (r.*Member = *x, true) : false;
+template <double PovrayRequest::* Member, End Which> std::string edge(PovrayRequest& r, const PovrayWord& w) {
+    const auto x = parse_number(w.value, 0, kMostPixels);
+    if (x && (*x > 0 || Which == End::first)) return r.*Member = *x, kTaken;
+    return fmt::format("a number {} to {}, or a share of the picture below 1", Which == End::first ? "from 0" : "above 0, up", kMostPixels);
 }
 
-template <double PovrayRequest::* Member> bool number(PovrayRequest& r, const PovrayWord& w) {
-    const auto x = parse_number(w.value, -1e30);
-    return x ? (r.*Member = *x, true) : false;
+template <double PovrayRequest::* Member> std::string number(PovrayRequest& r, const PovrayWord& w) {
+    const auto x = parse_number(w.value, -kMostNumber, kMostNumber);
+    return x ? (r.*Member = *x, kTaken) : fmt::format("a number from {:g} to {:g}", -kMostNumber, kMostNumber);
 }
 
 /// The end of a subset of frames: its number, or below 1 a share of the animation.
-template <double PovrayRequest::* Member> bool frame(PovrayRequest& r, const PovrayWord& w) {
-    const auto x = parse_number(w.value, -1e9);
-    return x && *x < 1e9 ? (r.*Member = *x, true) : false;
+template <double PovrayRequest::* Member> std::string frame(PovrayRequest& r, const PovrayWord& w) {
+    const auto x = parse_number(w.value, -kMostFrames, kMostFrames);
+    return x ? (r.*Member = *x, kTaken) : fmt::format("a number up to {:g}, or a share of the animation below 1", kMostFrames);
 }
 
 /// `+X`, `-X` or `Key=on`.
-template <bool PovrayRequest::* Member> bool flag(PovrayRequest& r, const PovrayWord& w) {
+template <bool PovrayRequest::* Member> std::string flag(PovrayRequest& r, const PovrayWord& w) {
     const auto on = w.value.empty() ? std::optional(w.on) : truth(w.value);
-    return on ? (r.*Member = *on, true) : false;
+    return on ? (r.*Member = *on, kTaken) : "on, true, yes or 1; off, false, no or 0";
 }
 
 /// `+X0.3`, `+X` or `-X`: a switch that may bring its number.
-template <bool PovrayRequest::* Member, double PovrayRequest::* Number> bool flag_with_number(PovrayRequest& r, const PovrayWord& w) {
-    if (!w.value.empty() && truth(w.value)) return r.*Member = *truth(w.value), true;
+template <bool PovrayRequest::* Member, double PovrayRequest::* Number> std::string flag_with_number(PovrayRequest& r, const PovrayWord& w) {
+    if (!w.value.empty() && truth(w.value)) return r.*Member = *truth(w.value), kTaken;
     r.*Member = w.on;
-    if (w.value.empty()) return true;
+    if (w.value.empty()) return kTaken;
     const auto x = parse_number(w.value, 0);
-    return x ? (r.*Number = *x, true) : false;
+    return x ? (r.*Number = *x, kTaken) : "on, off, or a number from 0";
 }
 
 /// Cut to what POV-Ray takes.
-template <int PovrayRequest::* Member, int Low, int High> bool clamped(PovrayRequest& r, const PovrayWord& w) {
-    const auto n = whole_number(r, w, -(1 << 30), 1 << 30);
-    return n ? (r.*Member = std::clamp(*n, Low, High), true) : false;
+template <int PovrayRequest::* Member, int Low, int High> std::string clamped(PovrayRequest& r, const PovrayWord& w) {
+    constexpr int kMost = 1 << 30;
+    const auto n = whole_number(r, w, -kMost, kMost);
+    return n ? (r.*Member = std::clamp(*n, Low, High), kTaken) : fmt::format("a whole number (from {} to {} it is taken as it is), without an exponent", Low, High);
 }
 
-bool input(PovrayRequest& r, const PovrayWord& w) { return r.input = w.value, !w.value.empty(); }
-bool output(PovrayRequest& r, const PovrayWord& w) { return r.output = w.value, true; }
-bool library(PovrayRequest& r, const PovrayWord& w) {
+std::string input(PovrayRequest& r, const PovrayWord& w) { return r.input = w.value, w.value.empty() ? "the name of a scene" : kTaken; }
+std::string output(PovrayRequest& r, const PovrayWord& w) { return r.output = w.value, kTaken; }
+std::string library(PovrayRequest& r, const PovrayWord& w) {
     if (!w.value.empty()) r.library_paths.push_back(w.value);
-    return true;
+    return kTaken;
 }
-bool header(PovrayRequest& r, const PovrayWord& w) { return r.header = w.value, true; }
-bool declare(PovrayRequest& r, const PovrayWord& w) {
-    const size_t equals = w.value.find('=');
-    if (w.value.substr(0, equals) == "clock") tell(r, "Declare=clock changes nothing: the clock is what +K says");
+std::string header(PovrayRequest& r, const PovrayWord& w) { return r.header = w.value, kTaken; }
+std::string declare(PovrayRequest& r, const PovrayWord& w) {
+    if (!pov::parse_declared(w.value)) return "an identifier, = and a number that a float can hold";
+    if (w.value.rfind("clock=", 0) == 0) tell(r, "Declare=clock changes nothing: the clock is what +K says");
     else r.declarations.push_back(w.value);
-    return equals != std::string::npos;
+    return kTaken;
 }
 
 /// Known words that change no picture here.
-bool nothing(PovrayRequest&, const PovrayWord&) { return true; }
-template <const char* const& Sentence> bool told(PovrayRequest& r, const PovrayWord& w) {
+std::string nothing(PovrayRequest&, const PovrayWord&) { return kTaken; }
+template <const char* const& Sentence> std::string told(PovrayRequest& r, const PovrayWord& w) {
     if (w.on) tell(r, Sentence);
-    return true;
+    return kTaken;
 }
 constexpr const char* kNoGray = "+FNg (Grayscale_Output): pictures are written in colour";
 constexpr const char* kNoFileGamma = "File_Gamma: pictures are encoded as sRGB";
@@ -102,38 +111,38 @@ constexpr const char* kNoIni = "+GI (Create_Ini): no INI file is written";
 constexpr const char* kNoCommands = "commands around frames are not run";
 
 /// Of `N16` POV-Ray takes the letter here.
-bool file_type(PovrayRequest& r, const PovrayWord& w) {
+std::string file_type(PovrayRequest& r, const PovrayWord& w) {
     const std::string letter = w.value.substr(0, w.value.find_first_of("0123456789"));
     if (letter != w.value && w.value.substr(letter.size()) != "8") tell(r, fmt::format("Output_File_Type={}: its number is left out, as POV-Ray does: give Bits_Per_Color", w.value));
     return file_switch(r, {letter, r.to_file});
 }
 
-bool version(PovrayRequest& r, const PovrayWord& w) {
+std::string version(PovrayRequest& r, const PovrayWord& w) {
     const auto x = parse_number(w.value, 0);
-    return x ? (r.version = *x, true) : false;
+    return x ? (r.version = *x, kTaken) : "a number from 0";
 }
 
-bool clock(PovrayRequest& r, const PovrayWord& w) { return r.clock_given = true, number<&PovrayRequest::clock>(r, w); }
+std::string clock(PovrayRequest& r, const PovrayWord& w) { return r.clock_given = true, number<&PovrayRequest::clock>(r, w); }
 
 /// `+GD`, `-GD`, `Debug_Console=on`: whether what the scene prints goes to stderr; what we say does in any case. `+GDname`: to a file, too; `-GDname`: only there.
-template <MessageStream Stream> bool message_switch(PovrayRequest& r, const PovrayWord& w) {
+template <MessageStream Stream> std::string message_switch(PovrayRequest& r, const PovrayWord& w) {
     const auto on = truth(w.value);
     if (!w.value.empty() && !on) r.message_files[size_t(Stream)] = w.value;
     if (Stream == MessageStream::all || Stream == MessageStream::debug) r.shows_scene_text = w.on && on.value_or(true);
-    return true;
+    return kTaken;
 }
-template <MessageStream Stream> bool message_file(PovrayRequest& r, const PovrayWord& w) {
+template <MessageStream Stream> std::string message_file(PovrayRequest& r, const PovrayWord& w) {
     const auto on = truth(w.value);
     r.message_files[size_t(Stream)] = !on ? w.value : *on ? kDefaultMessageFiles[size_t(Stream)] : "";
-    return true;
+    return kTaken;
 }
 
-bool file_gamma(PovrayRequest& r, const PovrayWord& w) { return lower(w.value) == "srgb" || told<kNoFileGamma>(r, w); }
+std::string file_gamma(PovrayRequest& r, const PovrayWord& w) { return lower(w.value) == "srgb" ? kTaken : told<kNoFileGamma>(r, w); }
 
 /// The manual's order: every row is a word of POV-Ray.
 constexpr PovrayRow kTable[] = {
-    {"Width", "W", integer<&PovrayRequest::width, 1, 65536>},
-    {"Height", "H", integer<&PovrayRequest::height, 1, 65536>},
+    {"Width", "W", integer<&PovrayRequest::width, 1, kMostPixels>},
+    {"Height", "H", integer<&PovrayRequest::height, 1, kMostPixels>},
     {"Input_File_Name", "I", input},
     {"Output_File_Name", "O", output},
     {"Output_To_File", "F", file_switch},
@@ -257,17 +266,17 @@ std::optional<bool> truth(const std::string& text) {
     return std::nullopt;
 }
 
-bool file_switch(PovrayRequest& r, const PovrayWord& w) {
+std::string file_switch(PovrayRequest& r, const PovrayWord& w) {
     r.to_file = w.on;
-    if (w.value.empty()) return true;
+    if (w.value.empty()) return kTaken;
     const char type = char(std::toupper(static_cast<unsigned char>(w.value[0])));
-    if (!std::strchr("NPETJSBCH", type)) return false;
+    if (!std::strchr("NPETJSBCH", type)) return "one of N P E T J S B C H, with bits a colour behind it or without";
     r.file_type = type == 'S' ? 'N' : type == 'C' ? 'T' : type;
     std::string bits = w.value.substr(1);
     if (!bits.empty() && (bits[0] == 'g' || bits[0] == 'G')) bits.erase(0, 1), told<kNoGray>(r, w);
-    if (bits.empty()) return true;
+    if (bits.empty()) return kTaken;
     const auto n = parse_integer(bits, 1, 100);
-    return n ? (r.bits = int(*n), true) : false;
+    return n ? (r.bits = int(*n), kTaken) : "bits a colour from 1 to 100 behind its letter";
 }
 
 }  // namespace alidade

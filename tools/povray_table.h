@@ -16,7 +16,8 @@ struct PovrayWord {
     bool on = true;
 };
 
-using ApplyPovrayWord = bool (*)(PovrayRequest&, const PovrayWord&);   // false: the value is none
+/// "" if the value is taken, else what would be.
+using ApplyPovrayWord = std::string (*)(PovrayRequest&, const PovrayWord&);
 
 struct PovrayRow {
     const char* key;       ///< of Key=Value
@@ -33,6 +34,6 @@ bool takes_name(const PovrayRow& row);
 std::optional<bool> truth(const std::string& text);
 
 /// `+F`, `+FN8`, `-F`: whether there is a file, its type and its bits.
-bool file_switch(PovrayRequest& r, const PovrayWord& w);
+std::string file_switch(PovrayRequest& r, const PovrayWord& w);
 
 }  // namespace alidade

@@ -33,6 +33,11 @@ std::string unquoted(const std::string& text) {
     return text.size() > 1 && (text[0] == '"' || text[0] == '\'') && text.back() == text[0] ? text.substr(1, text.size() - 2) : text;
 }
 
+std::string trimmed(const std::string& text) {
+    const size_t first = text.find_first_not_of(" \t\r"), last = text.find_last_not_of(" \t\r");
+    return first == std::string::npos ? std::string() : text.substr(first, last - first + 1);
+}
+
 /// Where one of `marks` stands outside of quotes, from `at` on; the end if none does. A quote that is not closed belongs to a name.
 size_t find_unquoted(const std::string& line, std::string_view marks, size_t at) {
     for (char quote = 0; at < line.size(); ++at) {
@@ -78,8 +83,8 @@ class Reading {
 
   private:
     std::string apply(const PovrayRow& row, const PovrayWord& value, const std::string& word) {
-        if (row.apply(request, value)) return {};
-        return fmt::format("'{}' has no value that {} can take", word, row.key);
+        const std::string wanted = row.apply(request, value);
+        return wanted.empty() ? "" : fmt::format("'{}' has no value that {} can take: {}", word, row.key, wanted);
     }
 
     std::string take_seed(const std::string& word) {
@@ -102,7 +107,7 @@ class Reading {
 
     std::string take_key(const std::string& word, size_t equals) {
         const std::string key = lower(word.substr(0, equals));
-        const std::string value = unquoted(word.substr(equals + 1));
+        const std::string value = closed(unquoted(word.substr(equals + 1)), word);
         if (key == "include_ini") return take_ini(value);
         for (const PovrayRow& row : povray_table()) {
             if (key != lower(row.key)) continue;
@@ -113,39 +118,66 @@ class Reading {
         return unknown(word);
     }
 
+    void note(const std::string& sentence) { request.notes.push_back(where_ + sentence); }
+
+    /// A quote that begins a value and is not closed is none of it, as in POV-Ray.
+    std::string closed(const std::string& value, const std::string& word) {
+        if (value.empty() || (value[0] != '"' && value[0] != '\'')) return value;
+        note(fmt::format("'{}': the quote is not closed, and is left out", word));
+        return value.substr(1);
+    }
+
+    /// An INI file, and which of its sections is asked for.
+    struct IniFile {
+        std::string path, wanted;
+        std::vector<std::string> sections;   ///< that it has, as far as it is read
+        bool in_wanted = true;               ///< what stands before all sections always holds
+    };
+
     std::string take_ini(const std::string& word) {
         constexpr int kDeepest = 10;
         const size_t bracket = word.find('[');
+        if (bracket != std::string::npos && word.find(']', bracket) == std::string::npos) return fmt::format("'{}' has no ] behind the section's name", word);
         std::string path = word.substr(0, bracket);
         const std::string wanted = bracket == std::string::npos ? "" : lower(word.substr(bracket + 1, word.find(']', bracket) - bracket - 1));
         if (!std::filesystem::is_regular_file(path) && std::filesystem::is_regular_file(path + ".ini")) path += ".ini";
         std::ifstream in(path);
         if (!std::filesystem::is_regular_file(path) || !in) return unknown(word) + ", and no INI file of that name can be read";
         if (++depth_ > kDeepest) return fmt::format("INI files include one another more than {} deep", kDeepest);
-        std::string section;
+        IniFile file{path, wanted, {}};
+        const std::string outside = where_;
+        int number = 0;
         for (std::string line; std::getline(in, line);) {
-            if (const std::string wrong = take_line(line, section, wanted); !wrong.empty()) return fmt::format("{}: {}", path, wrong);
+            where_ = fmt::format("{}:{}: ", path, ++number);
+            if (const std::string wrong = take_line(line, file); !wrong.empty()) return fmt::format("{}:{}: {}", path, number, wrong);
         }
+        where_ = outside;
         --depth_;
+        if (!wanted.empty() && std::find(file.sections.begin(), file.sections.end(), wanted) == file.sections.end())
+            note(fmt::format("{} has no section [{}]; it has {}", path, wanted, file.sections.empty() ? "none" : fmt::format("[{}]", fmt::join(file.sections, "], ["))));
         return {};
     }
 
+    /// `[section]`: what follows holds if it is asked for.
+    std::string begin_section(const std::string& line, IniFile& file) {
+        const size_t end = line.find(']');
+        if (end == std::string::npos) note(fmt::format("'{}' has no ] behind the section's name", line));
+        file.sections.push_back(lower(line.substr(1, end - 1)));
+        file.in_wanted = file.sections.back().empty() || file.sections.back() == file.wanted;
+        return end == std::string::npos ? "" : line.substr(end + 1);
+    }
+
     /// `[section]`, `Key=Value`, or switches; `;` and `#` begin a comment where nothing is quoted. What stands before all sections always holds.
-    std::string take_line(std::string line, std::string& section, const std::string& wanted) {
+    std::string take_line(std::string line, IniFile& file) {
         line.resize(find_unquoted(line, ";#", 0));
-        const size_t first = line.find_first_not_of(" \t\r"), last = line.find_last_not_of(" \t\r");
-        if (first == std::string::npos) return {};
-        line = line.substr(first, last - first + 1);
-        if (line[0] == '[') return section = lower(line.substr(1, line.find(']') - 1)), std::string();
-        if (!section.empty() && section != wanted) return {};
+        line = trimmed(line);
+        while (!line.empty() && line[0] == '[') line = trimmed(begin_section(line, file));
+        if (line.empty()) return {};
+        if (!file.in_wanted) return {};
         if (line[0] != '+' && line[0] != '-') {
             const size_t equals = line.find('=');
             if (equals == std::string::npos) return take(unquoted(line));
-            const auto trim = [](std::string s) {
-                const size_t a = s.find_first_not_of(" \t"), b = s.find_last_not_of(" \t");
-                return a == std::string::npos ? std::string() : s.substr(a, b - a + 1);
-            };
-            const std::string key = trim(line.substr(0, equals)), value = trim(line.substr(equals + 1));
+            const std::string key = trimmed(line.substr(0, equals)), value = trimmed(line.substr(equals + 1));
             return take(key + "=" + value.substr(0, length_of_value(key, value)));
         }
         for (size_t at = 0; at < line.size();) {
@@ -172,11 +204,12 @@ class Reading {
         size_t end = quoted ? value.find(value[0], 1) : name ? begin_of_switch(value) : value.find_first_of(" \t");
         if (end == std::string::npos) return end;
         end += quoted;
-        if (end < value.size()) request.notes.push_back(fmt::format("'{}={}': what follows the value is left out, as POV-Ray does: one Key=Value a line", key, value));
+        if (end < value.size()) note(fmt::format("'{}={}': what follows the value is left out, as POV-Ray does: one Key=Value a line", key, value));
         return end;
     }
 
     int depth_ = 0;
+    std::string where_;   ///< file:line: of what is being read, or ""
 };
 
 }  // namespace

@@ -14,6 +14,8 @@
 #include <ctime>
 #include <fmt/format.h>
 #include <mutex>
+#include <new>
+#include <stdexcept>
 
 namespace alidade {
 namespace {
@@ -36,6 +38,17 @@ struct Job {
     bool stopped() const { return stop && stop->load(std::memory_order_relaxed); }
 };
 
+/// The first few by their numbers, and by their names if they have any.
+std::string list_of_cameras(const CompiledScene& scene) {
+    constexpr size_t kListed = 20;
+    std::string list;
+    for (size_t i = 0; i < std::min(scene.cameras.size(), kListed); ++i) {
+        const std::string& name = scene.cameras[i].camera.name;
+        list += fmt::format("{}{}{}", i ? ", " : "", i, name.empty() ? "" : fmt::format(" '{}'", name));
+    }
+    return scene.cameras.size() > kListed ? list + " ..." : list;
+}
+
 tl::expected<const Camera*, std::string> choose_camera(const CompiledScene& scene, const std::string& name) {
     if (name.empty()) return &scene.cameras.front().camera;
     for (const PlacedCamera& c : scene.cameras)
@@ -43,9 +56,7 @@ tl::expected<const Camera*, std::string> choose_camera(const CompiledScene& scen
     size_t index = 0;
     const auto [end, bad] = std::from_chars(name.data(), name.data() + name.size(), index);
     if (bad == std::errc() && end == name.data() + name.size() && index < scene.cameras.size()) return &scene.cameras[index].camera;
-    std::string known;
-    for (const PlacedCamera& c : scene.cameras) known += fmt::format("{}'{}'", known.empty() ? "" : ", ", c.camera.name);
-    return tl::unexpected(fmt::format("there is no camera '{}': the scene has {}", name, known));
+    return tl::unexpected(fmt::format("there is no camera '{}': the scene has {}, named or numbered {}", name, scene.cameras.size(), list_of_cameras(scene)));
 }
 
 /// The camera with the lens that the user asked for.
@@ -228,6 +239,14 @@ bool run(const Job& job, const Monitor& monitor, Film& film) {
     return done == tiles;
 }
 
+/// Throws what names the picture and its size.
+Picture empty_picture(const RenderOptions& options, const std::vector<std::string>& channels) try {
+    return Picture(options.width, options.height, channels);
+} catch (const std::bad_alloc&) {
+    const double bytes = double(options.width) * options.height * double(channels.size() * sizeof(float));
+    throw std::runtime_error(fmt::format("out of memory: a picture of {}x{} pixels with {} channels takes {:.1f} GB; ask for a smaller one, or for fewer layers", options.width, options.height, channels.size(), bytes / 1e9));
+}
+
 }  // namespace
 
 tl::expected<Film, std::string> render(const CompiledScene& scene, const RenderOptions& options, const Monitor& monitor) {
@@ -248,7 +267,7 @@ tl::expected<Film, std::string> render(const CompiledScene& scene, const RenderO
     const Camera seen_by = with_lens(**camera, options);
     const Job job{scene, options, CameraRays(seen_by, options.width, options.height), StartInside(scene, seen_by), *kernel, *layers, *grid, sampler->pair, spp, depth, SampleStop(options, spp), monitor.stop, (**camera).normal};
     Film film;
-    film.picture = Picture(options.width, options.height, layers->channels());
+    film.picture = empty_picture(options, layers->channels());
     if (options.alpha != Alpha::none)   // what is not rendered is black, not missing
         for (size_t i = 3; i < film.picture.values.size(); i += size_t(film.picture.channels)) film.picture.values[i] = 1;
     const auto start = std::chrono::steady_clock::now();

@@ -51,6 +51,10 @@ void convert(const Model& model, const ImportOptions& options, Scene& scene, Rep
     convert_animations(model, shape_nodes, scene, report);
 }
 
+bool shows_a_mesh(const Scene& scene) {
+    return !scene.roots.empty() && std::any_of(scene.nodes.begin(), scene.nodes.end(), [](const Node& node) { return std::holds_alternative<ShapeId>(node.what); });
+}
+
 /// Check everything, let tinygltf read what passed, check the data, convert. Each step may end with errors in `report`.
 std::optional<Scene> import(std::span<const std::byte> bytes, const std::string& base_dir, const ImportOptions& options, Reporter& report) {
     const auto container = split_container(bytes, report);
@@ -87,6 +91,7 @@ ImportResult import_gltf_bytes(std::span<const std::byte> bytes, const std::stri
     gltf::Reporter report(name, options.strict);
     auto scene = gltf::import(bytes, base_dir, options, report);
     if (!scene) return tl::unexpected(report.diagnostics());
+    if (options.shown_only && !gltf::shows_a_mesh(*scene)) report.warning("", "the scene is empty: no node of it shows a mesh, so that the picture is all background");
     scene->files = report.diagnostics().files();
     return Imported{std::move(*scene), report.diagnostics()};
 }

@@ -17,13 +17,14 @@ namespace {
 /// Whole numbers up to here are exact in a double, and sums and products of a few of them with element sizes do not overflow 64 bits.
 constexpr double kMaxInteger = 9007199254740992.0;   // 2^53
 
-const char* describe(const Json& value) {
+std::string describe(const Json& value) {
     if (value.is_object()) return "an object";
     if (value.is_array()) return "an array";
     if (value.is_string()) return "a string";
     if (value.is_boolean()) return "a boolean";
     if (value.is_null()) return "null";
-    return value.is_number_float() ? "a number with a fraction" : "a number";
+    if (!value.is_number_float()) return "a number";
+    return std::abs(value.get<double>()) > kMaxInteger ? value.dump() + ", which is beyond 2^53" : "a number with a fraction";
 }
 
 class Checker {
@@ -128,7 +129,8 @@ class Checker {
 
     void out_of_range(Json& value, const Field& field, const std::string& at) {
         const std::string lower = std::isfinite(field.min) ? fmt::format("{} {}", field.above_min ? "greater than" : "at least", field.min) : "";
-        const std::string upper = std::isfinite(field.max) ? fmt::format("{}at most {}", lower.empty() ? "" : " and ", field.max) : "";
+        const bool beyond = !std::isfinite(field.max) && std::abs(value.get<double>()) > kMaxInteger && value.is_number_integer();
+        const std::string upper = std::isfinite(field.max) || beyond ? fmt::format("{}at most {}", lower.empty() ? "" : " and ", beyond ? "2^53" : fmt::format("{}", field.max)) : "";
         const std::string limits = lower + upper;
         if (!field.clamped) return report_.error(at, fmt::format("{} must be {}", value.dump(), limits.empty() ? "at most 2^53" : limits));
         const double number = value.get<double>(), nearest = std::clamp(number, field.min, field.max);

@@ -26,9 +26,9 @@ std::string_view as_text(std::span<const std::byte> bytes) {
 }
 
 /// Why a file is no text that can be read here, and what to do; nothing if it is.
-std::optional<std::pair<const char*, const char*>> not_text(std::string_view text) {
+std::optional<std::pair<std::string, const char*>> not_text(std::string_view text, const char* format) {
     if (text.starts_with("\xff\xfe"sv) || text.starts_with("\xfe\xff"sv)) return {{"the file is UTF-16", "save it as UTF-8"}};
-    if (text.find('\0') != std::string_view::npos) return {{"the file is binary, OBJ is text", ""}};
+    if (text.find('\0') != std::string_view::npos) return {{fmt::format("the file is binary, {} is text", format), ""}};
     return std::nullopt;
 }
 
@@ -86,7 +86,7 @@ std::optional<ObjText> ObjImport::read() {
         return std::nullopt;
     }
     const std::string_view text = as_text(*bytes);
-    if (const auto why = not_text(text)) {
+    if (const auto why = not_text(text, "OBJ")) {
         said_.error({file_, 0, 0, {}}, why->first, why->second);
         return std::nullopt;
     }
@@ -100,7 +100,7 @@ void ObjImport::read_library(const std::string& name, const SourcePos& from) {
     if (!bytes) return said_.warning(from, fmt::format("no material library: {}", bytes.error()));
     const uint32_t file = said_.add_file(*path);
     const std::string_view text = as_text(*bytes);
-    if (const auto why = not_text(text)) return said_.error({file, 0, 0, {}}, why->first, why->second);
+    if (const auto why = not_text(text, "MTL")) return said_.error({file, 0, 0, {}}, fmt::format("{} (mtllib names it as a material library)", why->first), why->second);
     libraries_.push_back({folder_of(*path), read_mtl(text, file, options_.strict, said_)});
 }
 
@@ -172,7 +172,7 @@ ImportResult import_obj(const std::string& path, const ImportOptions& options) {
 
 bool looks_like_obj(std::span<const std::byte> head) {
     const std::string_view text = as_text(head);
-    return !not_text(text) && begins_like_obj(text);
+    return !not_text(text, "OBJ") && begins_like_obj(text);
 }
 
 }  // namespace alidade

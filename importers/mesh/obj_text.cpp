@@ -64,7 +64,7 @@ class ObjReader {
     std::optional<size_t> numbers(std::span<double> values, size_t least, const char* what);
     bool corner(Corner& corner);
     bool index(Corner& corner, const Indexed& what);
-    bool names_nothing(const Mark& at, int64_t index, size_t known, const Indexed& what);
+    bool names_nothing(const Mark& at, size_t known, const Indexed& what);
     bool whole_corner(const Mark& at);
     void begin_section();
     void check_forward();
@@ -181,8 +181,9 @@ void ObjReader::uv() {
 }
 
 /// A face cannot do without its vertices; without a texture coordinate or a normal it can, and such files are common.
-bool ObjReader::names_nothing(const Mark& at, int64_t index, size_t known, const Indexed& what) {
-    if (&what == &kVertex) report_.error(at, fmt::format("index {} of a vertex: there are only {}{}", index, known, index < 0 ? " before this line" : ""));
+bool ObjReader::names_nothing(const Mark& at, size_t known, const Indexed& what) {
+    const std::string word = cursor_.word_at(at), index = word.substr(0, word.find('/'));   // as the file has it: what was read of it may be cut to 32 bits
+    if (&what == &kVertex) report_.error(at, fmt::format("index {} of a vertex: there are only {}{}", index, known, index[0] == '-' ? " before this line" : ""));
     else report_.tally(at, fmt::format("an index of a {} names nothing: left out", what.name));
     return &what != &kVertex;
 }
@@ -200,7 +201,7 @@ bool ObjReader::index(Corner& corner, const Indexed& what) {
         return false;
     }
     const int64_t index = *read > 0 ? int64_t(*read) - 1 : int64_t(known) + *read;
-    if (index < 0) return names_nothing(at, *read, known, what);
+    if (index < 0) return names_nothing(at, known, what);
     corner.*what.member = uint32_t(index);
     if (size_t(index) >= known) forward_.push_back({at, uint32_t(index), &what});
     return true;
@@ -291,7 +292,7 @@ void ObjReader::check_forward() {
     for (const Forward& f : forward_) {
         const size_t count = f.what->count(out_);
         if (f.index < count) continue;
-        names_nothing(f.at, int64_t(f.index) + 1, count, *f.what);
+        names_nothing(f.at, count, *f.what);
         dangling = true;
     }
     if (!dangling) return;

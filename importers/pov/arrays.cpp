@@ -72,6 +72,7 @@ Value owned(Parser& p, Value value, Place at) {
 }
 
 Ref<Slot> parse_subscripts(Parser& p, Array& array, bool make) {
+    const Nested nested(p, p.peek().place());
     const Ref<Array> hold(&array);
     size_t index = 0;
     for (uint32_t size : array.sizes) {

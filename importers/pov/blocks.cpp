@@ -144,6 +144,7 @@ void read_items(Parser& p, OpenBlock& block, char close, Place at) {
     for (;;) {
         const Token token = p.next();
         if (token.is(close)) return;
+        if (token.is(',') && block.items().empty()) p.fail(token.place(), "a value is expected before the ,");
         if (token.is(',')) continue;
         if (token.kind == TokenKind::end) p.fail_limit(at, fmt::format("{} is not closed", kWords[block.word]), fmt::format("{} is missing", close));
         p.check_items(token.place());

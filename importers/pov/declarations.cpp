@@ -86,8 +86,9 @@ void set_version(Parser& p) {
     if (p.peek().kind == TokenKind::name && p.names.text(p.peek().id) == "unofficial") p.next();   // a patched POV-Ray's own language
     const Place at = p.peek().place();
     const double version = parse_float(p, Standing::in_declaration);    // holds for what stands behind it
-    if (!(version >= 1 && version <= 3.7 + 1e-9)) p.warn(at, fmt::format("the language of version {} is not known, the scene is read as one of 3.7", version));
-    p.version = std::clamp(version, 1.0, 3.7);
+    const bool known = version >= 0 && version <= 3.7 + 1e-9;
+    if (!known) p.warn(at, fmt::format("the language of version {} is not known, the scene is read as one of 3.7", version));
+    p.version = known ? std::min(version, 3.7) : 3.7;
     p.version_given = true;
     if (p.peek_behind_value().is(';')) p.next();
 }

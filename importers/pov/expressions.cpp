@@ -93,7 +93,7 @@ void warn_if_deprecated(Parser& p, Slot& slot, const Token& name) {
 
 Value identifier(Parser& p, const Token& name) {
     Slot* plain = p.symbols.find(name.id);
-    if (!plain) fail_undeclared(p, name);
+    if (!plain || plain->value.kind == Kind::nothing) fail_undeclared(p, name);
     warn_if_deprecated(p, *plain, name);
     if (plain->value.numeric()) return plain->value;
     const Ref<Slot> slot = parse_reference(p, name, false);
@@ -161,7 +161,10 @@ Value factor_without_components(Parser& p, Standing standing) {
         case TokenKind::name: return identifier(p, token);
         case TokenKind::mark: return factor_of_mark(p, token, standing);
         case TokenKind::word:
-            if (const Builtin builtin = find_builtin(token.id)) return builtin(p, token.place());
+            if (const Builtin builtin = find_builtin(token.id)) {
+                const Nested nested(p, token.place());
+                return builtin(p, token.place());
+            }
             break;
         default: break;
     }
@@ -271,6 +274,7 @@ Value kept(Value value) {
 
 Value called(Parser& p, Value value, Place at) {
     if ((value.kind != Kind::function && value.kind != Kind::spline) || !p.peek_in_value().is('(')) return value;
+    const Nested nested(p, at);
     return value.kind == Kind::function ? call_function(p, value.as<Function>(), at) : call_spline(p, value.as<Spline>(), at);
 }
 

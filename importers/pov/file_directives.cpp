@@ -114,26 +114,27 @@ Value read_value(Parser& p, Place at, TextFile& file) {
     return Value::number(read_number(p, at, file));
 }
 
-/// `#read(FILE, names)`. Names for which nothing is left keep their values. With the last value the file is closed; behind a comma, which promises
+/// `#read(FILE, names)`. Names for which nothing is left keep their values; the first of them for which a value was still looked for is defined() even if it has none. With the last value the file is closed; behind a comma, which promises
 /// another, only with the next #read, so that a loop makes one more turn with what it had (probed).
 void read(Parser& p) {
     p.expect('(', "behind #read");
     const Token name = p.raw_token();
     const Ref<TextFile> file(&file_of(p, name));
     if (file->writing) p.fail(name.place(), fmt::format("the file {} is open for writing", file->path));
-    bool at_end = ended(*file);
+    bool at_end = ended(*file), over = false;
     while (p.accept(',')) {
         const Token into = p.raw_token();
         if (into.kind != TokenKind::name) p.fail(into.place(), fmt::format("a name is expected, not {}", p.describe(into)));
         const bool known_array = p.symbols.find(into.id) && p.symbols.find(into.id)->value.kind == Kind::array;
         if (ended(*file)) {
-            at_end = true;
+            if (!over && !p.symbols.find(into.id)) p.symbols.declare(into.id);   // without a value
+            at_end = over = true;
             continue;
         }
         const Ref<Slot> slot = known_array ? parse_reference(p, into, true) : Ref<Slot>(&p.symbols.declare(into.id));
         slot->value = read_value(p, into.place(), *file);
         if (peek(*file).kind == TokenKind::bad) fail_in_data(p, into.place(), *file, "");
-        at_end = ended(*file);
+        at_end = over = ended(*file);
         if (!peek(*file).is(',') && !at_end) p.warn(into.place(), fmt::format("{} line {}: a comma is missing, and what stands there is lost in its place, as in POV-Ray", file->path, file->source->position(peek(*file).offset).line));
         skip(*file);
     }

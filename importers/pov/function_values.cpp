@@ -69,7 +69,7 @@ std::optional<double> value_in_space(Parser& p, const Function& function, std::s
 /// Reads a function's parts from left to right, and calculates at once. Comparisons are exact here (probed).
 class Evaluation {
   public:
-    Evaluation(Parser& p, const Function& function, std::span<const double> arguments, int calls) : p_(p), f_(function), arguments_(arguments), calls_(calls) {}
+    Evaluation(Parser& p, const Function& function, std::span<const double> arguments, int calls, size_t depth = 0) : p_(p), f_(function), arguments_(arguments), calls_(calls), depth_(depth) {}
 
     double all() {
         const double value = logical();
@@ -78,6 +78,17 @@ class Evaluation {
     }
 
   private:
+    /// Guards the call stack: stands where brackets, signs and calls nest.
+    struct Level {
+        explicit Level(Evaluation& evaluation) : of(evaluation) {
+            constexpr size_t kDeepest = 1000;   // sanitizers have large frames
+            if (++of.depth_ > kDeepest) of.p_.fail_limit(of.f_.place, fmt::format("brackets and calls of a function are nested too deeply: more than {} in one another", kDeepest));
+        }
+        Level(const Level&) = delete;
+        ~Level() { --of.depth_; }
+        Evaluation& of;
+    };
+
     bool at_end() const { return at_ >= f_.parts.size() || token().is(';'); }
     const Function::Part& part() const { return f_.parts[at_]; }
     const Token& token() const { return f_.parts[at_].token; }
@@ -139,6 +150,7 @@ class Evaluation {
     }
 
     double operand() {
+        const Level level(*this);
         if (take('-')) return -operand();
         if (take('+')) return operand();
         if (at_end()) not_expected();
@@ -262,7 +274,7 @@ class Evaluation {
         if (const auto value = value_in_space(p_, inner, values, at)) return *value;
         check_count(p_, inner.parameters.size(), values.size(), at);
         if (calls_ >= kMostCalls) p_.fail_limit(at, fmt::format("more than {} functions call one another", kMostCalls));
-        return Evaluation(p_, inner, values, calls_ + 1).all();
+        return Evaluation(p_, inner, values, calls_ + 1, depth_).all();
     }
 
     double component(const std::array<double, 5>& c) {
@@ -279,6 +291,7 @@ class Evaluation {
     const Function& f_;
     std::span<const double> arguments_;
     int calls_;
+    size_t depth_;
     size_t at_ = 0;
     std::vector<std::pair<WordId, double>> counters_;      // of the sums and products around
 };

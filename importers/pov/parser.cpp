@@ -152,7 +152,22 @@ Diagnostic Parser::diagnostic(Severity severity, Place at, std::string message, 
     return d;
 }
 
+std::string Parser::no_array(Place at) const {
+    auto& frames = const_cast<TokenStream&>(stream).frames();
+    if (frames.empty()) return {};
+    const Frame& frame = frames.back();
+    constexpr uint32_t kLookedAt = 2;   // the last token, and one that peek() has taken
+    for (uint32_t i = frame.at; i-- > 1 && i + kLookedAt >= frame.at;) {
+        const Token &mark = frame.tokens[i], &name = frame.tokens[i - 1];
+        if (!mark.is('[') || mark.offset != at.offset || mark.source != at.source || name.kind != TokenKind::name) continue;
+        const Slot* slot = symbols.find(name.id);
+        if (slot && slot->value.kind != Kind::array && slot->value.kind != Kind::macro) return fmt::format("{} is no array but {}", names.text(name.id), kind_name(slot->value));
+    }
+    return {};
+}
+
 void Parser::fail(Place at, std::string message, std::string hint) const {
+    if (std::string why = no_array(at); !why.empty()) message = std::move(why);
     throw Failure{diagnostic(Severity::error, at, std::move(message), std::move(hint)), false};
 }
 
@@ -191,6 +206,8 @@ void Parser::say_tallies() {
 
 void Parser::print(TextStream where, Place at, const std::string& text) {
     const bool warning = where == TextStream::warning;
+    constexpr uint64_t kStepsOfPrinting = 64;   // a line of a console takes as long as so many tokens: endless loops end within seconds
+    charge(kStepsOfPrinting, at);
     if (options.print) options.print(where, text);
     if (options.print && !warning) return;
     std::string line = text.substr(0, text.find_last_not_of(" \n\r\t") + 1);
@@ -199,7 +216,14 @@ void Parser::print(TextStream where, Place at, const std::string& text) {
 
 void Parser::open_scene(const std::string& path, std::string text) {
     finder = SourceFinder(std::filesystem::path(path).parent_path(), options.include_paths, options.scene_folder_last);
-    stream.push_file(stream.add(Source(path, std::move(text), said.add_file(path)), names, options.limits), {});
+    const uint16_t source = stream.add(Source(path, std::move(text), said.add_file(path)), names, options.limits);
+    warn_of_nuls(source);
+    stream.push_file(source, {});
+}
+
+void Parser::warn_of_nuls(uint16_t source) {
+    const size_t nul = stream.source(source).text().find('\0');
+    if (nul != std::string_view::npos) warn({source, uint32_t(nul)}, "a byte 0 is taken as a blank, as in POV-Ray: is this a text file?");
 }
 
 std::string Parser::path_of_include(const std::string& name, Place at) {
@@ -225,7 +249,9 @@ uint16_t Parser::lexed(const std::string& path, const std::string* kept, Place a
     if (!text) fail_limit(at, fmt::format("the file {} cannot be read", path));
     if (known != lexed_.end() && stream.source(known->second).text() == *text) return known->second;
     if (stream.sources() >= 60000) fail_limit(at, "the scene includes more than 60000 files");
-    return lexed_[path] = stream.add(Source(path, std::move(*text), said.add_file(path)), names, options.limits);
+    const uint16_t source = stream.add(Source(path, std::move(*text), said.add_file(path)), names, options.limits);
+    warn_of_nuls(source);
+    return lexed_[path] = source;
 }
 
 /// What the scene has written itself comes first.

@@ -118,6 +118,9 @@ class Parser {
 
   private:
     friend class Nested;
+    /// "" or, where a [ stands at `at` behind a name that is no array, what is wrong with that.
+    std::string no_array(Place at) const;
+    void warn_of_nuls(uint16_t source);
     /// What a token names, if that is a macro.
     Macro* macro_of(const Token& token) const;
     Token fetch() {
@@ -154,7 +157,7 @@ class Nested {
   public:
     Nested(Parser& parser, Place at) : parser_(parser) {
         if (++parser_.nesting_ > parser_.options.limits.nesting)
-            parser_.fail_limit(at, &Limits::nesting, "brackets, blocks or calls are nested too deeply");
+            parser_.fail_limit(at, &Limits::nesting, fmt::format("brackets, blocks or calls are nested too deeply: more than {} in one another", parser_.options.limits.nesting));
     }
     Nested(const Nested&) = delete;
     Nested& operator=(const Nested&) = delete;

@@ -3,6 +3,7 @@
 
 #include "importers/pov/blocks.h"
 #include "importers/pov/builtins/builtins.h"
+#include "importers/pov/declared.h"
 #include "importers/pov/directives.h"
 #include "importers/pov/expressions.h"
 
@@ -26,7 +27,7 @@ class Reader {
             p_.open_scene(path, std::move(text));
             for (const std::string& declaration : p_.options.declarations) declare(declaration);
             predeclare(p_);
-            if (p_.options.version) p_.version = std::clamp(*p_.options.version, 1.0, 3.7), p_.version_given = true;
+            if (p_.options.version) p_.version = std::clamp(*p_.options.version, 0.0, 3.7), p_.version_given = true;
             if (!p_.options.header.empty()) p_.include(p_.options.header, {});
         });
         while (!done_ && p_.said.errors() < kMostErrors && failures_ < kMostFailures) {
@@ -57,13 +58,10 @@ class Reader {
 
     /// NAME=VALUE of the command line: the first of a name holds, with six significant digits, as in POV-Ray.
     void declare(const std::string& text) {
-        const size_t equals = text.find('=');
-        char* end = nullptr;
-        const double value = equals == std::string::npos ? 0 : std::strtod(text.c_str() + equals + 1, &end);
-        const WordId name = p_.names.id(std::string_view(text).substr(0, equals));
-        if (!end || *end || end == text.c_str() + equals + 1 || name < kWordCount)
-            throw Failure{{Severity::error, {}, fmt::format("{} declares nothing", text), "give a name, = and a number", {}, {}}, true};
-        if (!p_.symbols.find(name)) p_.symbols.global(name).value = Value::number(six_digits(value));
+        const auto declared = parse_declared(text);
+        const WordId name = declared ? p_.names.id(declared->name) : 0;
+        if (name < kWordCount) throw Failure{{Severity::error, {}, fmt::format("{} declares nothing", text), "give an identifier that is no word of the language, = and a number that a float can hold", {}, {}}, true};
+        if (!p_.symbols.find(name)) p_.symbols.global(name).value = Value::number(six_digits(declared->value));
     }
 
     /// Some directives are obeyed without their #, as by POV-Ray.

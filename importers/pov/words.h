@@ -88,7 +88,8 @@ class Names {
     WordId id(std::string_view name, uint32_t hash);
     std::string_view text(WordId id) const { return texts_[id]; }
     size_t size() const { return texts_.size(); }
-    /// The name nearest to `name` by edit distance (at most a third of its length) among those that `admit`s, or "".
+    /// The name nearest to `name` by edit distance (at most a third of its length) among those that `admit`s, or "". Those that go on behind it with a _ come before
+    /// all others, the last of them first: light_source, not light_group, for light.
     template <class Admit>
     std::string_view nearest(std::string_view name, Admit admit) const;
 
@@ -124,8 +125,10 @@ std::string_view Names::nearest(std::string_view name, Admit admit) const {
     size_t least = std::max<size_t>(1, name.size() / 3) + 1;
     for (WordId id = 0; id < texts_.size(); ++id) {
         const size_t difference = texts_[id].size() > name.size() ? texts_[id].size() - name.size() : name.size() - texts_[id].size();
-        if (difference >= least || texts_[id] == name || !admit(id)) continue;
-        if (const size_t d = edit_distance(name, texts_[id]); d < least) least = d, best = texts_[id];
+        const bool goes_on = texts_[id].size() > name.size() && texts_[id][name.size()] == '_' && texts_[id].starts_with(name);
+        if ((difference >= least && !goes_on) || texts_[id] == name || !admit(id)) continue;
+        if (goes_on) least = 0, best = texts_[id];
+        else if (const size_t d = edit_distance(name, texts_[id]); d < least) least = d, best = texts_[id];
     }
     return best;
 }

@@ -37,6 +37,15 @@ TEST(Nodes, TheSceneThatIsShown) {
     EXPECT_TRUE(scene_of(nodes + R"(,"scenes":[{}])").roots.empty());
 }
 
+TEST(Nodes, AFileThatShowsNothingIsToldOfWhereItIsDrawn) {
+    ImportOptions shown;
+    shown.shown_only = true;
+    for (const char* members : {"", R"("nodes":[{}])", R"("nodes":[{}],"scenes":[{}])"}) {
+        EXPECT_THAT(import_text(with_asset(members), shown)->diagnostics.text(), HasSubstr("warning: the scene is empty")) << members;
+        EXPECT_EQ(said(members).find("empty"), std::string::npos) << "it can be converted";
+    }
+}
+
 TEST(Nodes, Visibility) {
     const Scene scene = scene_of(R"("nodes":[{"extensions":{"KHR_node_visibility":{"visible":false}}},{"extensions":{"KHR_node_visibility":{}}}])");
     EXPECT_FALSE(scene.nodes[0].flags.visible);

@@ -187,6 +187,11 @@ TEST_F(MtlFiles, WhatHasNoCounterpartIsSaid) {
     EXPECT_FALSE(import_mtl("foo\n", strict));
 }
 
+TEST_F(MtlFiles, BinaryLibrariesAreRefused) {
+    write("picture.mtl", std::string_view("\x89PNG\r\n\0\0", 8));
+    EXPECT_THAT(said(import_text("mtllib picture.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n")), HasSubstr("picture.mtl: error: the file is binary, MTL is text (mtllib names it as a material library)"));
+}
+
 TEST_F(MtlFiles, LibraryNamesMayHoldBlanks) {
     write("with blank.mtl", "newmtl m\nKd 1 0 0\n");
     write("x.mtl", "newmtl n\nKd 0 1 0\n");

@@ -120,6 +120,23 @@ TEST_F(PovBuilders, VectorsAreNotLongerThanWhatIsAskedFor) {
     for (const char* fine : {"sphere { <1,2>, 1 }", "sphere { 1, 1 translate <1,2> }", "mesh { triangle { 0, x, y uv_vectors 0, u, <0,1> } }", "#declare C = rgb 1; sphere { <C.x, C.y, C.z>, 1 }"}) EXPECT_EQ(said(fine), "") << fine;
 }
 
+/// POV-Ray says the same.
+TEST_F(PovBuilders, WhatIsTooManyOrTooFewIsTold) {
+    using namespace std::string_literals;
+    for (const Refusal& r : {Refusal{"camera { location y look_at 0 }\ncamera { location x look_at 0 }", "2:1: warning: the scene has more than one camera: the last one is used"}, {"union { sphere { 0, 1 } }", "1:1: warning: union has fewer than two parts"},
+                             {"difference { sphere { 0, 1 } pigment { rgb 1 } }", "1:1: warning: difference has fewer than two parts"}, {"merge { }", "merge has fewer than two parts"}, {"light { 0, 1 }", "did you mean light_source?"}})
+        EXPECT_THAT(said(r.scene), HasSubstr(r.message)) << r.scene;
+    EXPECT_THAT(said("union { julia_fractal { 0 } sphere { 1, 1 } }"), Not(HasSubstr("fewer")));
+    EXPECT_EQ(said("union { sphere { 0, 1 } sphere { 1, 1 } } #declare S = sphere { 0, 1 } union { S }"), "");
+    EXPECT_THAT(said("sphere { 0,\0 1 }"s), HasSubstr("1:12: warning: a byte 0 is taken as a blank"));
+}
+
+TEST_F(PovBuilders, SurroundingsThatAreNotFiniteHaveTheirPlace) {
+    for (const Refusal& r : {Refusal{"\nglobal_settings { adc_bailout 1e999 }", "2:1: error: global_settings has a number that is not finite"}, {"background { rgb 1e999 }", "1:1: error: background has a number that is not finite"},
+                             {"fog { distance 1 } fog { distance 1e999 }", "1:20: error: fog has a number that is not finite"}})
+        EXPECT_THAT(said(r.scene), HasSubstr(r.message)) << r.scene;
+}
+
 /// A file that was cut off is no smaller mesh.
 TEST_F(PovBuilders, ListsOfMeshesHaveWhatTheySay) {
     for (const Refusal& r : {Refusal{"mesh2 { vertex_vectors { 4, 0, x, y } face_indices { 1, <0,1,2> } }", "1:26: error: vertex_vectors says that it has 4, and has 3"}, {"mesh2 { vertex_vectors { 3, 0, x, y, z } face_indices { 1, <0,1,2> } }", "vertex_vectors says that it has 3, and has 4"},

@@ -39,7 +39,7 @@ class PovExport : public testing::TestWithParam<PovPicture> {
         auto imported = import_scene(path, options);
         EXPECT_TRUE(imported) << (imported ? "" : imported.error().text());
         if (!imported) return std::nullopt;
-        EXPECT_EQ(imported->diagnostics.text(), "") << path;
+        EXPECT_EQ(said_beyond_povray(imported->diagnostics), "") << path;
         return std::move(imported->scene);
     }
 

@@ -308,4 +308,11 @@ std::vector<PovPicture> pov_pictures() {
     return all;
 }
 
+std::string said_beyond_povray(const Diagnostics& said) {
+    std::string text;
+    for (const Diagnostic& d : said.list())
+        if (d.message.find("has fewer than two parts") == std::string::npos && d.message.find("more than one camera") == std::string::npos) text += said.text(d);
+    return text;
+}
+
 }  // namespace alidade::test

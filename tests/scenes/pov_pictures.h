@@ -2,6 +2,7 @@
 /// Small scenes in POV-Ray's language, of all parts that are modelled.
 #pragma once
 
+#include "core/diagnostics.h"
 #include "tracer/render.h"
 
 #include <string>
@@ -40,5 +41,8 @@ std::vector<PovPicture> flag_pictures();
 std::vector<PovPicture> other_pictures();
 /// All of them.
 std::vector<PovPicture> pov_pictures();
+
+/// What is said of such a scene but what POV-Ray says, too, and what scenes do on purpose.
+std::string said_beyond_povray(const Diagnostics& said);
 
 }  // namespace alidade::test

@@ -38,7 +38,7 @@ std::optional<Picture> ours(const std::string& path, const std::string& out, con
     options.frame.image_width = kWidth, options.frame.image_height = kHeight;
     auto imported = import_scene(path, options);
     if (!imported) return why = imported.error().text(), std::nullopt;
-    why = imported->diagnostics.text();
+    why = said_beyond_povray(imported->diagnostics);
     Diagnostics said;
     const auto compiled = compile(std::move(imported->scene), {}, said);
     why += said.text();

@@ -83,6 +83,37 @@ class Povray(InFolder):
         for word in ("+EC0", "+ER0", "+SC-3", "Start_Row=-1"):
             self.assertIn("has no value", self.render("+Is.pov", "+W8", "+H6", word, code=1))
 
+    def test_a_part_that_is_none_is_told_in_the_words_that_were_given(self):
+        for words, told in ((["+SC20", "+EC10"], "+SC20 +EC10: of 40 columns none is between them"), (["+SC20", "+EC0.2"], "+SC20 +EC0.2: of 40 columns"), (["+EC900"], "+EC900: the picture has 40 columns"),
+                            (["Start_Row=31"], "+SR31: the picture has 30 rows"), (["+EC1e30"], "End_Column can take: a number above 0, up to 65536")):
+            self.assertIn(told, self.render("+Is.pov", "+W40", "+H30", *words, code=1))
+
+    def test_the_range_of_a_value_is_told(self):
+        for word, told in (("+W100000", "Width can take: a whole number from 1 to 65536"), ("+W1e2", "without an exponent"), ("+WT-1", "from 0 to 4096"), ("+Ax", "on, off, or a number from 0"), ("+K1e31", "from -1e+30 to 1e+30"),
+                           ("+Qx", "from 0 to 9"), ("+FX", "one of N P E T J S B C H"), ("+FN0", "from 1 to 100"), ("Cyclic_Animation=maybe", "on, true, yes or 1"), ("+SF1e10", "up to 1e+09"), ("Input_File_Name=", "the name of a scene")):
+            self.assertIn(told, self.render("+Is.pov", word, code=1), word)
+
+    def test_declarations_are_identifiers_and_finite_numbers(self):
+        for value in ("1=2", "a.b=1", "=1", "a", "a=", "a=2x", "a=1e999", "a=1e39", "a=nan", "\u00e9=1"):
+            self.assertIn("an identifier, = and a number that a float can hold", self.render("+Is.pov", "Declare=" + value, code=1))
+        self.assertIn("no word of the language", self.render("+Is.pov", "Declare=sphere=1", code=1))
+        self.render("+Is.pov", "-F", "+W8", "+H8", "Declare=_R2=-1.5e3", "Declare=a=0x10")
+
+    def test_faults_of_ini_files_have_their_places(self):
+        (self.folder / "a.ini").write_text("Width=8\n[b]\nHeight=6\n[c\nInclude_INI=d.ini\n")
+        (self.folder / "d.ini").write_text("\n\nWidht=3\n")
+        self.assertIn("d.ini:3: 'Widht=3' is no word of POV-Ray", self.render("+Is.pov", "d.ini", code=1))
+        self.assertIn("a.ini:5: d.ini:3: ", self.render("+Is.pov", "a.ini[c]", code=1))
+        self.assertIn("a.ini:4: '[c' has no ]", self.render("+Is.pov", "-F", "a.ini[b]"))
+        self.assertIn("a.ini has no section [e]; it has [b], [c]", self.render("+Is.pov", "-F", "a.ini[e]"))
+        self.assertIn("has no ]", self.render("+Is.pov", "a.ini[b", code=1))
+
+    def test_quotes_that_are_not_closed_are_left_out(self):
+        (self.folder / "a.ini").write_text("[a]Width=9\nHeight='7\nInput_File_Name=\"s.pov\nOutput_File_Type=P\n")
+        said = self.render("a.ini[a]")
+        self.assertIn("a.ini:2: 'Height='7': the quote is not closed", said)
+        self.assertEqual(self.picture("s.ppm")[:2], (9, 7))
+
     def test_a_part_of_the_picture(self):
         self.render("+Is.pov", "Declare=R=9", "+W10", "+H10", "+SC3", "+EC4", "+SR0.5", "+FP")
         grey = self.picture("s.ppm")[2]

@@ -93,6 +93,15 @@ class Terminal(InFolder):
         self.assertIn("interrupted after 0 of 1 tiles", said)
         self.assertEqual(read_png(self.folder / "part.png")[:2], (640, 480))
 
+    def test_a_pixel_that_takes_for_ever_is_told_and_left_at_the_second_signal(self):
+        (self.folder / "long.pov").write_text("camera { location -z } plane { z, 0 pigment { mandel 2000000000 color_map { [0 rgb 0] [1 rgb 1] } scale 100 } finish { ambient 1 } }\n")
+        run = OnTerminal(self.folder, "render", "long.pov", "--size", "4x4", "--threads", "1", "--progress", "none")
+        time.sleep(1)
+        run.process.send_signal(signal.SIGINT)
+        run.wait_until(b"a second signal ends the program", 20)
+        run.process.send_signal(signal.SIGINT)
+        self.assertEqual(run.finish()[0], -signal.SIGINT)
+
 
 SKIPPED = 77   # as tests/tools/CMakeLists.txt has it
 

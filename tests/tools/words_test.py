@@ -2,6 +2,7 @@
 """Words in, words and exit codes out."""
 import json
 import pathlib
+import resource
 import subprocess
 import tempfile
 import unittest
@@ -120,6 +121,15 @@ class BadInput(InFolder):
         self.assert_error("render", self.scene, "-o", "out.xyz", says="no picture format that can be written has the ending .xyz")
         self.assert_error("render", self.scene, "--stats", "none/x.json", says="--stats: 'none/x.json': there is no folder 'none'")
 
+
+    def test_a_picture_that_memory_does_not_hold(self):
+        def limit():
+            resource.setrlimit(resource.RLIMIT_AS, (4 << 30, 4 << 30))
+        for words in (["render", self.scene, "--size", "30000x30000"], ["povray", "+Is.pov", "+W30000", "+H30000"]):
+            (self.folder / "s.pov").write_text("sphere { 0, 1 }")
+            said = subprocess.run([PROGRAM, *words], cwd=self.folder, capture_output=True, text=True, preexec_fn=limit)
+            self.assertEqual(said.returncode, 1, said)
+            self.assertIn("out of memory: a picture of 30000x30000 pixels with 3 channels takes 10.8 GB; ask for a smaller one", said.stderr)
 
     def test_a_full_disk_is_no_success(self):
         with open("/dev/full", "w") as full:

@@ -226,6 +226,7 @@ TEST(Usage, ErrorsAreSentencesThatName) {
         return film ? std::string("none") : film.error();
     };
     EXPECT_NE(error_of([](RenderOptions& o) { o.camera = "nobody"; }).find("'nobody'"), std::string::npos);
+    EXPECT_NE(error_of([](RenderOptions& o) { o.camera = "7"; }).find("there is no camera '7': the scene has 1, named or numbered 0"), std::string::npos);
     EXPECT_NE(error_of([](RenderOptions& o) { o.integrator = "photon"; }).find("'photon'"), std::string::npos);
     EXPECT_NE(error_of([](RenderOptions& o) { o.aovs = {"depht"}; }).find("'depht'"), std::string::npos);
     EXPECT_NE(error_of([](RenderOptions& o) { o.spp = o.light_samples = 65536; }).find("65536"), std::string::npos);

@@ -9,7 +9,6 @@ namespace alidade::pov {
 namespace {
 
 void take_sky(Build& build, const Block& block, SkySphere& sky) {
-    const Nested nested(build.p, block.place);
     for (Cursor at(build, block); !at.done();) {
         if (const Block* base = at.block_at("sky_sphere"_w)) at.next(), take_sky(build, *base, sky);
         else if (const Block* pigment = at.block_at("pigment"_w)) at.next(), sky.pigments.push_back(build_pigment(build, *pigment, plain_pigment(build)));
@@ -20,7 +19,6 @@ void take_sky(Build& build, const Block& block, SkySphere& sky) {
 }
 
 void take_fog(Build& build, const Block& block, Fog& fog) {
-    const Nested nested(build.p, block.place);
     for (Cursor at(build, block); !at.done();) {
         if (const Block* base = at.block_at("fog"_w)) at.next(), take_fog(build, *base, fog);
         else if (at.accept("fog_type"_w)) fog.ground = at.integer("the type of a fog", 1, 2) == 2;
@@ -48,7 +46,6 @@ SignalId add_bow_colours(Build& build, const Block& map, Place place) {
 
 /// `falloff` is checked at the end: arc_angle may stand behind it.
 void take_rainbow(Build& build, const Block& block, Rainbow& bow, std::optional<double>& falloff) {
-    const Nested nested(build.p, block.place);
     for (Cursor at(build, block); !at.done();) {
         const Place place = at.place();
         const Block* map = at.block_at("color_map"_w);

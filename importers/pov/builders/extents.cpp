@@ -186,7 +186,6 @@ class Extents::Reader {
     Extent object(const Block& block) {
         const auto known = known_.find(&block);
         if (known != known_.end()) return known->second;
-        const Nested nested(build_.p, block.place);
         Cursor at(build_, block);
         Extent e = begin(block, at);
         while (!at.done()) modifier(e, at);

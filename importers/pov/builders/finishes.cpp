@@ -108,7 +108,6 @@ void take_word(Build& build, Cursor& at, PovFinish& f, Albedo& albedo) {
 
 void build_finish(Build& build, const Block& block, PovFinish& f) {
     constexpr double kWidest = 1e9;   // highlights go with the power of one over it
-    const Nested nested(build.p, block.place);
     Albedo albedo;
     for (Cursor at(build, block); !at.done();) take_word(build, at, f, albedo);
     if (f.roughness == 0) build.p.tally(block.place, "a roughness of 0 is none at all: highlights are as wide as can be, as in POV-Ray"), f.roughness = kWidest;

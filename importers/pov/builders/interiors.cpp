@@ -13,7 +13,6 @@ void take_dispersion(Build& build, Cursor& at, Interior& in) {
 }
 
 void read_interior(Build& build, const Block& block, Interior& in) {
-    const Nested nested(build.p, block.place);
     for (Cursor at(build, block); !at.done();) {
         if (const Block* base = at.block_at("interior"_w)) at.next(), in = Interior(), read_interior(build, *base, in);
         else if (at.accept("ior"_w)) in.ior = at.number("the index of refraction");

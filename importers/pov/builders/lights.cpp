@@ -83,7 +83,6 @@ void move(LightWords& w, const Transform& t) {
 }
 
 void read_light(Build& build, const Block& block, LightWords& w) {
-    const Nested nested(build.p, block.place);
     Cursor at(build, block);
     bool declared = false;
     if (const Block* base = at.block_at("light_source"_w)) at.next(), read_light(build, *base, w), declared = true;

@@ -6,7 +6,6 @@
 namespace alidade::pov {
 
 MaterialParts read_material(Build& build, const Block& block, std::optional<InteriorId> interior) {
-    const Nested nested(build.p, block.place);
     MaterialParts parts{{}, {}, interior};
     for (Cursor at(build, block); !at.done();) {
         if (const Block* base = at.block_at("material"_w)) {

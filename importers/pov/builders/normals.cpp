@@ -128,7 +128,6 @@ void read_normal(Build& build, Cursor& at, NormalDraft& d) {
 bool is_flat(const Build& build, SignalId normal) { return std::get<ReliefSignal>(build.scene.signals[normal.index].what).pattern.pattern.empty(); }
 
 SignalId build_normal(Build& build, const Block& block, std::optional<SignalId> start, size_t skipped) {
-    const Nested nested(build.p, block.place);
     const std::pair key(&block, start);
     const auto known = build.normals.find(key);
     if (known != build.normals.end()) return known->second;

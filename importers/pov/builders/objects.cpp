@@ -272,9 +272,11 @@ bool object(Build& build, Cursor& at, Draft& d) {
     return draft(build, *inner, d);
 }
 
-void take_children(Build& build, Draft& d, Cursor& at) {
-    while (const Block* child = at.any_block()) {
-        if (!is_object(child->word)) return;
+/// How many there are, those that are left out among them.
+size_t take_children(Build& build, Draft& d, Cursor& at) {
+    for (size_t parts = 0;; ++parts) {
+        const Block* child = at.any_block();
+        if (!child || !is_object(child->word)) return parts;
         const Within named(build.by_name, at.at_declared());
         at.next();
         if (const auto built = build_object(build, *child)) d.node.children.push_back(built->node);
@@ -317,7 +319,6 @@ bool names_an_object(const Block& block, const Cursor& at) {
 
 /// Reads an object into `d`, which is as it was made; false if it is not modelled.
 bool draft(Build& build, const Block& block, Draft& d) {
-    const Nested nested(build.p, block.place);
     Cursor at(build, block);
     const bool wraps = block.word == "object"_w || block.word == "looks_like"_w || block.word == "projected_through"_w;
     const Transform placed = std::exchange(d.placed, Transform());
@@ -327,7 +328,7 @@ bool draft(Build& build, const Block& block, Draft& d) {
         if (block.word == "light_group"_w) d.node.global_lights = build.lit_globally > 0;   // what the named group says of itself is not kept
     } else if (const CsgKind csg = csg_of(block.word); csg != CsgKind::none) {
         d.node.csg = csg;
-        take_children(build, d, at);
+        if (take_children(build, d, at) < 2) build.p.warn(block.place, fmt::format("{} has fewer than two parts", kWords[block.word]));
     } else if (block.word == "text"_w) {
         d.node.csg = CsgKind::union_;
         d.node.children = build_text(build, at).letters;

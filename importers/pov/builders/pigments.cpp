@@ -182,7 +182,6 @@ SignalId add_colour(Build& build, const std::array<double, 5>& c, Place at) {
 SignalId plain_pigment(Build& build) { return default_texture(build, 0).pigment; }
 
 SignalId build_pigment(Build& build, const Block& block, SignalId start, size_t skipped) {
-    const Nested nested(build.p, block.place);
     const std::pair key(&block, start);
     const auto known = build.pigments.find(key);
     if (known != build.pigments.end()) return known->second;

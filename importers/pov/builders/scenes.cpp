@@ -10,6 +10,7 @@
 #include "importers/pov/builders/pigments.h"
 #include "importers/pov/builders/textures.h"
 #include "importers/pov/quality.h"
+#include "scene/validation.h"
 
 #include <fmt/format.h>
 
@@ -41,14 +42,36 @@ void add_root(Build& build, const Block& block) {
     build.scene.roots.push_back(root);
 }
 
-void build_top_level(Build& build, const Block& block, std::optional<Camera>& camera) {
+void add_surroundings(Build& build, const Block& block) {
     switch (block.word) {
-        case "camera"_w: camera = build_camera(build, block); return;
         case "global_settings"_w: return read_globals(build, block);
         case "background"_w: return read_background(build, block);
         case "sky_sphere"_w: return read_sky_sphere(build, block);
         case "fog"_w: return read_fog(build, block);
-        case "rainbow"_w: return read_rainbow(build, block);
+        default: return read_rainbow(build, block);
+    }
+}
+
+size_t faults_of_surroundings(const Build& build) {
+    Validation checked(build.scene);
+    check_atmosphere(checked);
+    return checked.found.errors();
+}
+
+/// In a scene surroundings and settings have no place of their own: what is not finite is told here.
+void build_surroundings(Build& build, const Block& block) {
+    const size_t before = faults_of_surroundings(build);
+    add_surroundings(build, block);
+    if (faults_of_surroundings(build) > before) build.p.fail(block.place, fmt::format("{} has a number that is not finite", kWords[block.word]));
+}
+
+void build_top_level(Build& build, const Block& block, std::optional<Camera>& camera) {
+    switch (block.word) {
+        case "camera"_w:
+            if (camera) build.p.warn(block.place, "the scene has more than one camera: the last one is used, as in POV-Ray");
+            camera = build_camera(build, block);
+            return;
+        case "global_settings"_w: case "background"_w: case "sky_sphere"_w: case "fog"_w: case "rainbow"_w: return build_surroundings(build, block);
         default: break;
     }
     if (is_object(block.word)) return add_root(build, block);

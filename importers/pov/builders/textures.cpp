@@ -243,7 +243,6 @@ PovFinish default_texture(Build& build, uint32_t count) {
 }
 
 TextureLayers build_texture(Build& build, const Block& block, size_t skipped) {
-    const Nested nested(build.p, block.place);
     Draft d;
     d.layers = {default_texture(build, block.defaults)};
     Cursor at(build, block, skipped);

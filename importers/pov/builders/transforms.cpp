@@ -69,7 +69,6 @@ Transform take_transform(Parser& p, const Block& block, size_t& i) {
 }
 
 Transform build_transform(Parser& p, const Block& block) {
-    const Nested nested(p, block.place);
     Transform all;
     bool inverted = false;
     for (size_t i = 0; i < block.items().size();) {

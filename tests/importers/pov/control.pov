@@ -150,3 +150,14 @@ Sum(<1,2,3> 4)                                              // expect 6
 //---- the version of a patched POV-Ray
 #version unofficial 3.5;
 #debug concat(str(version, 0, 1), "\n")                    // expect 3.5
+//---- read: the first name for which a value was looked for in vain is defined, if it has none (probed)
+#fopen F "numbers.txt" write
+#write (F, "1,2,")
+#fclose F
+#fopen F "numbers.txt" read
+#read (F, A, B, C, D)
+#debug concat(str(defined(C), 0, 0), str(defined(D), 0, 0), "\n")   // expect 10
+#debug str(C, 0, 0)     // expect error 7:12 C is not declared
+//---- versions before the first are known, as in POV-Ray
+#version .5;
+#debug str(version, 0, 1)   // expect 0.5

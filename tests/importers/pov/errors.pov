@@ -17,6 +17,13 @@ sphere { 0, Radios }    // expect error 2:13 Radios is not declared
 //---- subscripts below zero, by more than is forgiven
 #declare A = array[3] {1, 2, 3}
 #debug str(A[-2e-10], 0, 0)  // expect error 2:14 the subscript -2e-10 is negative
+//---- a subscript behind what is no array
+#declare A = 3;
+#declare B = A[1];      // expect error 2:15 A is no array but a float
+//---- keywords that go on behind what is written come first
+light { 0, 1 }          // expect error 1:1 light is not declared
+//---- a comma before all values
+sphere { , 1 }          // expect error 1:10 a value is expected before the ,
 //---- an element without a value
 #declare A = array[3];
 #debug str(A[1], 0, 0)  // expect error 2:12 this array element has no value yet
