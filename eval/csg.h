@@ -120,6 +120,8 @@ class CsgTree {
     explicit CsgTree(const CsgExpression& expression, const CsgNarrow& narrow = nullptr);
 
     std::span<const CsgNode> nodes() const { return nodes_; }
+    /// How many nodes stand in one another.
+    uint32_t levels() const;
     /// Of the surfaces, also where what is inside has no end. Infinite where they are.
     const Bounds& bounds() const { return bounds_; }
     /// Appends the sides of the nodes in a region, one for each of nodes(), to be given to first(). The side of the root: if it does not vary, rays in the region meet no surface.

@@ -171,6 +171,12 @@ void emit(const Plain& p, uint32_t parent, uint32_t place, std::vector<CsgNode>&
 
 }  // namespace
 
+uint32_t CsgTree::levels() const {
+    std::vector<uint32_t> level(nodes_.size(), 1);   // parents stand before their parts
+    for (size_t i = 1; i < nodes_.size(); ++i) level[i] = level[nodes_[i].parent] + 1;
+    return *std::max_element(level.begin(), level.end());
+}
+
 CsgTree::CsgTree(const CsgExpression& expression, const CsgNarrow& narrow) {
     uint32_t rank = 0;
     Plain p = plain(expression, false, kMaskAll, {}, rank);

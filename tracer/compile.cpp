@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "accel/cell_boxes.h"
 #include "accel/lazy.h"
+#include "core/deep_stack.h"
 #include "core/float_mode.h"
 #include "core/parallel.h"
 #include "eval/csg_expression.h"
@@ -37,7 +38,11 @@ bool check_path_count(const Scene& scene, Diagnostics& said) {
 }
 
 /// Set operations deeper in one another than this are a mistake of the file.
-constexpr size_t kDeepestSolid = 1000;
+constexpr size_t kDeepestSolid = 20'000;
+/// A stack that holds as many, each a few calls deep.
+constexpr size_t kStack = size_t(1) << 28;
+/// The same of those that are left where unions in unions and intersections in intersections are one: rays walk them on the stacks of their threads.
+constexpr uint32_t kDeepestTree = 1000;
 
 /// The length of the part of the path up to the node that carries the interior: the nearest that has one, else the outermost operation, whose parts are
 /// one body; 0 if there is neither.
@@ -262,6 +267,8 @@ void build_structures(CompiledScene& out, const AcceleratorEntry& accel, std::ve
         if (g.mesh) report_removed(out, g, said);
     place_bounds(out, options.threads);
     build_solids(out, std::move(solids));
+    for (const Solid& solid : out.solids)
+        if (solid.tree.levels() > kDeepestTree) said.error({}, fmt::format("different set operations stand more than {} levels deep in one another", kDeepestTree));
     if (out.scene.settings.first_box_shows) out.object_boxes = object_boxes(out);
     out.set = std::make_shared<InstanceSet>(out);
     out.top = accel.over_set(out.set, build);
@@ -357,17 +364,20 @@ std::shared_ptr<const CompiledScene> compile(Scene scene, const CompileOptions& 
     if (!check_path_count(scene, said)) return nullptr;
     out->scene = deform(std::move(scene));
     Placer placer(*out, said);
-    visit_paths(out->scene, [&](const Visit& visit) {
-        placer.visit(visit);
-        return true;
-    }, SiblingOrder::seen_first);
+    run_on_deep_stack(kStack, [&] {
+        visit_paths(out->scene, [&](const Visit& visit) {
+            placer.visit(visit);
+            return true;
+        }, SiblingOrder::seen_first);
+    });
     FeatureReasons reasons;
     compile_materials(*out, options, reasons, said);
     make_missing_tangents(*out, options.threads);
     make_sky(*out, options, said);
     if (said.has_errors()) return nullptr;
     out->intersect = options.intersect;
-    build_structures(*out, *accel, placer.take_solids(), options, said);
+    run_on_deep_stack(kStack, [&] { build_structures(*out, *accel, placer.take_solids(), options, said); });
+    if (said.has_errors()) return nullptr;
     default_camera(*out, said);
     default_light(*out, options, said);
     placer.finish();

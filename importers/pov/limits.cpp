@@ -20,6 +20,7 @@ constexpr LimitEntry kEntries[] = {
     {"tokens", &Limits::tokens_in_file, kNumbered, "words, numbers and signs of one file"},
     {"levels", &Limits::levels, 10'000, "macro calls and includes inside one another"},
     {"nesting", &Limits::nesting, 2'000, "brackets, blocks and function calls inside one another"},
+    {"depth", &Limits::depth, 50'000, "objects, functions and arrays that are made of one another"},
     {"elements", &Limits::array_elements, kNumbered, "elements of all arrays"},
     {"items", &Limits::items, kNumbered, "words and values of all blocks"},
     {"copies", &Limits::copies, 100'000'000, "copies of objects that are named more than once, each with all its parts"},

@@ -16,6 +16,7 @@ struct Limits {
     uint64_t tokens_in_file = 27'000'000;    ///< and numbers in literal vectors
     uint64_t levels = 400;                   ///< macro calls and includes inside one another (POV-Ray: 100)
     uint64_t nesting = 500;                  ///< brackets, blocks, directives and calls inside one another: what the call stack has to hold
+    uint64_t depth = 20'000;                 ///< objects, functions and arrays made of one another: two for each `union { object { A } ... }`
     uint64_t array_elements = 10'000'000;    ///< of all arrays together
     uint64_t items = 6'200'000;              ///< of all blocks together; a mesh of a million triangles has six million
     uint64_t copies = 1'000'000;             ///< of objects that are named more than once: each time they are there with all their parts

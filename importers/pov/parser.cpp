@@ -270,7 +270,7 @@ void Parser::check_array_elements(uint64_t more, Place at) const {
 }
 
 void Parser::check_depth(const Value& value, Place at) const {
-    if (value.shared && value.shared->depth > options.limits.nesting) fail_limit(at, &Limits::nesting, "objects or functions are made of one another too deeply");
+    if (value.shared && value.shared->depth > options.limits.depth) fail_limit(at, &Limits::depth, fmt::format("objects or functions are made of one another too deeply: more than {} levels", options.limits.depth));
 }
 
 void Parser::check_items(Place at) const {

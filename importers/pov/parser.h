@@ -87,6 +87,7 @@ class Parser {
     /// There is room for so many array elements more, or reading ends.
     void check_array_elements(uint64_t elements, Place at) const;
     void check_items(Place at) const;
+    /// Guards the call stack of whoever walks values: builders, and what takes them apart.
     void check_depth(const Value& value, Place at) const;
     /// Taken back when an error has left it half way.
     void reset_nesting() { nesting_ = 0, has_ahead_ = false; }

@@ -1,11 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "importers/pov/pov.h"
 
+#include "core/deep_stack.h"
 #include "importers/pov/builders/scenes.h"
 #include "importers/pov/parser.h"
 #include "importers/pov/quality.h"
 
 namespace alidade {
+
+/// Objects of objects are read, built and taken apart by functions that call themselves: some 2.5 kB a level, of which Limits allows 50,000.
+constexpr size_t kStack = size_t(1) << 28;
 
 bool looks_like_pov(std::span<const std::byte>) { return false; }
 
@@ -25,13 +29,14 @@ ImportResult import_pov(const std::string& path, const ImportOptions& options) {
     read.limits.file_bytes = std::min(read.limits.file_bytes, options.max_file_bytes);
     Imported out;
     std::optional<std::string> text = pov::read_scene_file(path, read, out.diagnostics);
-    if (text) {
+    const auto read_all = [&] {
         pov::Parser parser(read, out.diagnostics);
         const pov::Program program = pov::read_program(parser, path, std::move(*text));
         if (!out.diagnostics.has_errors()) out.scene = pov::build_scene(parser, program);
         pov::reduce(out.scene, read.quality);
         parser.say_tallies();
-    }
+    };
+    if (text) run_on_deep_stack(kStack, read_all);
     if (out.diagnostics.has_errors()) return tl::unexpected(std::move(out.diagnostics));
     return out;
 }

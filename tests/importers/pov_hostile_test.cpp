@@ -105,6 +105,7 @@ TEST_P(PovHostile, EndsInALocatedErrorSoon) {
     ReadOptions options;
     options.limits.tokens_read = 40'000'000;     // a fifth of the default
     options.limits.loop_turns = 5'000'000;
+    options.limits.depth = 2'000;               // what is read is taken apart on this thread's stack
     read_program_text("hostile.pov", GetParam().text.made(), options, said);
     ASSERT_TRUE(said.has_errors());
     const Diagnostic& last = said.list().back();

@@ -21,6 +21,7 @@ const char* scene_of(const std::string& limit) {
     if (limit == "tokens") return "sphere { 0, 1 } sphere { 0, 1 } sphere { 0, 1 } sphere { 0, 1 } sphere { 0, 1 } sphere { 0, 1 }";
     if (limit == "levels") return "#macro A(N) #if(N) A(N - 1) #end #end A(40)";
     if (limit == "nesting") return "#declare A = ((((((((((((((((((((((((1))))))))))))))))))))))));";
+    if (limit == "depth") return "#declare A = sphere { 0, 1 } #for(I, 1, 30) #declare A = union { object { A } sphere { I, 1 } } #end object { A }";
     if (limit == "elements") return "#declare A = array[100];";
     if (limit == "items") return "union { #for(I, 1, 40) sphere { I, 1 } #end }";
     if (limit == "copies") return "#declare A = sphere { 0, 1 } #for(I, 1, 6) #declare A = merge { object { A } object { A translate x } } #end object { A }";
@@ -65,6 +66,12 @@ TEST(PovLimits, WordsThatSetNone) {
     EXPECT_EQ(limits.loop_turns, Limits().loop_turns);
 }
 
+/// As people's loops make them, which POV-Ray takes 10,000 deep.
+TEST(PovLimits, ObjectsOfObjectsStandDeepInOneAnother) {
+    for (const char* operation : {"union", "difference"})
+        EXPECT_EQ(said_of(std::string("#declare A = sphere { 0, 1 }\n#for(I, 1, 5000) #declare A = ") + operation + " { object { A } sphere { I, 1 } } #end\nobject { A }", {}), "") << operation;
+}
+
 /// Levels of two names each are more objects than any memory holds, but a scene of as many objects of its own is not too large.
 TEST(PovLimits, ObjectsThatAreNamedTwiceAgainAndAgain) {
     for (const char* operation : {"union", "merge", "intersection", "difference"}) {
@@ -75,6 +82,9 @@ TEST(PovLimits, ObjectsThatAreNamedTwiceAgainAndAgain) {
     for (const char* map : {"pigment_map { [0 P] [1 P scale 2] }", "pigment_map { [0 P scale 3] [1 P scale 2] }"})
         EXPECT_THAT(said_of(std::string("#declare P = pigment { rgb 1 }\n#for(I, 1, 40)\n#declare P = pigment { gradient x ") + map + " } #end\nsphere { 0, 1 pigment { P } }", {}), HasSubstr("scene.pov:3:")) << map;
     EXPECT_THAT(said_of("#declare N = normal { bumps }\n#for(I, 1, 40)\n#declare N = normal { average normal_map { [1 N] [1 N scale 2] } } #end\nsphere { 0, 1 normal { N } }", {}), HasSubstr("the limit is 1000000"));
+    // One of a map's entries is looked up, or two: what a scene is, and not what it could be.
+    for (const char* map : {"gradient x pigment_map { [.5 P] [.5 P scale 2] }", "checker pigment { P } pigment { P scale 2 }"})
+        EXPECT_EQ(said_of(std::string("#declare P = pigment { rgb 1 }\n#for(I, 1, 40)\n#declare P = pigment { ") + map + " } #end\nsphere { 0, 1 pigment { P } }", {}), "") << map;
     Limits low;
     low.copies = 10;
     EXPECT_EQ(said_of("#for(I, 1, 50) sphere { I, 1 } #end", low), "");

@@ -207,9 +207,9 @@ TEST_F(PovBuilders, MapsOfColours) {
 TEST_F(PovBuilders, MapsOfMapsAreStoredOnce) {
     std::string pigments = "#declare P0 = pigment { rgb 1 }\n", textures = "#declare T0 = texture { pigment { rgb 1 } }\n", normals = "#declare N0 = normal { bumps 1 }\n";
     for (int i = 1; i <= 60; ++i) {
-        pigments += fmt::format("#declare P{0} = pigment {{ bozo pigment_map {{ [0 P{1}] [1 P{1}] }} }}\n", i, i - 1);
-        textures += fmt::format("#declare T{0} = texture {{ bozo texture_map {{ [0 T{1}] [1 T{1}] }} }}\n", i, i - 1);
-        normals += fmt::format("#declare N{0} = normal {{ bozo normal_map {{ [0 N{1}] [1 N{1}] }} }}\n", i, i - 1);
+        pigments += fmt::format("#declare P{0} = pigment {{ bozo pigment_map {{ [.5 P{1}] [.5 P{1}] }} }}\n", i, i - 1);
+        textures += fmt::format("#declare T{0} = texture {{ bozo texture_map {{ [.5 T{1}] [.5 T{1}] }} }}\n", i, i - 1);
+        normals += fmt::format("#declare N{0} = normal {{ bozo normal_map {{ [.5 N{1}] [.5 N{1}] }} }}\n", i, i - 1);
     }
     const Scene s = scene(pigments + textures + normals + "sphere { 0, 1 pigment { P60 } normal { N60 } } sphere { 0, 1 texture { T60 } }");
     EXPECT_LT(s.signals.size(), 1000u);

@@ -215,6 +215,7 @@ std::vector<PovPicture> other_pictures() {
         {"Reflections", usual + "plane { y, -1 pigment { rgb .6 } finish { reflection .3 } } " + sphere + "scale .5 pigment { rgb <.9,.7,.2> } finish { reflection { .1, .8 falloff 3 metallic .7 } } }"},
         {"TraceLevels", kHead + "global_settings { max_trace_level 3 }" + kView + kSun + "#default { pigment { rgb <.3,.5,.4> } finish { reflection .9 } } plane { y, -1 } sphere { <-1.2,.5,0>, 1.1 } sphere { <1.2,.5,0>, 1.1 }"},
         {"Glass", usual + "plane { y, -2 pigment { rgb <.7,.8,.3> } } " + sphere + "pigment { rgbft <.8,.9,1,.6,.2> } interior { ior 1.5 } finish { conserve_energy reflection { .0, 1 fresnel } specular .5 } }"},
+        {"TotalReflectionDimmedByRefraction", usual + "background { rgb .6 } box { -1, 1 pigment { rgbf 1 } finish { ambient 0 diffuse 0 refraction .8 ior 1.8 } rotate 30*y } plane { y, -1.5 pigment { checker rgb 1 rgb x } }"},
         {"RefractionOfAFinish", old + sphere + clear + "finish { ior 1.5 refraction .7 } } plane { y, -1 pigment { checker rgb 1 rgb x } }"},
         {"InteriorOfAFinishOverOne", old + sphere + clear + "finish { ior 1.5 caustics 9 } interior { ior 1.1 caustics .9 fade_distance 1 fade_power 1 } } plane { y, -1 pigment { checker rgb 1 rgb x } }"},
         {"FinishOfTheLayerOnTop", usual + sphere + "texture { " + clear + "finish { ior 1.5 caustics 20 refraction .2 } } texture { pigment { rgbf <1,.8,.9,.7> } finish { ior 1.2 } } } plane { y, -1 pigment { checker rgb 1 rgb x } }"},

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "importers/pov/builders/copies.h"
 
+#include "importers/pov/builders/patterns.h"
 #include "scene/graph.h"
 #include "scene/queries.h"
 
@@ -26,16 +27,32 @@ void check_objects(Build& build) {
     say_too_many(build, scene.nodes[largest.index].from, copies, "objects that are named more than once make {} copies, most of them in this object: the limit is {}");
 }
 
-/// Each point of a surface may ask for all that a pigment or a normal is made of, as often as it is named.
+/// How many signals are looked up where the most are: all of an `average`, one of a pattern of blocks, else those on both sides of a place in the map.
+double most_looked_up(const PatternSignal& pattern, const std::vector<double>& looked_up) {
+    std::vector<MapEntry> map = pattern.map;
+    std::stable_sort(map.begin(), map.end(), [](const MapEntry& a, const MapEntry& b) { return a.value < b.value; });
+    const bool all = pattern.pattern == "average", one = list_length(pattern) > 0;
+    double most = 0, sum = 0;
+    for (size_t i = 0; i < map.size(); ++i) {
+        const double here = looked_up[map[i].signal.index];
+        const bool mixed = !one && i > 0 && map[i - 1].value < map[i].value;
+        most = std::max(most, mixed ? here + looked_up[map[i - 1].signal.index] : here);
+        sum += here;
+    }
+    return (all ? sum : most) + (pattern.source ? looked_up[pattern.source->index] : 0);
+}
+
 void check_signals(Build& build) {
     const Scene& scene = build.scene;
     const auto operands = [&](uint32_t i, const auto& f) { for_each_operand(scene.signals[i], [&](SignalId of) { f(of.index); }); };
     const std::vector<uint32_t> order = topological_order(scene.signals.size(), operands).sequence;
-    std::vector<double> parts(scene.signals.size(), 1);
+    std::vector<double> looked_up(scene.signals.size(), 1);
     for (auto i = order.rbegin(); i != order.rend(); ++i) {
-        operands(*i, [&](uint32_t of) { parts[*i] += parts[of]; });
-        if (parts[*i] > double(build.p.options.limits.copies))
-            return say_too_many(build, scene.signals[*i].from, parts[*i], "pigments or normals that are named in one another make one of {} parts: the limit is {}");
+        const Signal& signal = scene.signals[*i];
+        if (const PatternSignal* pattern = pattern_of(signal)) looked_up[*i] += most_looked_up(*pattern, looked_up);
+        else operands(*i, [&](uint32_t of) { looked_up[*i] += looked_up[of]; });
+        if (looked_up[*i] > double(build.p.options.limits.copies))
+            return say_too_many(build, signal.from, looked_up[*i], "pigments or normals that are named in one another make one of which each point looks up {} parts: the limit is {}");
     }
 }
 

@@ -161,3 +161,10 @@ Sum(<1,2,3> 4)                                              // expect 6
 //---- versions before the first are known, as in POV-Ray
 #version .5;
 #debug str(version, 0, 1)   // expect 0.5
+//---- what the frame gives has names that a scene may declare anew
+#debug concat(str(frame_number, 0, 0), " ", str((image_width > 0), 0, 0), " ", str(defined(clock_delta), 0, 0), "\n")   // expect 0 1 1
+#declare image_width = 7; #declare final_clock = "late";
+#debug concat(str(image_width * 2, 0, 0), " ", final_clock, "\n")   // expect 14 late
+#macro Shown(frame_number) #debug concat(str(frame_number, 0, 0), "\n") #end Shown(44)   // expect 44
+#local clock_delta = 3; #undef clock_delta
+#debug concat(str(defined(clock_delta), 0, 0), "\n")   // expect 0
