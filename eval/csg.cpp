@@ -4,6 +4,7 @@
 #include "eval/shapes/rows.h"
 
 #include <algorithm>
+#include <deque>
 
 namespace alidade {
 
@@ -25,6 +26,7 @@ struct State {
     uint32_t place = 0;                        ///< the number of the place whose `before` is kept here
     uint32_t first_in = 0, first_out = 0;      ///< the first child that the line enters or leaves at this place
     bool inside = false, inside_before = false;
+    bool unseen = false;                       ///< of a leaf: its surface is not there for this ray
 };
 
 struct Scratch {
@@ -33,17 +35,33 @@ struct Scratch {
     std::vector<uint32_t> at_points, changed;
 };
 
-/// Each thread walks one line at a time.
-Scratch& scratch() {
-    thread_local Scratch one;
-    return one;
-}
+/// Each thread walks one line at a time, and another within that where it asks what bounds a leaf.
+class Lease {
+  public:
+    Lease() : scratch_(depth_ == 0 ? outermost_ : inner()) { ++depth_; }
+    ~Lease() { --depth_; }
+    Lease(const Lease&) = delete;
+    Scratch& operator*() const { return scratch_; }
+
+  private:
+    static Scratch& inner() {
+        while (inner_.size() < depth_) inner_.emplace_back();
+        return inner_[depth_ - 1];
+    }
+    static thread_local Scratch outermost_;
+    static thread_local std::deque<Scratch> inner_;   // those in use stay where they are
+    static thread_local size_t depth_;
+    Scratch& scratch_;
+};
+thread_local Scratch Lease::outermost_;
+thread_local std::deque<Scratch> Lease::inner_;
+thread_local size_t Lease::depth_ = 0;
 
 bool meets(const CsgNode& node) { return node.op == CsgOp::intersection || node.op == CsgOp::clip; }
 
 class Walk {
   public:
-    Walk(std::span<const CsgNode> nodes, std::span<const CsgSide> known, const Ray& ray, const CsgLeaves& leaves) : nodes_(nodes), known_(known), ray_(ray), leaves_(leaves), s_(scratch()), reach_(max_abs(ray.origin) / max_abs(ray.dir)), over_dir_(1.0 / ray.dir) {
+    Walk(std::span<const CsgNode> nodes, std::span<const CsgSide> known, const Ray& ray, const CsgLeaves& leaves) : nodes_(nodes), known_(known), ray_(ray), leaves_(leaves), s_(*lease_), reach_(max_abs(ray.origin) / max_abs(ray.dir)), over_dir_(1.0 / ray.dir) {
         s_.crossings.clear(), s_.at_points.clear();
         if (s_.states.size() < nodes.size()) s_.states.resize(nodes.size());
     }
@@ -127,6 +145,7 @@ class Walk {
         s_.states[n].inside = node.inverted != (node.inside == CsgInside::by_crossings && comes_from_inside);
         if (node.inside == CsgInside::at_points) s_.at_points.push_back(n);
         if (node.inside == CsgInside::by_crossings && settle(n, had, range)) return false;
+        if (node.bounded && s_.crossings.size() > had) s_.states[n].unseen = !leaves_.sees(node.leaf, ray_);
         return node.inside == CsgInside::at_points || s_.crossings.size() > had;
     }
 
@@ -224,7 +243,7 @@ class Walk {
 
     /// The same for a crossing of leaf `n` that stands alone, and whether it is shown: only what is above it changes, and siblings are the same on both sides.
     bool step_alone(uint32_t n) {
-        bool is_shown = true, changes = true;
+        bool is_shown = !s_.states[n].unseen, changes = true;
         s_.states[n].inside = !s_.states[n].inside;
         for (; n != 0 && (changes || is_shown); n = nodes_[n].parent) {
             const CsgNode& above = nodes_[nodes_[n].parent];
@@ -265,6 +284,7 @@ class Walk {
 
     /// `with_equals`: also where it coincides with one that is shown for it.
     bool shown(const CsgCrossing& c, bool with_equals) const {
+        if (s_.states[c.node].unseen) return false;
         for (uint32_t n = c.node; n != 0; n = nodes_[n].parent)
             if (!survives(n, with_equals)) return false;
         return true;
@@ -290,6 +310,7 @@ class Walk {
     std::span<const CsgSide> known_;   // nothing: no side is known
     const Ray& ray_;
     const CsgLeaves& leaves_;
+    Lease lease_;
     Scratch& s_;
     double reach_;         ///< the size of the ray's origin, in t
     Vec3 over_dir_;

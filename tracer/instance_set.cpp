@@ -3,6 +3,7 @@
 
 #include "accel/local_ray.h"
 #include "core/clamp.h"
+#include "eval/bound_tests.h"
 #include "eval/placed.h"
 #include "tracer/instance_leaves.h"
 #include "tracer/object_boxes.h"
@@ -43,6 +44,9 @@ bool looked_for(const Instance& instance, const Ray& ray) {
 
 }  // namespace
 
+/// Out of line: scenes without bounds that may be missed pay for a comparison alone.
+[[gnu::noinline]] bool InstanceSet::passes_bounds(const Instance& instance, const Ray& ray) const { return scene_.bound_tests->passes(instance.bound_test, ray); }
+
 bool InstanceSet::is_seen_before(const Ray& ray, double t, uint32_t instance, uint32_t primitive, const Hit& hit) const {
     const std::vector<Bounds>& boxes = scene_.object_boxes;
     if (t != hit.t || !hit.valid() || boxes.empty()) return comes_before(t, instance, primitive, hit);
@@ -71,7 +75,7 @@ bool InstanceSet::intersect(std::span<const uint32_t> ids, const Ray& ray, Hit& 
             continue;
         }
         const Instance& instance = scene_.instances[id];
-        if (!(instance.mask & ray.mask)) continue;
+        if (!(instance.mask & ray.mask) || (instance.bound_test != kNoId && !passes_bounds(instance, ray))) continue;
         const Geometry& geometry = scene_.geometries[instance.geometry];
         Ray local = instance.local(ray);
         if (hit.t < ray.tmax) local.tmax = std::min(ray.tmax, hit.t + instance_slack(ray, hit.t));
@@ -94,7 +98,7 @@ bool InstanceSet::occluded(std::span<const uint32_t> ids, const Ray& ray, WorkCo
             continue;
         }
         const Instance& instance = scene_.instances[id];
-        if (!(instance.mask & ray.mask)) continue;
+        if (!(instance.mask & ray.mask) || (instance.bound_test != kNoId && !passes_bounds(instance, ray))) continue;
         const Geometry& geometry = scene_.geometries[instance.geometry];
         const Ray local = instance.local(ray);
         const bool crossed = geometry.mesh ? geometry.triangles->occluded(local, work) : first_crossing(geometry, local, Wanted::any, id, unused, work);
@@ -112,7 +116,7 @@ void InstanceSet::all_hits(std::span<const uint32_t> ids, const Ray& ray, std::v
             continue;
         }
         const Instance& instance = scene_.instances[id];
-        if (!(instance.mask & ray.mask)) continue;
+        if (!(instance.mask & ray.mask) || (instance.bound_test != kNoId && !passes_bounds(instance, ray))) continue;
         const Geometry& geometry = scene_.geometries[instance.geometry];
         const Ray local = instance.local(ray);
         if (geometry.mesh) {
