@@ -12,6 +12,7 @@ namespace {
 bool is_convex(const ShapeGeometry& shape) {
     if (const auto* cylinder = std::get_if<Cylinder>(&shape)) return !cylinder->open;
     if (const auto* cone = std::get_if<Cone>(&shape)) return !cone->open && (cone->radius_a < 0) == (cone->radius_b < 0);
+    if (const auto* quadric = std::get_if<Quadric>(&shape)) return quadric->products == Vec3(0) && std::min({quadric->squares.x, quadric->squares.y, quadric->squares.z}) >= 0;
     return std::holds_alternative<Sphere>(shape) || std::holds_alternative<Box>(shape) || std::holds_alternative<Plane>(shape);
 }
 
@@ -44,17 +45,33 @@ double volume(const Bounds& box) {
     return extent.x * extent.y * extent.z;
 }
 
+/// A shape that stands alone, neither inverse nor clipped, and where it is.
+struct LoneShape {
+    const ShapeGeometry* shape = nullptr;      ///< null: there is more
+    Transform to_space;
+};
+
+LoneShape lone_shape(const Scene& scene, NodeId id, const Transform& placed) {
+    Transform to_space = placed;
+    for (std::optional<NodeId> at = id; at; at = lone_part(scene.nodes[at->index])) {
+        const Node& node = scene.nodes[at->index];
+        if (node.inverse || !node.clips.empty() || !node.bounds.empty()) break;
+        to_space = to_space * node.to_parent;
+        const auto* shape = std::get_if<ShapeId>(&node.what);
+        if (shape && node.children.empty()) return {&scene.shapes[shape->index].geometry, to_space};
+    }
+    return {};
+}
+
 /// Of the node in the space that `placed` leads to; of a sphere the smallest, as POV-Ray has it.
 Bounds box_around(const Scene& scene, NodeId id, const Transform& placed, MeshAccelerators& meshes) {
-    NodeId at = id;
-    Transform to_space = placed * scene.nodes[id.index].to_parent;
-    for (auto below = lone_part(scene.nodes[at.index]); below; below = lone_part(scene.nodes[at.index])) at = *below, to_space = to_space * scene.nodes[at.index].to_parent;
-    const auto* shape = std::get_if<ShapeId>(&scene.nodes[at.index].what);
-    const auto* sphere = shape ? std::get_if<Sphere>(&scene.shapes[shape->index].geometry) : nullptr;
+    const LoneShape lone = lone_shape(scene, id, placed);
+    const auto* sphere = lone.shape ? std::get_if<Sphere>(lone.shape) : nullptr;
     if (!sphere) return SolidQuery(scene, id, meshes, placed * scene.nodes[id.index].to_parent).bounds();
-    const Vec3 center = to_space.point(sphere->center);
+    const Mat3& linear = lone.to_space.linear;
+    const Vec3 center = lone.to_space.point(sphere->center);
     Vec3 reach;
-    for (int row = 0; row < 3; ++row) reach[row] = std::abs(sphere->radius) * length(Vec3(to_space.linear[0][row], to_space.linear[1][row], to_space.linear[2][row]));
+    for (int row = 0; row < 3; ++row) reach[row] = std::abs(sphere->radius) * length(Vec3(linear[0][row], linear[1][row], linear[2][row]));
     return {center - reach, center + reach};
 }
 
@@ -79,10 +96,19 @@ const std::vector<BoundTests::Bound>& BoundTests::bounds_of(NodeId node) {
     for (const NodeId bound : scene_.nodes[node.index].bounds) {
         SolidQuery solid(scene_, bound, meshes_);
         if (!solid.complete()) continue;      // what cannot be asked bounds nothing
-        const bool convex = is_convex(scene_, bound);
-        at->second.push_back({std::move(solid), convex});
+        Bound made{std::move(solid), is_convex(scene_, bound), nullptr, nullptr, {}, {}};
+        ask_shape(made, bound);
+        at->second.push_back(std::move(made));
     }
     return at->second;
+}
+
+void BoundTests::ask_shape(Bound& bound, NodeId node) const {
+    const LoneShape lone = lone_shape(scene_, node, Transform());
+    const auto to_shape = inverse(lone.to_space);
+    if (!lone.shape || !to_shape || std::holds_alternative<Mesh>(*lone.shape)) return;
+    bound.ops = find_shape(*lone.shape), bound.shape = lone.shape, bound.to_shape = *to_shape;
+    bound.own = bound.ops->bounds(*bound.shape);
 }
 
 uint32_t BoundTests::add(Test test) {
@@ -121,8 +147,17 @@ bool BoundTests::passes(uint32_t number, const Ray& ray) const {
     return std::ranges::all_of(test.shapes, [&](const Placed& placed) {
         Ray local = placed.to_local.ray(ray);
         local.tmin = 0, local.tmax = kInf;
-        return placed.bound->solid.inside(local.origin) || placed.bound->solid.first(local);
+        return meets(*placed.bound, local);
     });
+}
+
+bool BoundTests::meets(const Bound& bound, const Ray& ray) {
+    if (!bound.ops) return bound.solid.inside(ray.origin) || bound.solid.first(ray);
+    const Ray local = bound.to_shape.ray(ray);
+    const Crossings met = bound.ops->crossings_wanted(*bound.shape, bound.own, local, Wanted::any);
+    for (int i = 0; i < met.count; ++i)
+        if (met.at[i].t >= 0) return true;
+    return bound.ops->inside(*bound.shape, local.origin);
 }
 
 }  // namespace alidade

@@ -29,6 +29,10 @@ class BoundTests {
     struct Bound {
         SolidQuery solid;
         bool convex = false;
+        const ShapeOps* ops = nullptr;         ///< of a closed form that stands alone, which is asked without the solid; else null
+        const ShapeGeometry* shape = nullptr;
+        Bounds own;                            ///< of the shape
+        Transform to_shape;
     };
     /// One of a test.
     struct Placed {
@@ -40,6 +44,8 @@ class BoundTests {
         Bounds box{Vec3(-kInf), Vec3(kInf)};   ///< all that passes meets it
     };
     const std::vector<Bound>& bounds_of(NodeId node);
+    void ask_shape(Bound& bound, NodeId node) const;
+    static bool meets(const Bound& bound, const Ray& ray);
     uint32_t add(Test test);
 
     const Scene& scene_;

@@ -4,7 +4,7 @@
 #include "eval/shapes/rows.h"
 
 #include <algorithm>
-#include <deque>
+#include <utility>
 
 namespace alidade {
 
@@ -35,33 +35,17 @@ struct Scratch {
     std::vector<uint32_t> at_points, changed;
 };
 
-/// Each thread walks one line at a time, and another within that where it asks what bounds a leaf.
-class Lease {
-  public:
-    Lease() : scratch_(depth_ == 0 ? outermost_ : inner()) { ++depth_; }
-    ~Lease() { --depth_; }
-    Lease(const Lease&) = delete;
-    Scratch& operator*() const { return scratch_; }
-
-  private:
-    static Scratch& inner() {
-        while (inner_.size() < depth_) inner_.emplace_back();
-        return inner_[depth_ - 1];
-    }
-    static thread_local Scratch outermost_;
-    static thread_local std::deque<Scratch> inner_;   // those in use stay where they are
-    static thread_local size_t depth_;
-    Scratch& scratch_;
-};
-thread_local Scratch Lease::outermost_;
-thread_local std::deque<Scratch> Lease::inner_;
-thread_local size_t Lease::depth_ = 0;
+/// Each thread walks one line at a time.
+Scratch& scratch() {
+    thread_local Scratch one;
+    return one;
+}
 
 bool meets(const CsgNode& node) { return node.op == CsgOp::intersection || node.op == CsgOp::clip; }
 
 class Walk {
   public:
-    Walk(std::span<const CsgNode> nodes, std::span<const CsgSide> known, const Ray& ray, const CsgLeaves& leaves) : nodes_(nodes), known_(known), ray_(ray), leaves_(leaves), s_(*lease_), reach_(max_abs(ray.origin) / max_abs(ray.dir)), over_dir_(1.0 / ray.dir) {
+    Walk(std::span<const CsgNode> nodes, std::span<const CsgSide> known, const Ray& ray, const CsgLeaves& leaves) : nodes_(nodes), known_(known), ray_(ray), leaves_(leaves), s_(scratch()), reach_(max_abs(ray.origin) / max_abs(ray.dir)), over_dir_(1.0 / ray.dir) {
         s_.crossings.clear(), s_.at_points.clear();
         if (s_.states.size() < nodes.size()) s_.states.resize(nodes.size());
     }
@@ -145,8 +129,16 @@ class Walk {
         s_.states[n].inside = node.inverted != (node.inside == CsgInside::by_crossings && comes_from_inside);
         if (node.inside == CsgInside::at_points) s_.at_points.push_back(n);
         if (node.inside == CsgInside::by_crossings && settle(n, had, range)) return false;
-        if (node.bounded && s_.crossings.size() > had) s_.states[n].unseen = !leaves_.sees(node.leaf, ray_);
+        if (node.bounded && s_.crossings.size() > had) see(n);
         return node.inside == CsgInside::at_points || s_.crossings.size() > had;
+    }
+
+    /// Other trees may be walked along meanwhile: of what bounds the leaf.
+    [[gnu::noinline]] void see(uint32_t n) {
+        Scratch own = std::exchange(s_, Scratch());
+        const bool seen = leaves_.sees(nodes_[n].leaf, ray_);
+        s_ = std::move(own);
+        s_.states[n].unseen = !seen;
     }
 
     /// If none of the crossings from `had` on is in or near `range`, the leaf is all inside or all outside there, and they are dropped.
@@ -310,7 +302,6 @@ class Walk {
     std::span<const CsgSide> known_;   // nothing: no side is known
     const Ray& ray_;
     const CsgLeaves& leaves_;
-    Lease lease_;
     Scratch& s_;
     double reach_;         ///< the size of the ray's origin, in t
     Vec3 over_dir_;

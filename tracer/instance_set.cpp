@@ -34,8 +34,13 @@ bool first_crossing(const Geometry& geometry, const Ray& local, Wanted wanted, u
     return false;
 }
 
+/// Is what was crossed there for this ray? Out of line: scenes without bounds that may be missed pay for a comparison alone.
+[[gnu::noinline]] bool passes_bounds(const CompiledScene& scene, const Instance& instance, const Ray& ray) { return scene.bound_tests->passes(instance.bound_test, ray); }
+
 /// Do structures look for the instance on this line? A line that passes by its box may seem to meet it all the same: from so far away that the instance is smaller than the roundings of the local ray.
-bool looked_for(const Instance& instance, const Ray& ray) {
+/// And nobody sees it who misses what bounds it.
+bool looked_for(const CompiledScene& scene, const Instance& instance, const Ray& ray) {
+    if (instance.bound_test != kNoId && !passes_bounds(scene, instance, ray)) return false;
     const Bounds& box = instance.bounds;
     if (instance.in_place || !inside_bounds(ray, box).empty()) return true;   // crossings in place lie in the bounds of their shape
     const bool bounded = max_abs(box.min) <= kLargestCoordinate<double> && max_abs(box.max) <= kLargestCoordinate<double>;
@@ -43,9 +48,6 @@ bool looked_for(const Instance& instance, const Ray& ray) {
 }
 
 }  // namespace
-
-/// Out of line: scenes without bounds that may be missed pay for a comparison alone.
-[[gnu::noinline]] bool InstanceSet::passes_bounds(const Instance& instance, const Ray& ray) const { return scene_.bound_tests->passes(instance.bound_test, ray); }
 
 bool InstanceSet::is_seen_before(const Ray& ray, double t, uint32_t instance, uint32_t primitive, const Hit& hit) const {
     const std::vector<Bounds>& boxes = scene_.object_boxes;
@@ -75,13 +77,13 @@ bool InstanceSet::intersect(std::span<const uint32_t> ids, const Ray& ray, Hit& 
             continue;
         }
         const Instance& instance = scene_.instances[id];
-        if (!(instance.mask & ray.mask) || (instance.bound_test != kNoId && !passes_bounds(instance, ray))) continue;
+        if (!(instance.mask & ray.mask)) continue;
         const Geometry& geometry = scene_.geometries[instance.geometry];
         Ray local = instance.local(ray);
         if (hit.t < ray.tmax) local.tmax = std::min(ray.tmax, hit.t + instance_slack(ray, hit.t));
         Hit candidate;
         const bool crossed = geometry.mesh ? geometry.triangles->intersect(local, candidate, work, id) : first_crossing(geometry, local, Wanted::first, id, candidate, work);
-        if (!crossed || !looked_for(instance, ray)) continue;
+        if (!crossed || !looked_for(scene_, instance, ray)) continue;
         if (!instance.in_place) candidate.t = clamp_to_bounds(candidate.t, ray, instance.bounds);
         if (!is_seen_before(ray, candidate.t, id, candidate.primitive, hit)) continue;
         hit = candidate;
@@ -98,11 +100,11 @@ bool InstanceSet::occluded(std::span<const uint32_t> ids, const Ray& ray, WorkCo
             continue;
         }
         const Instance& instance = scene_.instances[id];
-        if (!(instance.mask & ray.mask) || (instance.bound_test != kNoId && !passes_bounds(instance, ray))) continue;
+        if (!(instance.mask & ray.mask)) continue;
         const Geometry& geometry = scene_.geometries[instance.geometry];
         const Ray local = instance.local(ray);
         const bool crossed = geometry.mesh ? geometry.triangles->occluded(local, work) : first_crossing(geometry, local, Wanted::any, id, unused, work);
-        if (crossed && looked_for(instance, ray)) return true;
+        if (crossed && looked_for(scene_, instance, ray)) return true;
     }
     return false;
 }
@@ -116,7 +118,7 @@ void InstanceSet::all_hits(std::span<const uint32_t> ids, const Ray& ray, std::v
             continue;
         }
         const Instance& instance = scene_.instances[id];
-        if (!(instance.mask & ray.mask) || (instance.bound_test != kNoId && !passes_bounds(instance, ray))) continue;
+        if (!(instance.mask & ray.mask)) continue;
         const Geometry& geometry = scene_.geometries[instance.geometry];
         const Ray local = instance.local(ray);
         if (geometry.mesh) {
@@ -127,7 +129,7 @@ void InstanceSet::all_hits(std::span<const uint32_t> ids, const Ray& ray, std::v
             for (int i = 0; i < crossings.count; ++i)
                 if (crossings.at[i].t >= ray.tmin && crossings.at[i].t <= ray.tmax) hits.push_back(hit_of(crossings.at[i], id));
         }
-        if (hits.size() > first && !looked_for(instance, ray)) hits.resize(first);
+        if (hits.size() > first && !looked_for(scene_, instance, ray)) hits.resize(first);
         for (size_t i = first; i < hits.size(); ++i) hits[i].t = clamp_to_bounds(hits[i].t, ray, instance.bounds);
     }
 }

@@ -32,8 +32,6 @@ class InstanceSet final : public PrimitiveSet {
     /// Is a crossing of the instance seen, and not `hit`? The nearer one, and of those that coincide what CompiledScene::object_boxes says.
     bool is_seen_before(const Ray& ray, double t, uint32_t instance, uint32_t primitive, const Hit& hit) const;
 
-    bool passes_bounds(const Instance& instance, const Ray& ray) const;
-
     const CompiledScene& scene_;
     Mask seen_by_;
 };
