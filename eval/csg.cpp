@@ -4,6 +4,7 @@
 #include "eval/shapes/rows.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace alidade {
 
@@ -25,6 +26,7 @@ struct State {
     uint32_t place = 0;                        ///< the number of the place whose `before` is kept here
     uint32_t first_in = 0, first_out = 0;      ///< the first child that the line enters or leaves at this place
     bool inside = false, inside_before = false;
+    bool unseen = false;                       ///< of a leaf: its surface is not there for this ray
 };
 
 struct Scratch {
@@ -127,7 +129,16 @@ class Walk {
         s_.states[n].inside = node.inverted != (node.inside == CsgInside::by_crossings && comes_from_inside);
         if (node.inside == CsgInside::at_points) s_.at_points.push_back(n);
         if (node.inside == CsgInside::by_crossings && settle(n, had, range)) return false;
+        if (node.bounded && s_.crossings.size() > had) see(n);
         return node.inside == CsgInside::at_points || s_.crossings.size() > had;
+    }
+
+    /// Other trees may be walked along meanwhile: of what bounds the leaf.
+    [[gnu::noinline]] void see(uint32_t n) {
+        Scratch own = std::exchange(s_, Scratch());
+        const bool seen = leaves_.sees(nodes_[n].leaf, ray_);
+        s_ = std::move(own);
+        s_.states[n].unseen = !seen;
     }
 
     /// If none of the crossings from `had` on is in or near `range`, the leaf is all inside or all outside there, and they are dropped.
@@ -224,7 +235,7 @@ class Walk {
 
     /// The same for a crossing of leaf `n` that stands alone, and whether it is shown: only what is above it changes, and siblings are the same on both sides.
     bool step_alone(uint32_t n) {
-        bool is_shown = true, changes = true;
+        bool is_shown = !s_.states[n].unseen, changes = true;
         s_.states[n].inside = !s_.states[n].inside;
         for (; n != 0 && (changes || is_shown); n = nodes_[n].parent) {
             const CsgNode& above = nodes_[nodes_[n].parent];
@@ -265,6 +276,7 @@ class Walk {
 
     /// `with_equals`: also where it coincides with one that is shown for it.
     bool shown(const CsgCrossing& c, bool with_equals) const {
+        if (s_.states[c.node].unseen) return false;
         for (uint32_t n = c.node; n != 0; n = nodes_[n].parent)
             if (!survives(n, with_equals)) return false;
         return true;

@@ -81,6 +81,8 @@ class CsgLeaves {
     /// line is inside before the first (asked of leaves that are inside by crossings).
     virtual bool crossings(uint32_t leaf, const Ray& ray, std::vector<CsgCrossing>& out) const = 0;
     virtual bool inside(uint32_t leaf, const Vec3& point) const = 0;
+    /// Does the ray see the surface of the leaf? Asked only of what CsgTree::find_bounded() found. What is inside stays, whoever sees it.
+    virtual bool sees(uint32_t, const Ray&) const { return true; }
     /// How far the true surface may be from the hit, along its normal, and the cosine of the angle between that and the ray, without its sign. Asked only
     /// where crossings are near each other.
     struct Sharpness {
@@ -98,6 +100,7 @@ struct CsgNode {
     CsgInside inside = CsgInside::nowhere;
     bool inverted = false;          ///< leaves alone
     bool far = false;               ///< is it inside everywhere outside of `box`?
+    bool bounded = false;           ///< leaves alone: some rays do not see its surface (CsgLeaves::sees)
     uint32_t leaf = kNoId;
     uint32_t parent = 0, place = 0; ///< the number among its siblings, which need not stand in that order
     uint32_t end = 0;               ///< the first node behind the subtree
@@ -122,6 +125,8 @@ class CsgTree {
     std::span<const CsgNode> nodes() const { return nodes_; }
     /// How many nodes stand in one another.
     uint32_t levels() const;
+    /// Leaves for which `bounded` is true are asked which rays see them.
+    void find_bounded(const std::function<bool(uint32_t leaf)>& bounded);
     /// Of the surfaces, also where what is inside has no end. Infinite where they are.
     const Bounds& bounds() const { return bounds_; }
     /// Appends the sides of the nodes in a region, one for each of nodes(), to be given to first(). The side of the root: if it does not vary, rays in the region meet no surface.

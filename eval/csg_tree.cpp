@@ -185,4 +185,8 @@ CsgTree::CsgTree(const CsgExpression& expression, const CsgNarrow& narrow) {
     emit(p, 0, 0, nodes_);
 }
 
+void CsgTree::find_bounded(const std::function<bool(uint32_t leaf)>& bounded) {
+    for (CsgNode& node : nodes_) node.bounded = node.op == CsgOp::leaf && node.leaf != kNoId && bounded(node.leaf);
+}
+
 }  // namespace alidade

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "eval/solid_query.h"
 
-#include "eval/mesh_inside.h"
-
+#include "eval/bound_tests.h"
 #include "eval/csg_expression.h"
+#include "eval/mesh_inside.h"
 #include "eval/mesh_points.h"
 #include "eval/placed.h"
 
@@ -66,6 +66,8 @@ class SolidQuery::Parts final : public CsgParts {
   public:
     Parts(SolidQuery& out, MeshAccelerators& meshes) : out_(out), meshes_(meshes) {}
 
+    std::vector<std::vector<NodeId>> paths;   ///< by shape, as far as something on them is bounded
+
     bool enters(const Visit&) override { return true; }
 
     uint32_t place(const Visit& at) override {
@@ -82,6 +84,7 @@ class SolidQuery::Parts final : public CsgParts {
         placed.triangles = mesh ? &meshes_.of(*shape) : nullptr;
         placed.ops = mesh ? nullptr : find_shape(out_.scene_.shapes[shape->index].geometry);
         out_.shapes_.push_back(std::move(placed));
+        if (!paths.empty() || BoundTests::bounded(out_.scene_, at.path)) paths.resize(out_.shapes_.size()), paths.back() = at.path;
         return uint32_t(out_.shapes_.size() - 1);
     }
 
@@ -105,7 +108,7 @@ class SolidQuery::Parts final : public CsgParts {
 /// The shapes, as the tree asks for them.
 class SolidQuery::Leaves final : public CsgLeaves {
   public:
-    Leaves(const SolidQuery& query, uint64_t& work) : query_(query), work_(work) {}
+    Leaves(const SolidQuery& query, uint64_t& work, bool any_ray = false) : query_(query), work_(work), any_ray_(any_ray) {}
 
     bool crossings(uint32_t id, const Ray& ray, std::vector<CsgCrossing>& out) const override {
         ++work_;
@@ -142,9 +145,12 @@ class SolidQuery::Leaves final : public CsgLeaves {
         return {placed_error(norms, own, mapped_error(norms, ray, hit.t), ray, hit.t, found.point), std::abs(dot(found.normal, ray.dir)) / length(ray.dir)};
     }
 
+    bool sees(uint32_t id, const Ray& ray) const override { return any_ray_ || query_.bounds_->passes(query_.shapes_[id].bound_test, ray); }
+
   private:
     const SolidQuery& query_;
     uint64_t& work_;
+    bool any_ray_;
 };
 
 SolidQuery::SolidQuery(const Scene& scene, NodeId root, MeshAccelerators& meshes, const Transform& placed, bool clipped) : scene_(scene) {
@@ -158,6 +164,17 @@ SolidQuery::SolidQuery(const Scene& scene, NodeId root, MeshAccelerators& meshes
     if (!clipped && expression->op == CsgOp::clip) expression = CsgExpression(std::move(expression->parts[0]));
     parts.describe(*expression);
     tree_.emplace(*expression);
+    if (!parts.paths.empty()) find_bounds(parts.paths, placed);
+}
+
+SolidQuery::~SolidQuery() = default;
+SolidQuery::SolidQuery(SolidQuery&&) noexcept = default;
+
+void SolidQuery::find_bounds(const std::vector<std::vector<NodeId>>& paths, const Transform& placed) {
+    bounds_ = std::make_unique<BoundTests>(scene_);
+    for (const CsgNode& node : tree_->nodes())
+        if (node.op == CsgOp::leaf && node.leaf < paths.size() && !paths[node.leaf].empty()) shapes_[node.leaf].bound_test = bounds_->by_shapes(paths[node.leaf], placed, intersection(node.box, tree_->bounds()));
+    tree_->find_bounded([this](uint32_t leaf) { return shapes_[leaf].bound_test != kNoId; });
 }
 
 FoundSurface SolidQuery::surface(const Ray& ray, const Hit& hit) const {
@@ -192,7 +209,7 @@ void SolidQuery::all(const Ray& ray, std::vector<FoundSurface>& out) const {
     if (!tree_) return;
     uint64_t unused = 0;
     std::vector<Hit> hits;
-    tree_->all(ray, Leaves(*this, unused), hits);
+    tree_->all(ray, Leaves(*this, unused, true), hits);
     for (const Hit& hit : hits) out.push_back(surface(ray, hit));
 }
 

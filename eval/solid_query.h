@@ -12,6 +12,8 @@
 
 namespace alidade {
 
+class BoundTests;
+
 /// The accelerators of a scene's meshes, each built when it is first asked for. The scene may grow meanwhile.
 class MeshAccelerators {
   public:
@@ -45,15 +47,17 @@ class SolidQuery {
     SolidQuery(const Scene& scene, NodeId root, MeshAccelerators& meshes) : SolidQuery(scene, root, meshes, scene.nodes[root.index].to_parent) {}
     /// or that to which `placed` leads from the root's own. `clipped` false: without what clips the root itself.
     SolidQuery(const Scene& scene, NodeId root, MeshAccelerators& meshes, const Transform& placed, bool clipped = true);
+    ~SolidQuery();
+    SolidQuery(SolidQuery&&) noexcept;
 
     /// Does it stand for all that the node leads to? Not where more than a million paths lead to its parts, or one of more than a thousand levels.
     bool complete() const { return complete_; }
-    /// The nearest surface with tmin <= t <= tmax, of all that a camera sees.
+    /// The nearest surface with tmin <= t <= tmax, of all that a camera sees that misses nothing that bounds it.
     std::optional<FoundSurface> first(const Ray& ray) const {
         uint64_t unused = 0;
         return first(ray, unused);
     }
-    /// All surfaces that any ray sees on the line, appended in order of t.
+    /// All surfaces that any ray sees on the line, bounded or not, appended in order of t.
     void all(const Ray& ray, std::vector<FoundSurface>& out) const;
     bool inside(const Vec3& point) const {
         uint64_t unused = 0;
@@ -80,13 +84,16 @@ class SolidQuery {
         bool inverted = false;
         NodeId node;
         std::optional<MaterialId> inherited;      ///< what its parents give it
+        uint32_t bound_test = kNoId;              ///< of bounds_
     };
 
     FoundSurface surface(const Ray& ray, const Hit& hit) const;
+    void find_bounds(const std::vector<std::vector<NodeId>>& paths, const Transform& placed);
 
     const Scene& scene_;
     std::vector<PlacedShape> shapes_;
     std::optional<CsgTree> tree_;                 ///< none where there are no shapes
+    std::unique_ptr<BoundTests> bounds_;          ///< none where nothing is bounded
     bool complete_ = true;
 };
 

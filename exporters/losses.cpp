@@ -42,7 +42,7 @@ void add_node_losses(const Node& node, Losses& losses) {
     losses.add("constructive solid geometry (intersection, difference, merge)", cuts, "its parts are written, uncut");
     losses.add("inverted solids", node.inverse, "written as they are");
     losses.add("clips", node.clips.size(), "what is clipped is written, uncut");
-    losses.add("bounds", node.bounds.size());
+    losses.add("bounds", node.bounds.size(), "rays that miss them see what they bound, too");
     losses.add("materials of insides", node.inside_material.has_value());
     losses.add("interiors", node.interior.has_value());
     losses.add("light groups", !node.light_group.empty() || !node.global_lights, "all lights shine on all");

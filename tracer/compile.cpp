@@ -4,13 +4,16 @@
 #include "core/deep_stack.h"
 #include "core/float_mode.h"
 #include "core/parallel.h"
+#include "eval/bound_tests.h"
 #include "eval/csg_expression.h"
 #include "scene/queries.h"
+#include "tracer/bounds.h"
 #include "tracer/cameras.h"
 #include "tracer/cutaway.h"
 #include "tracer/environment.h"
 #include "tracer/instance_leaves.h"
 #include "tracer/instance_set.h"
+#include "tracer/interior_carrier.h"
 #include "tracer/light_groups.h"
 #include "tracer/materials.h"
 #include "tracer/normal_maps.h"
@@ -44,28 +47,6 @@ constexpr size_t kStack = size_t(1) << 28;
 /// The same of those that are left where unions in unions and intersections in intersections are one: rays walk them on the stacks of their threads.
 constexpr uint32_t kDeepestTree = 1000;
 
-/// The length of the part of the path up to the node that carries the interior: the nearest that has one, else the outermost operation, whose parts are
-/// one body; 0 if there is neither.
-size_t interior_carrier(const Scene& scene, const std::vector<NodeId>& path) {
-    for (size_t length = path.size(); length > 0; --length)
-        if (scene.nodes[path[length - 1].index].interior) return length;
-    for (size_t i = 0; i < path.size(); ++i)
-        if (scene.nodes[path[i].index].csg != CsgKind::none) return i + 1;
-    return 0;
-}
-
-/// Is the body hollow that a node on the path carries? As POV-Ray has it, if a node down to it says so, or else the last of its parts.
-bool is_hollow(const Scene& scene, const std::vector<NodeId>& path, size_t carrier) {
-    const auto says = [&](NodeId id) { return scene.nodes[id.index].flags.hollow; };
-    if (carrier == 0) return std::any_of(path.begin(), path.end(), says);
-    if (std::any_of(path.begin(), path.begin() + std::ptrdiff_t(carrier), says)) return true;
-    for (NodeId part = path[carrier - 1]; !scene.nodes[part.index].children.empty();) {
-        part = scene.nodes[part.index].children.back();
-        if (says(part)) return true;
-    }
-    return false;
-}
-
 /// Of the shape: its own, or what is found by looking where it can be, which takes too long to do it for each ray.
 Bounds bounds_of(const ShapeOps& ops, const ShapeGeometry& shape) {
     const Bounds own = ops.bounds(shape);
@@ -92,6 +73,7 @@ class Placer : private CsgParts {
 
     /// The solids, each with instances as leaves.
     std::vector<CsgExpression> take_solids() { return std::move(solids_); }
+    const std::vector<BoundedInstance>& bounded() const { return bounded_; }
 
   private:
     void place(const Visit& visit, const Node& node) {
@@ -159,6 +141,7 @@ class Placer : private CsgParts {
         const bool hollow = is_hollow(out_.scene, visit.path, carrier);
         materials_.add_slots(visit.path, slots, interior, hollow, instance);
         instance.uv_mapped = instance.uv_mapped && instance.inside_slot == kNoId;
+        if (BoundTests::bounded(out_.scene, visit.path)) bounded_.push_back({uint32_t(out_.instances.size()), visit.path});
         out_.instances.push_back(instance);
     }
 
@@ -206,6 +189,7 @@ class Placer : private CsgParts {
     size_t solid_depth_ = std::numeric_limits<size_t>::max();   // of the solid whose parts are being passed over
     size_t levels_to_solid_ = 0;    // nodes on the path down to the operation of the last solid, with itself
     std::vector<CsgExpression> solids_;
+    std::vector<BoundedInstance> bounded_;
     bool too_deep_ = false;
     std::map<std::vector<uint32_t>, uint32_t> carrier_of_;
     uint32_t carriers_ = 0;
@@ -254,7 +238,7 @@ void place_bounds(CompiledScene& out, int threads) {
 }
 
 /// Meshes get their accelerators, in parallel, large ones each on several threads; only those that an instance shows. Lazy ones get them when a ray comes near.
-void build_structures(CompiledScene& out, const AcceleratorEntry& accel, std::vector<CsgExpression> solids, const CompileOptions& options, Diagnostics& said) {
+void build_structures(CompiledScene& out, const AcceleratorEntry& accel, std::vector<CsgExpression> solids, const std::vector<BoundedInstance>& bounded, const CompileOptions& options, Diagnostics& said) {
     const AccelOptions build{options.precision, options.isa, options.threads, options.intersect};
     parallel_for(out.geometries.size(), options.threads, [&](size_t i) {
         Geometry& g = out.geometries[i];
@@ -269,6 +253,7 @@ void build_structures(CompiledScene& out, const AcceleratorEntry& accel, std::ve
     build_solids(out, std::move(solids));
     for (const Solid& solid : out.solids)
         if (solid.tree.levels() > kDeepestTree) said.error({}, fmt::format("different set operations stand more than {} levels deep in one another", kDeepestTree));
+    find_bounds(out, bounded);
     if (out.scene.settings.first_box_shows) out.object_boxes = object_boxes(out);
     out.set = std::make_shared<InstanceSet>(out);
     out.top = accel.over_set(out.set, build);
@@ -376,7 +361,7 @@ std::shared_ptr<const CompiledScene> compile(Scene scene, const CompileOptions& 
     make_sky(*out, options, said);
     if (said.has_errors()) return nullptr;
     out->intersect = options.intersect;
-    run_on_deep_stack(kStack, [&] { build_structures(*out, *accel, placer.take_solids(), options, said); });
+    run_on_deep_stack(kStack, [&] { build_structures(*out, *accel, placer.take_solids(), placer.bounded(), options, said); });
     if (said.has_errors()) return nullptr;
     default_camera(*out, said);
     default_light(*out, options, said);

@@ -12,6 +12,7 @@
 
 namespace alidade {
 
+class BoundTests;
 class InstanceSet;
 class Projector;
 class Textures;
@@ -67,6 +68,7 @@ struct Instance {
     bool of_whole = true;          ///< its interior is not its own alone, if it is part of a solid, but the solid's
     NodeId node;
     uint32_t light_set = 0;        ///< into CompiledScene::lit_by
+    uint32_t bound_test = kNoId;   ///< of CompiledScene::bound_tests: rays that fail it do not meet its surface
     uint32_t cutaway = kNoId;      ///< into CompiledScene::cutaways: its surface shows what it lays open
 
     /// In the space of the geometry.
@@ -106,6 +108,7 @@ struct CompiledScene {
     std::vector<Instance> instances;
     std::vector<Solid> solids;
     std::vector<Bounds> object_boxes;      ///< by Instance::object: of surfaces that coincide, that of the object whose box a ray enters first is seen. Empty: that of the first instance
+    std::unique_ptr<BoundTests> bound_tests;   ///< null if nothing is bounded
     std::vector<CsgExpression> cutaways;   ///< operations whose parts are looked up at points of faces that show them
     std::vector<SlotMaterial> slots;
     std::vector<PatternSpace> pattern_spaces;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tracer/instance_leaves.h"
 
+#include "eval/bound_tests.h"
 #include "eval/mesh_inside.h"
 #include "eval/placed.h"
 #include "tracer/shade_point.h"
@@ -31,6 +32,8 @@ bool InstanceLeaves::inside(uint32_t id, const Vec3& point) const {
     const Vec3 local = instance.local(point);
     return geometry.mesh ? inside_mesh(*geometry.mesh, *geometry.triangles, local, work_) : geometry.ops->inside(*geometry.source, local);
 }
+
+bool InstanceLeaves::sees(uint32_t id, const Ray& ray) const { return scene_.bound_tests->passes(scene_.instances[id].bound_test, ray); }
 
 CsgLeaves::Sharpness InstanceLeaves::sharpness(const Ray& ray, const Hit& hit) const {
     const double cosine = std::abs(dot(geometric_normal(scene_, ray, hit), ray.dir)) / length(ray.dir);

@@ -12,6 +12,7 @@ class InstanceLeaves final : public CsgLeaves {
     InstanceLeaves(const CompiledScene& scene, WorkCounters& work) : scene_(scene), work_(work) {}
     bool crossings(uint32_t instance, const Ray& ray, std::vector<CsgCrossing>& out) const override;
     bool inside(uint32_t instance, const Vec3& point) const override;
+    bool sees(uint32_t instance, const Ray& ray) const override;
     Sharpness sharpness(const Ray& ray, const Hit& hit) const override;
 
   private:

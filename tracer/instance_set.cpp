@@ -3,6 +3,7 @@
 
 #include "accel/local_ray.h"
 #include "core/clamp.h"
+#include "eval/bound_tests.h"
 #include "eval/placed.h"
 #include "tracer/instance_leaves.h"
 #include "tracer/object_boxes.h"
@@ -33,8 +34,13 @@ bool first_crossing(const Geometry& geometry, const Ray& local, Wanted wanted, u
     return false;
 }
 
+/// Is what was crossed there for this ray? Out of line: scenes without bounds that may be missed pay for a comparison alone.
+[[gnu::noinline]] bool passes_bounds(const CompiledScene& scene, const Instance& instance, const Ray& ray) { return scene.bound_tests->passes(instance.bound_test, ray); }
+
 /// Do structures look for the instance on this line? A line that passes by its box may seem to meet it all the same: from so far away that the instance is smaller than the roundings of the local ray.
-bool looked_for(const Instance& instance, const Ray& ray) {
+/// And nobody sees it who misses what bounds it.
+bool looked_for(const CompiledScene& scene, const Instance& instance, const Ray& ray) {
+    if (instance.bound_test != kNoId && !passes_bounds(scene, instance, ray)) return false;
     const Bounds& box = instance.bounds;
     if (instance.in_place || !inside_bounds(ray, box).empty()) return true;   // crossings in place lie in the bounds of their shape
     const bool bounded = max_abs(box.min) <= kLargestCoordinate<double> && max_abs(box.max) <= kLargestCoordinate<double>;
@@ -77,7 +83,7 @@ bool InstanceSet::intersect(std::span<const uint32_t> ids, const Ray& ray, Hit& 
         if (hit.t < ray.tmax) local.tmax = std::min(ray.tmax, hit.t + instance_slack(ray, hit.t));
         Hit candidate;
         const bool crossed = geometry.mesh ? geometry.triangles->intersect(local, candidate, work, id) : first_crossing(geometry, local, Wanted::first, id, candidate, work);
-        if (!crossed || !looked_for(instance, ray)) continue;
+        if (!crossed || !looked_for(scene_, instance, ray)) continue;
         if (!instance.in_place) candidate.t = clamp_to_bounds(candidate.t, ray, instance.bounds);
         if (!is_seen_before(ray, candidate.t, id, candidate.primitive, hit)) continue;
         hit = candidate;
@@ -98,7 +104,7 @@ bool InstanceSet::occluded(std::span<const uint32_t> ids, const Ray& ray, WorkCo
         const Geometry& geometry = scene_.geometries[instance.geometry];
         const Ray local = instance.local(ray);
         const bool crossed = geometry.mesh ? geometry.triangles->occluded(local, work) : first_crossing(geometry, local, Wanted::any, id, unused, work);
-        if (crossed && looked_for(instance, ray)) return true;
+        if (crossed && looked_for(scene_, instance, ray)) return true;
     }
     return false;
 }
@@ -123,7 +129,7 @@ void InstanceSet::all_hits(std::span<const uint32_t> ids, const Ray& ray, std::v
             for (int i = 0; i < crossings.count; ++i)
                 if (crossings.at[i].t >= ray.tmin && crossings.at[i].t <= ray.tmax) hits.push_back(hit_of(crossings.at[i], id));
         }
-        if (hits.size() > first && !looked_for(instance, ray)) hits.resize(first);
+        if (hits.size() > first && !looked_for(scene_, instance, ray)) hits.resize(first);
         for (size_t i = first; i < hits.size(); ++i) hits[i].t = clamp_to_bounds(hits[i].t, ray, instance.bounds);
     }
 }

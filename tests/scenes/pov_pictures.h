@@ -34,6 +34,8 @@ std::vector<PovPicture> quality_pictures();
 std::vector<PovPicture> alpha_pictures();
 /// Of what textures begin with.
 std::vector<PovPicture> default_pictures();
+/// Of what is bounded too tightly.
+std::vector<PovPicture> bound_pictures();
 /// Of what is inside of what.
 std::vector<PovPicture> inside_pictures();
 /// Of what is seen by which rays.

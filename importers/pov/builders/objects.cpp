@@ -20,6 +20,12 @@ namespace alidade::pov {
 
 namespace {
 
+/// A bounded_by, which clipped_by may name.
+struct Bound {
+    const Block* block;
+    Transform moved;                      ///< of the object, where it stands
+};
+
 /// An object while its modifiers are read. A texture lies in the space that the object has where the texture stands: transformations before it move the
 /// object alone, those behind it both.
 struct Draft {
@@ -33,8 +39,7 @@ struct Draft {
     bool parts_textured = false;          ///< a referenced object brings its own
     bool shows_cuts = false;              ///< cutaway_textures stands around it, which is said of the operation itself
     bool changed = false;                 ///< a texture or interior stands around it, which takes the place of its own
-    const Block* bound = nullptr;         ///< bounded_by, which clipped_by may name
-    Transform bound_transform;            ///< of the object, where it stands
+    std::vector<Bound> bounds;            ///< those that clipped_by has not named
     bool is_group = false, is_lit = false;   ///< a light group; global lights shine on it, since they do around it
     bool bounded = false, split = true;   ///< bounded_by and split_union, which say if a union is one object
 };
@@ -143,25 +148,25 @@ void gather_lights(const Scene& scene, NodeId id, std::vector<LightId>& out) {
     for (const NodeId child : node.children) gather_lights(scene, child, out);
 }
 
-/// What clips an object is moved by its `own` transformations, and by those of the object behind it; `moved` are those before it.
-void add_clip(Build& build, Draft& d, const Block& clip, const Transform& moved, const Transform& own) {
-    const auto built = build_object(build, clip);
+/// What clips or bounds an object is moved by its `own` transformations, and by those of the object behind it; `moved` are those before it.
+void add_limit(Build& build, std::vector<NodeId>& limits, const Block& limit, const Transform& moved, const Transform& own) {
+    const auto built = build_object(build, limit);
     if (!built) return;
     NodeId node = built->node;
     if (!moved.is_identity() || !own.is_identity()) {
         const auto back = inverse(moved);
-        if (!back) return build.p.warn(clip.place, "the object is flat or infinitely large here and cannot be clipped");
+        if (!back) return build.p.warn(limit.place, "the object is flat or infinitely large here and cannot be clipped or bounded");
         Node placed;
-        placed.from = build.position(clip.place);
+        placed.from = build.position(limit.place);
         placed.to_parent = *back * own;
         placed.children.push_back(node);
         node = build.add_node(std::move(placed));
     }
-    d.node.clips.push_back(node);
+    limits.push_back(node);
 }
 
-/// The transformations in `clipped_by { ... }`, which move all of it.
-Transform moves_of_clips(Build& build, const Block& block) {
+/// The transformations in `clipped_by { ... }` or `bounded_by { ... }`, which move all of it.
+Transform moves_of_limits(Build& build, const Block& block) {
     Transform all;
     for (Cursor at(build, block); !at.done(); ) {
         if (at.at_transform()) all = at.transform() * all;
@@ -170,22 +175,30 @@ Transform moves_of_clips(Build& build, const Block& block) {
     return all;
 }
 
-void take_clips(Build& build, Draft& d, const Block& block, const Transform& moved) {
-    const Transform own = moves_of_clips(build, block);
+void take_last_bound(Build& build, Draft& d, std::vector<NodeId>& limits);
+
+void take_limits(Build& build, Draft& d, std::vector<NodeId>& limits, const Block& block, const Transform& moved) {
+    const Transform own = moves_of_limits(build, block);
     for (Cursor at(build, block); !at.done(); ) {
-        const Block* clip = at.any_block();
-        if (clip && is_object(clip->word)) at.next(), add_clip(build, d, *clip, moved, own);
+        const Block* limit = at.any_block();
+        if (limit && is_object(limit->word)) at.next(), add_limit(build, limits, *limit, moved, own);
         else if (at.at_transform()) at.transform();
-        else if (d.bound && at.accept("bounded_by"_w)) take_clips(build, d, *std::exchange(d.bound, nullptr), d.bound_transform);
+        else if (!d.bounds.empty() && at.accept("bounded_by"_w)) take_last_bound(build, d, limits);
         else at.skip_unmodelled();
     }
 }
 
-/// What bounds an object is trusted by POV-Ray and not needed here, unless it clips as well; `bounded_by { clipped_by }` says nothing new.
+void take_last_bound(Build& build, Draft& d, std::vector<NodeId>& limits) {
+    const Bound bound = d.bounds.back();
+    d.bounds.pop_back();
+    take_limits(build, d, limits, *bound.block, bound.moved);
+}
+
+/// What bounds an object may clip it as well; `bounded_by { clipped_by }` says nothing new.
 void take_bound(Draft& d, const Block& block) {
     d.bounded = true;
     const bool names_clips = !block.items().empty() && block.items()[0].kind == Item::Kind::word;
-    if (!names_clips) d.bound = &block, d.bound_transform = d.transform * d.before;
+    if (!names_clips) d.bounds.push_back({&block, d.transform * d.before});
 }
 
 /// As POV-Ray has it, only what cuts can show what it cuts.
@@ -203,7 +216,7 @@ void take_modifiers(Build& build, Draft& d, Cursor& at) {
     while (!at.done()) {
         if (at.at_transform()) d.transform = at.transform() * d.transform;
         else if (take_surface(build, d, at) || take_flag(d, at)) continue;
-        else if (const Block* clip = at.block_at("clipped_by"_w)) at.next(), take_clips(build, d, *clip, d.transform * d.before);
+        else if (const Block* clip = at.block_at("clipped_by"_w)) at.next(), take_limits(build, d, d.node.clips, *clip, d.transform * d.before);
         else if (const Block* bound = at.block_at("bounded_by"_w)) at.next(), take_bound(d, *bound);
         else if (at.at_word("cutaway_textures"_w)) take_cutaway(build, d, at.place()), at.next();
         else if (at.accept("split_union"_w)) d.split = at.flag();
@@ -348,6 +361,7 @@ bool draft(Build& build, const Block& block, Draft& d) {
 
 /// One node, or two where transformations stand on both sides of the texture.
 BuiltObject finish(Build& build, Draft& d) {
+    while (!d.bounds.empty()) take_last_bound(build, d, d.node.bounds);
     if (d.layers.empty() && !d.inside.empty()) build.p.fail(d.texture_place, "an interior_texture needs a texture beside it, for the outside");
     if (d.layers.empty()) {
         d.node.to_parent = d.transform;

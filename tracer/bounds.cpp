@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "tracer/bounds.h"
+
+#include "eval/bound_tests.h"
+#include "eval/csg_expression.h"
+
+#include <algorithm>
+#include <set>
+
+namespace alidade {
+namespace {
+
+/// Does POV-Ray look for objects by their boxes? Where it has three, with the lights.
+bool has_hierarchy(const CompiledScene& scene) {
+    constexpr size_t kLeastObjects = 3;
+    std::set<uint32_t> objects;
+    for (const Instance& instance : scene.instances)
+        if (objects.insert(instance.object).second && objects.size() + scene.lights.size() >= kLeastObjects) return true;
+    return false;
+}
+
+/// Is the end of the path a part of a set, that POV-Ray does not take apart?
+bool is_part(const Scene& scene, const std::vector<NodeId>& path) {
+    const auto object = std::ranges::find_if(path, [&](NodeId id) { return scene.nodes[id.index].whole || is_solid(scene.nodes[id.index]); });
+    return std::any_of(object, path.end(), [&](NodeId id) { return scene.nodes[id.index].csg != CsgKind::none; });
+}
+
+/// Does a union that is taken apart move it? Its parts are moved then, and their boxes are their own again.
+bool moved_by_unions(const Scene& scene, const std::vector<NodeId>& path) {
+    const auto moves = [&](NodeId id) { return !scene.nodes[id.index].to_parent.is_identity(); };
+    const auto last = std::ranges::find_if(path.rbegin(), path.rend(), [&](NodeId id) { return scene.nodes[id.index].csg != CsgKind::none; });
+    return std::any_of(path.begin(), last.base(), moves);
+}
+
+/// Quadrics with products of two coordinates, hyperboloids of one sheet and cones: POV-Ray finds no box for them.
+bool is_boxless(const Quadric& q) {
+    if (q.products != Vec3(0)) return true;
+    const double product = q.squares.x * q.squares.y * q.squares.z, sign = product < 0 ? 1 : -1;     // one of them is below 0, or two
+    if (product == 0) return false;
+    const Vec3 a = sign * q.squares, b = sign * q.linear;
+    const bool mixed = std::min({a.x, a.y, a.z}) < 0 && std::max({a.x, a.y, a.z}) > 0;
+    return mixed && sign * q.constant <= dot(b, b / (4.0 * a));
+}
+
+bool is_bounded_as_it_is(const ShapeGeometry& shape) {
+    const auto* quadric = std::get_if<Quadric>(&shape);
+    return std::holds_alternative<Polynomial>(shape) || (quadric && is_boxless(*quadric));
+}
+
+/// Round shapes and quadrics, whose boxes POV-Ray asks in any case.
+bool keeps_its_box(const ShapeGeometry& shape) {
+    return std::holds_alternative<Cylinder>(shape) || std::holds_alternative<Cone>(shape) || std::holds_alternative<Torus>(shape) || std::holds_alternative<Quadric>(shape);
+}
+
+/// Where instances have surfaces: of parts of solids no more than the solid has.
+std::vector<Bounds> surfaces(const CompiledScene& scene) {
+    std::vector<Bounds> out;
+    for (const Instance& instance : scene.instances) out.push_back(instance.bounds);
+    for (const Solid& solid : scene.solids)
+        for (const CsgNode& node : solid.tree.nodes())
+            if (node.op == CsgOp::leaf && node.leaf != kNoId) out[node.leaf] = intersection(node.box, solid.tree.bounds());
+    return out;
+}
+
+}  // namespace
+
+void find_bounds(CompiledScene& scene, const std::vector<BoundedInstance>& bounded) {
+    if (bounded.empty()) return;
+    scene.bound_tests = std::make_unique<BoundTests>(scene.scene);
+    const std::vector<Bounds> surface = surfaces(scene);
+    const bool hierarchy = has_hierarchy(scene);
+    for (const BoundedInstance& b : bounded) {
+        Instance& instance = scene.instances[b.instance];
+        const Transform& placed = scene.scene.nodes[b.path.front().index].to_parent;
+        const ShapeGeometry& shape = *scene.geometries[instance.geometry].source;
+        if (is_bounded_as_it_is(shape) || is_part(scene.scene, b.path)) instance.bound_test = scene.bound_tests->by_shapes(b.path, placed, surface[b.instance]);
+        else if ((hierarchy || keeps_its_box(shape)) && !moved_by_unions(scene.scene, b.path)) instance.bound_test = scene.bound_tests->by_boxes(b.path, placed, surface[b.instance]);
+    }
+    for (Solid& solid : scene.solids) solid.tree.find_bounded([&](uint32_t leaf) { return scene.instances[leaf].bound_test != kNoId; });
+}
+
+}  // namespace alidade
