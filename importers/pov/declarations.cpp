@@ -39,7 +39,7 @@ void end_declaration(Parser& p, bool needs_semicolon, const Token& name) {
     }
     if (!needs_semicolon) return;
     if (p.version >= 3.5) p.fail(behind.place(), fmt::format("; is expected behind the value of {}, not {}", p.names.text(name.id), p.describe(behind)));
-    p.warn(behind.place(), fmt::format("; is expected behind the value of {}", p.names.text(name.id)));
+    p.tally(behind.place(), "; is expected behind the value of a declaration");
 }
 
 Value declared_value(Parser& p, const Token& name) try {

@@ -146,14 +146,14 @@ Diagnostic Parser::diagnostic(Severity severity, Place at, std::string message, 
     d.excerpt = source.excerpt(at.offset, column);
     if (column != d.at.column) d.excerpt.clear();          // a caret would stand at the wrong place in the cut line
     constexpr size_t kShown = 8;
-    auto& frames = const_cast<TokenStream&>(stream).frames();
+    const std::vector<Frame>& frames = stream.frames();
     for (size_t i = frames.size(); i-- > 1 && d.included_from.size() < kShown;)
         d.included_from.push_back(stream.source(uint16_t(frames[i].called_from.source)).position(frames[i].called_from.offset));
     return d;
 }
 
 std::string Parser::no_array(Place at) const {
-    auto& frames = const_cast<TokenStream&>(stream).frames();
+    const std::vector<Frame>& frames = stream.frames();
     if (frames.empty()) return {};
     const Frame& frame = frames.back();
     constexpr uint32_t kLookedAt = 2;   // the last token, and one that peek() has taken

@@ -57,6 +57,7 @@ class TokenStream {
     void push_macro(Ref<Macro> macro, Place from);
     void pop();
     std::vector<Frame>& frames() { return frames_; }
+    const std::vector<Frame>& frames() const { return frames_; }
     Frame& frame() { return frames_.back(); }
     std::vector<Condition>& conditions() { return conditions_; }
     bool frame_has_conditions() const { return conditions_.size() > frames_.back().first_condition; }

@@ -253,7 +253,7 @@ TEST_F(PovBuilders, WhatIsNotModelledIsSaidOnceWithItsCount) {
     const std::string messages = said(text);
     EXPECT_THAT(messages, HasSubstr("s.pov:2:15: warning: isosurface is not modelled yet: it is left out (3 times)"));
     EXPECT_THAT(messages, HasSubstr("media is not modelled yet"));
-    EXPECT_THAT(messages, HasSubstr("the pattern aoi of a pigment is not modelled yet: middle grey stands for it"));
+    EXPECT_THAT(messages, HasSubstr("aoi as the pattern of a pigment is not modelled yet: middle grey stands for it"));
     EXPECT_EQ(scene(text).shapes.size(), 1u) << "the rest is there";
 }
 

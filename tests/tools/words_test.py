@@ -8,7 +8,7 @@ import tempfile
 import unittest
 
 from pictures import png_bytes, scene, write
-from program import PROGRAM, InFolder, run, triangle_gltf
+from program import PROGRAM, SANITIZED, InFolder, run, triangle_gltf
 
 # Every option of the design's table that a verb has today.
 RENDER_OPTIONS = ("--output --size --region --camera --exposure --accel --integrator --spp --seed --max-depth --precision --intersect --isa --aov --time --environment --limit "
@@ -121,7 +121,7 @@ class BadInput(InFolder):
         self.assert_error("render", self.scene, "-o", "out.xyz", says="no picture format that can be written has the ending .xyz")
         self.assert_error("render", self.scene, "--stats", "none/x.json", says="--stats: 'none/x.json': there is no folder 'none'")
 
-
+    @unittest.skipIf(SANITIZED, "sanitizers take more address space than any limit leaves")
     def test_a_picture_that_memory_does_not_hold(self):
         def limit():
             resource.setrlimit(resource.RLIMIT_AS, (4 << 30, 4 << 30))

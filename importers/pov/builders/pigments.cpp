@@ -166,7 +166,7 @@ void tally_pattern(Build& build, const Item& item, const char* what) {
     const bool block = item.value_kind() == Kind::block;
     const std::string_view word = block || item.kind == Item::Kind::word ? kWords[block ? item.block().word : item.word] : "a function";
     if (std::find(std::begin(kPatterns), std::end(kPatterns), word) == std::end(kPatterns)) build.p.fail(item.place, fmt::format("{} cannot stand in this {}", word, what));
-    build.p.tally(item.place, fmt::format("the pattern {} of a {} is not modelled yet: middle grey stands for it", word, what));
+    build.p.tally(item.place, fmt::format("{} as the pattern of a {} is not modelled yet: middle grey stands for it", word, what));
 }
 
 std::vector<MapEntry> read_colour_map(Build& build, const Block& block) {

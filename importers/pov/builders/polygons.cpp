@@ -15,7 +15,7 @@ std::vector<std::vector<Vec3>> loops_of(Build& build, const std::vector<Vec3>& p
         open = !open || p != loop.front();
         if (open) loop.push_back(p);
     }
-    if (open) build.p.warn(place, "the polygon is not closed: a side leads back to its first point");
+    if (open) build.p.tally(place, "the polygon is not closed: a side leads back to its first point");
     return loops;
 }
 
