@@ -16,6 +16,8 @@ namespace {
 
 constexpr double kMostPaths = 1e6;
 constexpr uint32_t kMostLevels = 1000;
+/// What bounds a part is a query of its own: that many calls.
+constexpr uint32_t kLevelsOfABound = 4;
 
 /// How many paths begin at a node, and the length of the longest.
 struct Below {
@@ -31,14 +33,15 @@ Below below(const Scene& scene, NodeId root) {
         const NodeId id = todo.back();
         const size_t before = todo.size();
         Below sum;
-        const auto add = [&](NodeId child) {
+        const auto add = [&](NodeId child, uint32_t levels = 1) {
             const auto there = known.find(child.index);
             if (there == known.end()) return todo.push_back(child);
             sum.paths += there->second.paths;
-            sum.levels = std::max(sum.levels, there->second.levels + 1);
+            sum.levels = std::max(sum.levels, there->second.levels + levels);
         };
         for (const NodeId child : scene.nodes[id.index].children) add(child);
         for (const NodeId clip : scene.nodes[id.index].clips) add(clip);
+        for (const NodeId bound : scene.nodes[id.index].bounds) add(bound, kLevelsOfABound);
         if (todo.size() > before) continue;
         known[id.index] = sum;
         todo.pop_back();

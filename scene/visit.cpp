@@ -55,6 +55,7 @@ std::vector<double> path_counts(const Scene& scene) {
     const auto children = [&](uint32_t i, const auto& f) {
         for (const NodeId child : scene.nodes[i].children) f(child.index);
         for (const NodeId clip : scene.nodes[i].clips) f(clip.index);
+        for (const NodeId bound : scene.nodes[i].bounds) f(bound.index);
     };
     std::vector<double> below(scene.nodes.size(), 0);   // paths that begin at the node
     const std::vector<uint32_t> order = topological_order(scene.nodes.size(), children).sequence;

@@ -80,7 +80,7 @@ TEST(PovLimits, ObjectsThatAreNamedTwiceAgainAndAgain) {
         EXPECT_THAT(said_of(text, {}), HasSubstr("the limit is 1000000")) << operation;
     }
     for (const char* map : {"pigment_map { [0 P] [1 P scale 2] }", "pigment_map { [0 P scale 3] [1 P scale 2] }"})
-        EXPECT_THAT(said_of(std::string("#declare P = pigment { rgb 1 }\n#for(I, 1, 40)\n#declare P = pigment { gradient x ") + map + " } #end\nsphere { 0, 1 pigment { P } }", {}), HasSubstr("scene.pov:3:")) << map;
+        EXPECT_THAT(said_of(std::string("#declare P = pigment { rgb 1 }\n#for(I, 1, 40)\n#declare P = pigment { gradient x ") + map + " } #end\nsphere { 0, 1 pigment { P } }", {}), HasSubstr("scene.pov:4:")) << map;
     EXPECT_THAT(said_of("#declare N = normal { bumps }\n#for(I, 1, 40)\n#declare N = normal { average normal_map { [1 N] [1 N scale 2] } } #end\nsphere { 0, 1 normal { N } }", {}), HasSubstr("the limit is 1000000"));
     // One of a map's entries is looked up, or two: what a scene is, and not what it could be.
     for (const char* map : {"gradient x pigment_map { [.5 P] [.5 P scale 2] }", "checker pigment { P } pigment { P scale 2 }"})
@@ -88,6 +88,17 @@ TEST(PovLimits, ObjectsThatAreNamedTwiceAgainAndAgain) {
     Limits low;
     low.copies = 10;
     EXPECT_EQ(said_of("#for(I, 1, 50) sphere { I, 1 } #end", low), "");
+}
+
+/// What is asked of each ray or point by functions that call one another, or that call themselves twice.
+TEST(PovLimits, WhatIsAskedInOneAnother) {
+    const auto loop = [](const std::string& begin, const std::string& step, int times) { return "#declare A = " + begin + ";\n#for(I, 1, " + std::to_string(times) + ")\n#declare A = " + step + " #end\n"; };
+    const std::string ball = "sphere { 0, 1 }";
+    EXPECT_THAT(said_of(loop(ball, "sphere { 0, 1 bounded_by { object { A } } }", 3000) + "object { A }", {}), HasSubstr("scene.pov:3:"));
+    EXPECT_THAT(said_of(loop(ball, "sphere { 0, 1 bounded_by { object { A } } bounded_by { object { A translate x } } }", 26) + "object { A }", {}), HasSubstr("the limit is 1000000"));
+    EXPECT_THAT(said_of(loop("pigment { rgb 1 }", "pigment { pigment_pattern { A } }", 3000) + "sphere { 0, 1 pigment { A } }", {}), HasSubstr("more than 1000 levels deep"));
+    EXPECT_THAT(said_of(loop("texture { pigment { rgb 1 } }", "texture { average texture_map { [1 A] [1 A scale 2] } }", 30) + "sphere { 0, 1 texture { A } }", {}), HasSubstr("textures that are named in one another"));
+    EXPECT_EQ(said_of(loop("texture { pigment { rgb 1 } }", "texture { checker texture { A } texture { A scale 2 } }", 30) + "sphere { 0, 1 texture { A } }", {}), "");
 }
 
 }  // namespace
