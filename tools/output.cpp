@@ -46,7 +46,6 @@ std::string why_no_file(const std::string& path) {
 
 std::string why_not_writable(const std::string& path) {
     if (std::string why = why_no_file(path); !why.empty()) return why;
-    if (fs::path(path).extension().empty()) return fmt::format("'{}' has no ending that names a format, such as .png or .exr", path);
     const std::string why = why_no_format(path);
     return why.empty() ? why : fmt::format("'{}': {}", path, why);
 }

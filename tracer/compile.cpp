@@ -42,8 +42,6 @@ bool check_path_count(const Scene& scene, Diagnostics& said) {
 
 /// Set operations deeper in one another than this are a mistake of the file.
 constexpr size_t kDeepestSolid = 20'000;
-/// A stack that holds as many, each a few calls deep.
-constexpr size_t kStack = size_t(1) << 28;
 /// The same of those that are left where unions in unions and intersections in intersections are one: rays walk them on the stacks of their threads.
 constexpr uint32_t kDeepestTree = 1000;
 
@@ -349,7 +347,7 @@ std::shared_ptr<const CompiledScene> compile(Scene scene, const CompileOptions& 
     if (!check_path_count(scene, said)) return nullptr;
     out->scene = deform(std::move(scene));
     Placer placer(*out, said);
-    run_on_deep_stack(kStack, [&] {
+    run_on_deep_stack([&] {
         visit_paths(out->scene, [&](const Visit& visit) {
             placer.visit(visit);
             return true;
@@ -361,7 +359,7 @@ std::shared_ptr<const CompiledScene> compile(Scene scene, const CompileOptions& 
     make_sky(*out, options, said);
     if (said.has_errors()) return nullptr;
     out->intersect = options.intersect;
-    run_on_deep_stack(kStack, [&] { build_structures(*out, *accel, placer.take_solids(), placer.bounded(), options, said); });
+    run_on_deep_stack([&] { build_structures(*out, *accel, placer.take_solids(), placer.bounded(), options, said); });
     if (said.has_errors()) return nullptr;
     default_camera(*out, said);
     default_light(*out, options, said);

@@ -9,7 +9,7 @@
 
 namespace alidade::pov {
 
-/// The defaults keep reading below 10 s and, but for what is asked for by numbers of its own, 1 GiB.
+/// The defaults leave room for what people write, and end what is endless within seconds (pov_hostile_test).
 struct Limits {
     uint64_t tokens_read = 200'000'000;      ///< replayed ones count each time: what an endless loop or a macro bomb runs into
     uint64_t loop_turns = 25'000'000;

@@ -8,9 +8,6 @@
 
 namespace alidade {
 
-/// Objects of objects are read, built and taken apart by functions that call themselves: some 2.5 kB a level, of which Limits allows 50,000.
-constexpr size_t kStack = size_t(1) << 28;
-
 bool looks_like_pov(std::span<const std::byte>) { return false; }
 
 ImportResult import_pov(const std::string& path, const ImportOptions& options) {
@@ -36,7 +33,7 @@ ImportResult import_pov(const std::string& path, const ImportOptions& options) {
         pov::reduce(out.scene, read.quality);
         parser.say_tallies();
     };
-    if (text) run_on_deep_stack(kStack, read_all);
+    if (text) run_on_deep_stack(read_all);
     if (out.diagnostics.has_errors()) return tl::unexpected(std::move(out.diagnostics));
     return out;
 }
