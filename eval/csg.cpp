@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "eval/csg.h"
 
+#include "eval/mesh_inside.h"
 #include "eval/shapes/rows.h"
 
 #include <algorithm>
@@ -341,7 +342,7 @@ CsgInside csg_inside(const ShapeOps* ops, const ShapeGeometry& shape) {
 
 bool csg_endless(const ShapeGeometry& shape) {
     const auto* mesh = std::get_if<Mesh>(&shape);
-    return std::holds_alternative<Disc>(shape) || (mesh && mesh->inside_vector);
+    return std::holds_alternative<Disc>(shape) || (mesh && mesh->inside_vector && !keeps_inside_in_box(*mesh));
 }
 
 uint8_t csg_cost(const ShapeOps& ops) { return ops.costly ? 2 : ops.kind == kind_of<Plane>() ? 0 : 1; }

@@ -177,6 +177,7 @@ class Placer : private CsgParts {
         g.mesh = std::get_if<Mesh>(g.source);
         g.ops = g.mesh ? nullptr : find_shape(*g.source);
         if (!g.mesh) g.bounds = bounds_of(*g.ops, *g.source);
+        g.endless = csg_endless(*g.source);
         out_.geometries.push_back(std::move(g));
         return index;
     }

@@ -26,6 +26,7 @@ struct Geometry {
     std::unique_ptr<Accelerator> triangles; ///< null for closed forms
     const ShapeOps* ops = nullptr;          ///< null for meshes
     Bounds bounds;                          ///< infinite where the shape is
+    bool endless = false;                   ///< of what is inside in sets (csg_endless)
     std::vector<Attribute<Vec4f>> tangents; ///< by texture coordinate set: of a mesh that has none, where a normal map asks for them
 };
 

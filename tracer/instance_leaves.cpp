@@ -53,7 +53,7 @@ CsgLeaf csg_leaf(const CompiledScene& scene, uint32_t id) {
     const Geometry& geometry = scene.geometries[instance.geometry];
     CsgLeaf leaf;
     leaf.id = id;
-    leaf.inside = csg_inside(geometry.ops, *geometry.source), leaf.endless = csg_endless(*geometry.source);
+    leaf.inside = csg_inside(geometry.ops, *geometry.source), leaf.endless = geometry.endless;
     leaf.bounds = instance.bounds;
     leaf.cost = geometry.mesh ? kCsgCostOfMesh : csg_cost(*geometry.ops);
     return leaf;

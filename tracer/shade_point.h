@@ -67,7 +67,8 @@ template <class F> void for_each_mixed_slot(const CompiledScene& scene, const Sh
     const double shares[] = {1 - point.u - point.v, point.u, point.v};
     const uint32_t* slots = &point.mesh->corner_slots[3 * size_t(point.triangle)];
     if (slots[0] == slots[1] && slots[1] == slots[2]) return f(point, 1.0);
-    for (int corner = 0; corner < 3; ++corner) take(instance.first_slot + slots[corner], shares[corner]);
+    for (int corner = 0; corner < 3; ++corner)   // what is not worth a ray is left out, and the others stay as they are (by experiment)
+        if (shares[corner] >= scene.scene.settings.adc_bailout) take(instance.first_slot + slots[corner], shares[corner]);
 }
 
 /// `ray` is the world-space ray that found `hit`.

@@ -53,6 +53,9 @@ double truncated_grey(float level) {
 double turns(double y, double x) { return std::atan2(y, x) / (2 * kPi); }
 double fraction(double x) { return x - std::floor(x); }
 
+/// In pixels: what is so near to the next one is in it (by experiment), as on a plane whose points are at zero but for rounding.
+constexpr double kNextPixel = 1e-10;
+
 }  // namespace
 
 tl::expected<SpacePicture, std::string> SpacePicture::make(const PatternPicture& how, const Image& image, const RenderSettings& settings) {
@@ -124,7 +127,8 @@ std::optional<Vec2> SpacePicture::pixel(const Vec3& p) const {
         v = 0.5 + turns(p.y, std::hypot(p.x, p.z) - 1);
     }
     if (!std::isfinite(u) || !std::isfinite(v)) return std::nullopt;
-    const bool around_u = u < 0 || u >= 1, around_v = v < 0 || v >= 1, ends = how_.map == PictureMap::planar || how_.map == PictureMap::cylindrical;
+    const auto around = [](double x, int size) { return x < 0 || x * size + kNextPixel >= size; };
+    const bool around_u = around(u, picture_.width), around_v = around(v, picture_.height), ends = how_.map == PictureMap::planar || how_.map == PictureMap::cylindrical;
     if (how_.once && ends && (around_u || around_v)) return std::nullopt;
     return Vec2(fraction(u) * picture_.width, fraction(v) * picture_.height);
 }
@@ -164,7 +168,7 @@ SpacePicture::Texel SpacePicture::sampled(const Vec2& at) const {
 }
 
 SpacePicture::Texel SpacePicture::between(const Vec2& at) const {
-    if (how_.filter == PictureFilter::none) return texel(int(std::floor(at.x)), int(std::floor(at.y)));
+    if (how_.filter == PictureFilter::none) return texel(int(std::floor(at.x + kNextPixel)), int(std::floor(at.y + kNextPixel)));
     // Centres of pixels are at halves.
     const int i = int(std::floor(at.x - 0.5)), j = int(std::floor(at.y - 0.5)), more = how_.filter == PictureFilter::bicubic ? 1 : 0;
     const double s = at.x - 0.5 - i, t = at.y - 0.5 - j;

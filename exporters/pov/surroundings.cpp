@@ -52,6 +52,13 @@ void write_environment_picture(const Scene& scene, Sdl& sdl, ImageWriter& images
     sdl.end();
 }
 
+bool has_vertex_colors(const Scene& scene) {
+    return std::any_of(scene.shapes.begin(), scene.shapes.end(), [](const auto& shape) {
+        const auto* mesh = std::get_if<Mesh>(&shape.geometry);
+        return mesh && !mesh->colors.empty();
+    });
+}
+
 }  // namespace
 
 void write_settings(const Scene& scene, Sdl& sdl) {
@@ -61,7 +68,7 @@ void write_settings(const Scene& scene, Sdl& sdl) {
     if (s.srgb_coded) sdl.line("assumed_gamma srgb");   // numbers are calculated with as they are, and decoded at the end
     else sdl.line("assumed_gamma", s.assumed_gamma);
     sdl.line("max_trace_level", std::clamp(s.max_depth.value_or(kUsualDepth) + 1, 1, 256));
-    sdl.line("adc_bailout", s.adc_bailout);
+    sdl.line("adc_bailout", has_vertex_colors(scene) ? 0.0 : s.adc_bailout);   // corners whose share is below it would be left out
     if (s.ambient_light != Color(1)) sdl.line("ambient_light", Expression{s.ambient_light});
     if (s.irid_wavelength != RenderSettings().irid_wavelength) sdl.line("irid_wavelength", Expression{s.irid_wavelength});
     if (s.noise != RenderSettings().noise) sdl.line("noise_generator", int(s.noise));

@@ -25,11 +25,11 @@ class OpenBlock {
 
     std::span<OpenItem> items() const { return std::span(p_.open_items).subspan(begin_); }
     void add(OpenItem item) { p_.open_items.push_back(std::move(item)), ++p_.items->used; }
-    Ref<Block> finished(uint32_t defaults, float version) {
+    Ref<Block> finished(const BlockStanding& where) {
         std::vector<OpenItem> grouped;
-        if (word == "texture"_w && version < 3) grouped = with_blocks_for_old_words(items(), p_.items, defaults, version);
+        if (word == "texture"_w && where.version < 3) grouped = with_blocks_for_old_words(items(), p_.items, where);
         Ref<Block> block = Block::of(grouped.empty() ? items() : std::span(grouped), p_.items);
-        block->word = word, block->defaults = defaults, block->version = version;
+        block->word = word, block->stands(where);
         return block;
     }
 
@@ -58,11 +58,10 @@ WordId word_of_today(Parser& p, WordId word, Place at) {
 OpenItem block_item(Parser& p, Item::Kind kind, WordId given, char close, Place at) {
     const Nested nested(p, at);
     const WordId word = word_of_today(p, given, at);
-    const uint32_t defaults = uint32_t(p.defaults.size());
-    const float version = float(p.version);
+    const BlockStanding where = p.standing();
     OpenBlock open(p, word);
     read_items(p, open, close, at);
-    const Ref<Block> block = open.finished(defaults, version);
+    const Ref<Block> block = open.finished(where);
     block->place = at;
     OpenItem item = item_of(kind, at);
     item.word = word, item.value = Value::of(Kind::block, block);

@@ -38,7 +38,7 @@ void obey_setting(Parser& p, const Token& directive) {
     items[0].word = directive.directive.word, items[0].place = directive.place();
     items[1].kind = Item::Kind::value, items[1].place = directive.place(), items[1].value = Value::number(parse_float(p));
     const Ref<Block> block = Block::of(items, p.items);
-    block->word = "global_settings"_w, block->place = directive.place(), block->version = float(p.version);
+    block->word = "global_settings"_w, block->place = directive.place(), block->stands(p.standing());
     p.globals.push_back(Value::of(Kind::block, block));
 }
 

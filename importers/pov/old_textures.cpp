@@ -78,7 +78,7 @@ std::vector<OpenItem> contents(std::span<OpenItem> run) {
 
 }  // namespace
 
-std::vector<OpenItem> with_blocks_for_old_words(std::span<OpenItem> written, const Ref<Meter>& meter, uint32_t defaults, float version) {
+std::vector<OpenItem> with_blocks_for_old_words(std::span<OpenItem> written, const Ref<Meter>& meter, const BlockStanding& where) {
     std::vector<OpenItem> items = with_crand(written);
     const std::vector<WordId> homes = homes_in_texture(items);
     std::vector<OpenItem> out;
@@ -92,7 +92,7 @@ std::vector<OpenItem> with_blocks_for_old_words(std::span<OpenItem> written, con
         OpenItem part = plain_word(homes[i], items[i].place);
         std::vector<OpenItem> inside = contents(std::span(items).subspan(i, end - i));
         const Ref<Block> block = Block::of(inside, meter);
-        block->word = part.word, block->place = part.place, block->defaults = defaults, block->version = version;
+        block->word = part.word, block->place = part.place, block->stands(where);
         part.kind = Item::Kind::block, part.value = Value::of(Kind::block, block);
         out.push_back(std::move(part));
     }

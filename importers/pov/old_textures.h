@@ -7,6 +7,6 @@
 namespace alidade::pov {
 
 /// The items of a texture with each run of words that belongs into a pigment, a normal or a finish in such a block. Takes what they hold.
-std::vector<OpenItem> with_blocks_for_old_words(std::span<OpenItem> items, const Ref<Meter>& meter, uint32_t defaults, float version);
+std::vector<OpenItem> with_blocks_for_old_words(std::span<OpenItem> items, const Ref<Meter>& meter, const BlockStanding& where);
 
 }  // namespace alidade::pov

@@ -102,6 +102,8 @@ class Parser {
     SourceFinder finder;
     double version = 3.7;             ///< as #version has set it; what POV-Ray starts with
     bool version_given = false;
+    bool gamma_given = false;         ///< assumed_gamma stood before
+    BlockStanding standing() const { return {uint32_t(defaults.size()), float(version), version_given, gamma_given}; }
     bool is_old() const { return !version_given || version < 3.7 - 1e-9; }
     /// Without assumed_gamma an old scene's numbers are what its files hold: no correction at all. But not where version 3.7 is told from outside (`+MV3.7`).
     bool lacks_gamma() const { return is_old() && !(options.version && *options.version >= 3.7 - 1e-9); }

@@ -7,6 +7,7 @@
 #include "importers/pov/directives.h"
 #include "importers/pov/expressions.h"
 
+#include <algorithm>
 #include <fmt/format.h>
 
 namespace alidade::pov {
@@ -84,7 +85,7 @@ class Reader {
         OpenItem named;
         named.kind = Item::Kind::value, named.place = name.place(), named.value = slot->value;
         const Ref<Block> block = Block::of({&named, 1}, p_.items);
-        block->word = "object"_w, block->place = name.place(), block->defaults = uint32_t(p_.defaults.size()), block->version = float(p_.version);
+        block->word = "object"_w, block->place = name.place(), block->stands(p_.standing());
         program_.blocks.push_back(block);
         return true;
     }
@@ -93,6 +94,13 @@ class Reader {
         const std::span<const Item> items = settings.items();
         for (size_t i = 1; i < items.size(); ++i)
             if (items[i - 1].kind == Item::Kind::word && items[i - 1].word == "charset"_w) p_.charset_utf8 = items[i].kind == Item::Kind::word && items[i].word == "utf8"_w;
+    }
+
+    /// Pictures that are read from here on become what it says.
+    void take_gamma(const Block& settings) {
+        const std::span<const Item> items = settings.items();
+        const auto is_gamma = [](const Item& item) { return item.kind == Item::Kind::word && item.word == "assumed_gamma"_w; };
+        p_.gamma_given = p_.gamma_given || std::any_of(items.begin(), items.end(), is_gamma);
     }
 
     void statement() {
@@ -106,7 +114,7 @@ class Reader {
         if (token.kind == TokenKind::word && (is_object(token.id) || token.id == "camera"_w) && !p_.peek().is('{')) p_.fail(p_.peek().place(), fmt::format("{{ is expected behind {}, not {}", kWords[token.id], p_.describe(p_.peek())));
         if (token.kind != TokenKind::word || !p_.peek().is('{')) p_.fail(token.place(), fmt::format("an object or a directive is expected, not {}", p_.describe(token)));
         Value block = parse_block(p_, token.id, token.place());
-        if (token.id == "global_settings"_w) take_charset(block.as<Block>()), p_.globals.push_back(std::move(block));
+        if (token.id == "global_settings"_w) take_charset(block.as<Block>()), take_gamma(block.as<Block>()), p_.globals.push_back(std::move(block));
         else program_.blocks.emplace_back(&block.as<Block>());
     }
 

@@ -44,13 +44,11 @@ namespace {
 
 /// What the colours of pictures become: as the first assumed_gamma has it.
 void set_usual_gamma(const Parser& p, Build& build) {
-    build.uncorrected = p.lacks_gamma();
     for (const Value& settings : p.globals) {
         const std::span<const Item> items = settings.as<Block>().items();
         for (size_t i = 0; i + 1 < items.size(); ++i) {
             if (items[i].kind != Item::Kind::word || items[i].word != "assumed_gamma"_w) continue;
             const Item& what = items[i + 1];
-            build.uncorrected = false;
             build.scene.settings.srgb_coded = what.kind == Item::Kind::word;
             if (what.value_kind() == Kind::number && what.number() > 0) build.scene.settings.assumed_gamma = what.number();
             return;

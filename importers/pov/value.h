@@ -201,21 +201,28 @@ struct OpenItem {
     size_t components_behind() const { return value.components() > 1 ? value.components() : 0; }
 };
 
+/// What held where a block began.
+struct BlockStanding {
+    uint32_t defaults = 0;            ///< how many #default stood before it: what is left out of a texture comes from them
+    float version = 0;                ///< of the language; 3.7 where no #version was given
+    bool version_given = false;
+    bool gamma_given = false;         ///< by an assumed_gamma before it
+};
+
 /// `word { items }` with every expression evaluated: what builders read. Most are small and there are many, so the items lie right behind the block.
-struct Block : Shared {
+struct Block : Shared, BlockStanding {
     static constexpr size_t kWeight = 2;    ///< a block takes the memory of so many items besides its own
     /// Takes what the items hold.
     static Ref<Block> of(std::span<OpenItem> items, Ref<Meter> meter);
     Block(const Block&) = delete;
     Block& operator=(const Block&) = delete;
     ~Block() override;
+    void stands(const BlockStanding& where) { static_cast<BlockStanding&>(*this) = where; }
     static void operator delete(void* block) { ::operator delete(block); }
     std::span<const Item> items() const { return {reinterpret_cast<const Item*>(this + 1), count_}; }
 
     WordId word = 0;
     Place place;
-    uint32_t defaults = 0;            ///< how many #default stood before it: what is left out of a texture comes from them
-    float version = 0;                ///< of the language where it stood; 3.7 where no #version was given
 
   private:
     struct Room {

@@ -158,7 +158,7 @@ TEST_F(PovBuilders, SrgbStandsBehindAssumedGamma) {
 
 TEST_F(PovBuilders, AnImageMapIsAPattern) {
     write("a.png", ""), write("a.tif", "");
-    const Scene s = scene("#version 3.7; sphere { 0, 1 texture { uv_mapping pigment { image_map { png \"a.png\" map_type 2 interpolate 3 once filter 2, .5 transmit all .25 } scale 2 } } }\n"
+    const Scene s = scene("#version 3.7; global_settings { assumed_gamma 1 } sphere { 0, 1 texture { uv_mapping pigment { image_map { png \"a.png\" map_type 2 interpolate 3 once filter 2, .5 transmit all .25 } scale 2 } } }\n"
                           "sphere { 0, 1 pigment { image_map { png \"a.png\" gamma srgb } } normal { bump_map { tiff \"a.tif\" bump_size 2 use_index } } }");
     EXPECT_EQ(s.images.size(), 2u) << "each file once";
     const auto& first = std::get<PovFinish>(s.materials.at(0).layers.at(0)), second = std::get<PovFinish>(s.materials.at(1).layers.at(0));

@@ -78,6 +78,11 @@ std::set<std::string> warnings(const std::string& said) {
     return out;
 }
 
+/// Pictures that stood before assumed_gamma, and were decoded as nothing behind it is.
+bool loses_gamma(const Exported& exported) {
+    return std::any_of(exported.losses.begin(), exported.losses.end(), [](const Loss& loss) { return loss.what.find("pictures decoded by the words") != std::string::npos; });
+}
+
 /// Letters are written as prisms, which are not read yet.
 bool has_letters(const Scene& scene) {
     return std::any_of(scene.shapes.begin(), scene.shapes.end(), [](const ShapeEntry& s) { return std::holds_alternative<Extrusion>(s.geometry); });
@@ -90,6 +95,7 @@ TEST_P(PovExport, GivesTheSamePicture) {
     const auto exported = export_scene(*scene, path("out.pov"));
     ASSERT_TRUE(exported) << exported.error();
     if (has_letters(*scene)) GTEST_SKIP() << "letters become prisms";
+    if (loses_gamma(*exported)) GTEST_SKIP() << "behind assumed_gamma there are no words for it: told as a loss";
     const auto again = read(path("out.pov"));
     ASSERT_TRUE(again);
     const std::vector<float> before = drawn(*scene), after = drawn(*again);
@@ -104,7 +110,9 @@ TEST_P(PovExportToPovRay, IsTaken) {
     std::ofstream(path("scene.pov")) << GetParam().scene << "\n";
     const auto scene = read(path("scene.pov"));
     ASSERT_TRUE(scene);
-    ASSERT_TRUE(export_scene(*scene, path("out.pov")));
+    const auto exported = export_scene(*scene, path("out.pov"));
+    ASSERT_TRUE(exported);
+    if (loses_gamma(*exported)) GTEST_SKIP() << "behind assumed_gamma there are no words for it: told as a loss";
     const std::string said = povray("out.pov", "out.png");
     EXPECT_FALSE(said.starts_with("Error:")) << said << text("out.pov");   // a "Possible Parse Error" is a warning
     const std::string said_before = povray("scene.pov", "scene.png");

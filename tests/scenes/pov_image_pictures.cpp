@@ -77,6 +77,12 @@ std::vector<PovPicture> image_pictures() {
         {"ImageFiles", files(kCorrected)},
         {"ImageFilesOfGamma", files("#version 3.7; global_settings { assumed_gamma 2.2 }\n")},
         {"ImageFilesOfSrgb", files("#version 3.7; global_settings { assumed_gamma srgb }\n")},
+        {"ImageFilesBeforeTheirGamma", files("#version 3.7;\n") + " global_settings { assumed_gamma 2.2 }"},
+        {"ImageFilesBeforeVersionAndGamma", files("") + " #version 3.7; global_settings { assumed_gamma 1.8 }"},
+        {"ImageOnAPlaneAtZero", kCorrected + kBack + "camera { location <0,2,-3> look_at 0 } plane { y, 0 pigment { image_map { png \"plain.png\" } } finish { ambient 1 diffuse 0 } } "
+                                "box { <.2,.1,.2>, <.8,.6,.8> pigment { image_map { png \"plain.png\" once } } finish { ambient 1 diffuse 0 } }"},
+        {"CornersBelowTheBailout", kCorrected + "global_settings { adc_bailout .1475 }\n" + kBack + "camera { orthographic location -10*z look_at 0 right 8*x up 6*y }\n#declare R = texture { pigment { rgb x } finish { phong .5 } } "
+                                   "#declare G = texture { pigment { rgb y } } #declare B = texture { pigment { rgb z } finish { ambient .5 } }\nmesh { triangle { <-3,-2,-1>, <3,-2,-1>, <0,2.5,-1> texture_list { R G B } } }"},
         {"ImageFilesOfOldScenes", files("#version 3.6; global_settings { assumed_gamma 1.8 }\n")},
         {"ImageFilesUncorrected", twelve_of("", "pigment { image_map { png \"plain.png\" } }, pigment { image_map { png \"srgb.png\" } }, pigment { image_map { png \"gamma.png\" } }, pigment { image_map { png \"grey.png\" } }, pigment { image_map { png \"alpha.png\" } }, pigment { image_map { png "
                                          "\"palette.png\" } }, pigment { image_map { png \"deep.png\" } }, pigment { image_map { png \"deep_grey.png\" } }, pigment { image_map { ppm \"plain.ppm\" } }, pigment { image_pattern { png \"plain.png\" } }, pigment { image_pattern { png \"srgb.png\" } }, "

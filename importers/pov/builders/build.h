@@ -43,7 +43,6 @@ struct Build {
     std::map<std::pair<const Font*, uint32_t>, std::optional<Glyph>> glyphs;
     std::map<std::tuple<const Font*, uint32_t, uint64_t>, ShapeId> letters;   ///< glyphs as shapes, by the bits of their depth: stored once for all texts
     std::map<std::string, ImageId> images;              ///< by path
-    bool uncorrected = false;                           ///< an old scene without assumed_gamma: pictures are what they hold
     bool gamma_given = false;                           ///< assumed_gamma stood in the scene
     std::vector<PovFinish> default_textures;            ///< what holds after each of them; the first: before all
     std::map<uint32_t, MaterialId> default_materials;   ///< by the number of #default before

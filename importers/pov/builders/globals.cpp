@@ -16,7 +16,6 @@ void take_gamma(Build& build, Cursor& at) {
         return (void)at.next();
     }
     s.srgb_coded = at.accept("srgb"_w);
-    build.uncorrected = false;
     s.assumed_gamma = s.srgb_coded ? 1 : at.number("the assumed gamma");
     if (!(s.assumed_gamma > 0)) build.p.fail(place, "the assumed gamma must be greater than 0");
 }
@@ -34,7 +33,7 @@ void begin_settings(Build& build) {
     s.default_light = false, s.first_box_shows = true;
     s.max_depth = 4;
     s.adc_bailout = 1.0 / 255;
-    s.srgb_coded = build.uncorrected = build.p.lacks_gamma();
+    s.srgb_coded = build.p.lacks_gamma();
     s.filter_dims_by_colour = build.p.is_old();
     if (build.p.version_given && build.p.version < 3.5 - 1e-9) s.noise = NoiseGenerator::original;
     s.generator = "POV-Ray";

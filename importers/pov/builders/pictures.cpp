@@ -48,12 +48,12 @@ ImageId add_image(Build& build, const std::string& name, const Format& format, P
     return at->second;
 }
 
-/// What the file's numbers mean if the scene does not say.
-void set_usual_code(const Build& build, const Block& block, const Format& format, PatternPicture& out) {
-    const bool is_colour = block.word == "image_map"_w;
-    out.scene_gamma = is_colour && !build.uncorrected;
-    if (!out.scene_gamma) return;
-    const bool old = !build.p.version_given || double(block.version) < 3.7 - 1e-6;
+/// What the file's numbers mean if the scene does not say. POV-Ray decodes a picture as it comes to it (by experiment): before any assumed_gamma for version
+/// 3.7 to linear numbers, which they stay whatever gamma follows, and for older ones not at all.
+void set_usual_code(const Block& block, const Format& format, PatternPicture& out) {
+    const bool is_colour = block.word == "image_map"_w, old = !block.version_given || double(block.version) < 3.7 - 1e-6;
+    out.scene_gamma = is_colour && block.gamma_given;
+    if (!is_colour || (old && !block.gamma_given)) return;
     out.code = format.encoded && !old ? PictureCode::told_or_srgb : PictureCode::told_or_stored;
 }
 
@@ -125,7 +125,7 @@ PatternPicture take_picture(Build& build, Cursor& at, double* depth) {
     out.image = add_image(build, at.next().text(), told ? *told : kFormats[0], place);
     const Format& format = told ? *told : format_of(build.scene.images[out.image.index].path);
     out.premultiplied = format.word == "exr"_w;                      // as that format has it
-    set_usual_code(build, block, format, out);
+    set_usual_code(block, format, out);
     while (!at.done() && take_modifier(build, at, out, depth)) continue;
     return out;
 }
