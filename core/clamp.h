@@ -14,6 +14,8 @@ struct LineInterval {
 };
 /// As computed in double: (plane - origin) / dir on each axis, a division, since a multiplication with the rounded 1 / dir would add a rounding.
 LineInterval inside_bounds(const Ray& ray, const Bounds& bounds);
+/// The same bits on any machine, axis by axis.
+LineInterval inside_bounds_plainly(const Ray& ray, const Bounds& bounds);
 
 /// Clamps `t` into the interval in which the line of `ray` is inside `bounds`. Returns `t` itself if the line misses the box.
 double clamp_to_bounds(double t, const Ray& ray, const Bounds& bounds);

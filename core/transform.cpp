@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "core/transform.h"
 
+#include "core/lanes.h"
+
+#include <cstddef>
+
 namespace alidade {
 
 Bounds Transform::bounds(const Bounds& b) const {
@@ -25,7 +29,32 @@ Bounds Transform::bounds(const Bounds& b) const {
     return out;
 }
 
+#ifdef __x86_64__
+
+namespace {
+
+static_assert(offsetof(Ray, origin) == 0 && offsetof(Ray, dir) == 24 && offsetof(Ray, tmin) == 48, "the last lane of one is written before what follows it");
+
+[[gnu::target("avx2"), gnu::always_inline]] inline __m256d image(const Mat3& linear, const Vec3& v) {
+    return lanes_and_next(linear[0]) * _mm256_set1_pd(v.x) + lanes_and_next(linear[1]) * _mm256_set1_pd(v.y) + lanes_of(linear[2]) * _mm256_set1_pd(v.z);
+}
+
+[[gnu::target("avx2")]] Ray ray_in_lanes(const Transform& a, const Ray& r) {
+    Ray out;
+    _mm256_storeu_pd(&out.origin.x, image(a.linear, r.origin) + lanes_of(a.translation));
+    _mm256_storeu_pd(&out.dir.x, image(a.linear, r.dir));
+    out.tmin = r.tmin, out.tmax = r.tmax, out.time = r.time, out.mask = r.mask;
+    return out;
+}
+
+}  // namespace
+
+#endif
+
 Ray Transform::ray(const Ray& r) const {
+#ifdef __x86_64__
+    if (kHasLanes) return ray_in_lanes(*this, r);
+#endif
     Ray out = r;
     out.origin = point(r.origin);
     out.dir = vector(r.dir);

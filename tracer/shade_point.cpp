@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tracer/shade_point.h"
 
+#include "core/lanes.h"
 #include "core/next_up.h"
 #include "eval/mesh_points.h"
 #include "eval/placed.h"
@@ -29,19 +30,21 @@ const Attribute<Vec4f>* tangents_of(const Geometry& geometry, uint32_t uv_set) {
     return uv_set < geometry.tangents.size() && geometry.tangents[uv_set].present() ? &geometry.tangents[uv_set] : nullptr;
 }
 
-void place_on_shape(const Geometry& geometry, const Instance& instance, const Ray& ray, const Hit& hit, ShadePoint& p) {
+void place_on_shape(const Geometry& geometry, const Instance& instance, const Ray& local, const Hit& hit, ShadePoint& p) {
     // A position in the world may be as coarse as the whole shape.
-    p.on_shape = {geometry.ops, geometry.source, instance.inexact ? instance.local(ray).at(hit.t) : instance.local(p.position), hit.part};
+    p.on_shape = {geometry.ops, geometry.source, instance.inexact ? local.at(hit.t) : instance.local(p.position), hit.part};
     p.geometric_normal = p.shading_normal = normalized(instance.to_local.transposed(geometry.ops->normal_at(*geometry.source, p.on_shape.point, hit.part)));
     if (!geometry.ops->shading_normal) return;
     p.shading_normal = normalized(instance.to_local.transposed(geometry.ops->shading_normal(*geometry.source, p.on_shape.point)));
     if (dot(p.shading_normal, p.geometric_normal) < 0) p.geometric_normal = -p.geometric_normal;
 }
 
-void place(const CompiledScene& scene, const Instance& instance, const Ray& ray, const Hit& hit, ShadePoint& p) {
-    const Geometry& geometry = scene.geometries[instance.geometry];
+/// Of triangles it is asked for nothing.
+Ray local_ray_of(const Instance& instance, const Geometry& geometry, const Ray& ray) { return geometry.mesh && !instance.inexact ? ray : instance.local(ray); }
+
+void place(const Geometry& geometry, const Instance& instance, const Ray& local, const Hit& hit, ShadePoint& p) {
     if (geometry.mesh) place_on_mesh(*geometry.mesh, instance, hit, p);
-    else place_on_shape(geometry, instance, ray, hit, p);
+    else place_on_shape(geometry, instance, local, hit, p);
     if (instance.inverted) p.geometric_normal = -p.geometric_normal, p.shading_normal = -p.shading_normal;
 }
 
@@ -62,22 +65,55 @@ bool is_smooth(const Mesh& mesh, uint32_t triangle) {
     return (behind != instance.turned) != (p.mesh && instance.inverted);
 }
 
-}  // namespace
-
-double world_error(const CompiledScene& scene, const Ray& ray, const Hit& hit, const Vec3& position) {
-    const Instance& instance = scene.instances[hit.instance];
-    const Geometry& geometry = scene.geometries[instance.geometry];
-    const Ray local = geometry.mesh && !instance.inexact ? ray : instance.local(ray);
+/// How far the surface may be from `position`, in world space.
+double error_of(const Instance& instance, const Geometry& geometry, const Ray& ray, const Ray& local, const Hit& hit, const Vec3& position) {
     const ErrorBound own = geometry.mesh ? hit.error : geometry.ops->error(*geometry.source, local, hit.t, hit.part);
     const double mapped = instance.inexact ? corrected_error(instance.norms, ray, local, hit.t) : mapped_error(instance.norms, ray, hit.t);
     return placed_error(instance.norms, own, mapped, ray, hit.t, position);
 }
 
+/// `moved` to the next number on in the direction of `offset`, so that it was not rounded back.
+Vec3 rounded_on(const Vec3& moved, const Vec3& offset) {
+    Vec3 out = moved;
+    for (int k = 0; k < 3; ++k)
+        if (offset[k] != 0) out[k] = offset[k] > 0 ? next_up(moved[k]) : -next_up(-moved[k]);
+    return out;
+}
+
+#ifdef __x86_64__
+/// origin = position + offset, rounded on: the same bits. The numbers of one sign are in the order of their bits.
+[[gnu::target("avx2")]] void begin_off_in_lanes(const Vec3& position, const Vec3& offset, Ray& ray) {
+    const __m256d zero = _mm256_setzero_pd(), away = lanes_of(offset), moved = lanes_of(position) + away, size = _mm256_andnot_pd(_mm256_set1_pd(-0.0), moved);
+    const __m256d usual = _mm256_and_pd(_mm256_cmp_pd(size, zero, _CMP_GT_OQ), _mm256_cmp_pd(size, _mm256_set1_pd(kInf), _CMP_LT_OQ));
+    const __m256d against = _mm256_xor_pd(_mm256_cmp_pd(moved, zero, _CMP_GT_OQ), _mm256_cmp_pd(away, zero, _CMP_GT_OQ));
+    const __m256i step = _mm256_or_si256(_mm256_castpd_si256(against), _mm256_set1_epi64x(1));   // 1 or -1
+    const __m256i steps = _mm256_and_si256(step, _mm256_castpd_si256(_mm256_cmp_pd(away, zero, _CMP_NEQ_OQ)));
+    _mm256_storeu_pd(&ray.origin.x, _mm256_castsi256_pd(_mm256_add_epi64(_mm256_castpd_si256(moved), steps)));   // and what is written over follows
+    if ((_mm256_movemask_pd(usual) & 7) != 7) ray.origin = rounded_on(position + offset, offset);
+}
+#endif
+
+void begin_off(const Vec3& position, const Vec3& offset, Ray& ray) {
+#ifdef __x86_64__
+    if (kHasLanes) return begin_off_in_lanes(position, offset, ray);
+#endif
+    ray.origin = rounded_on(position + offset, offset);
+}
+
+}  // namespace
+
+double world_error(const CompiledScene& scene, const Ray& ray, const Hit& hit, const Vec3& position) {
+    const Instance& instance = scene.instances[hit.instance];
+    const Geometry& geometry = scene.geometries[instance.geometry];
+    return error_of(instance, geometry, ray, local_ray_of(instance, geometry, ray), hit, position);
+}
+
 Vec3 geometric_normal(const CompiledScene& scene, const Ray& ray, const Hit& hit) {
     const Instance& instance = scene.instances[hit.instance];
+    const Geometry& geometry = scene.geometries[instance.geometry];
     ShadePoint p;
     p.position = ray.at(hit.t);
-    place(scene, instance, ray, hit, p);
+    place(geometry, instance, local_ray_of(instance, geometry, ray), hit, p);
     return p.geometric_normal;
 }
 
@@ -109,12 +145,14 @@ Vec4 ShadePoint::vertex_color() const {
 
 ShadePoint shade_point(const CompiledScene& scene, const Ray& ray, const Hit& hit) {
     const Instance& instance = scene.instances[hit.instance];
+    const Geometry& geometry = scene.geometries[instance.geometry];
     ShadePoint p;
     p.instance = hit.instance;
     p.slot = instance.first_slot;
     p.position = ray.at(hit.t);
-    p.error = world_error(scene, ray, hit, p.position);
-    place(scene, instance, ray, hit, p);
+    const Ray local = local_ray_of(instance, geometry, ray);
+    p.error = error_of(instance, geometry, ray, local, hit, p.position);
+    place(geometry, instance, local, hit, p);
     p.front = dot(ray.dir, p.geometric_normal) <= 0;
     if (instance.inside_slot != kNoId && sees_inside(instance, ray, p)) p.slot = instance.inside_slot;
     p.space = pattern_space(scene, p);
@@ -144,10 +182,7 @@ Ray spawn_ray(const ShadePoint& point, const Vec3& dir, double tmax) {
     Ray ray;
     // Once for the error of this point, once for that of the test which must not find the surface again.
     const Vec3 offset = point.geometric_normal * (side * 2 * point.error);
-    for (int k = 0; k < 3; ++k) {
-        const double moved = point.position[k] + offset[k];
-        ray.origin[k] = offset[k] == 0 ? moved : offset[k] > 0 ? next_up(moved) : -next_up(-moved);   // never rounded back
-    }
+    begin_off(point.position, offset, ray);
     ray.dir = dir;
     ray.tmin = 0;
     ray.tmax = tmax;

@@ -6,7 +6,10 @@ namespace alidade {
 
 namespace {
 
-Bounds box_bounds(const ShapeGeometry& geometry) { return bounds(geometry); }
+Bounds box_bounds(const ShapeGeometry& geometry) {
+    const Box& box = std::get<Box>(geometry);
+    return {glm::min(box.a, box.b), glm::max(box.a, box.b)};
+}
 
 double plane_of(const Bounds& box, uint32_t face) { return face % 2 ? box.max[int(face / 2)] : box.min[int(face / 2)]; }
 
@@ -30,18 +33,19 @@ ErrorBound box_error(const ShapeGeometry& geometry, const Ray& ray, double t, ui
 
 /// The line is in the box where it is between all three pairs of planes. A line in the plane of a face, or along an edge, is in the box; a box that is
 /// flat along an axis is crossed twice at the same t.
-Crossings box_crossings(const ShapeGeometry& geometry, const Ray& ray) {
-    const Bounds box = box_bounds(geometry);
+Crossings box_wanted(const ShapeGeometry&, const Bounds& box, const Ray& ray, Wanted what) {
     Crossings out;
     if (!is_finite(ray)) return out;
     const LineInterval inside = inside_bounds(ray, box);
     if (inside.empty() || !std::isfinite(inside.entry) || !std::isfinite(inside.exit)) return out;
-    for (const bool entering : {true, false}) {
-        const double t = entering ? inside.entry : inside.exit;
-        out.add(t, face_at(box, ray, t, entering));
-    }
+    const bool all = what == Wanted::all;
+    if (all || inside.entry >= ray.tmin) out.add(inside.entry, face_at(box, ray, inside.entry, true));
+    else out.begins_inside = true;
+    if (all || out.count == 0) out.add(inside.exit, face_at(box, ray, inside.exit, false));
     return out;
 }
+
+Crossings box_crossings(const ShapeGeometry& geometry, const Ray& ray) { return box_wanted(geometry, box_bounds(geometry), ray, Wanted::all); }
 
 /// Texture coordinates of a face: u = u0 + (su / 4) f, v = v0 + (sv / 3) g, where f and g run from 0 to 1 along two axes of the box.
 struct FaceUv {
@@ -59,6 +63,12 @@ constexpr FaceUv kUnfolded[6] = {
     {0, 4.0 / 4, -1, 1, 1.0 / 3, 1}, {0, 1.0 / 4, 1, 1, 1.0 / 3, 1},    // -z, +z
 };
 
+Vec3 box_normal(const ShapeGeometry&, const Vec3&, uint32_t part) {
+    Vec3 normal(0);
+    normal[int(part / 2)] = part % 2 ? 1 : -1;
+    return normal;
+}
+
 SurfacePoint box_surface(const ShapeGeometry& geometry, const Vec3& point, uint32_t part) {
     const Bounds box = box_bounds(geometry);
     Vec3 size = box.extent();
@@ -67,8 +77,8 @@ SurfacePoint box_surface(const ShapeGeometry& geometry, const Vec3& point, uint3
     const FaceUv& face = kUnfolded[part];
     const Vec3 along = (point - box.min) / size;
     SurfacePoint out;
-    out.normal = out.dpdu = out.dpdv = Vec3(0);
-    out.normal[int(part / 2)] = part % 2 ? 1 : -1;
+    out.normal = box_normal(geometry, point, part);
+    out.dpdu = out.dpdv = Vec3(0);
     out.uv = {face.u0 + face.su / 4 * along[face.u_axis], face.v0 + face.sv / 3 * along[face.v_axis]};
     out.dpdu[face.u_axis] = 4 * face.su * size[face.u_axis];
     out.dpdv[face.v_axis] = 3 * face.sv * size[face.v_axis];
@@ -79,6 +89,6 @@ bool box_inside(const ShapeGeometry& geometry, const Vec3& point) { return box_b
 
 }  // namespace
 
-const ShapeOps kBoxOps = {"box", "the solid between two opposite corners", kind_of<Box>(), box_bounds, box_crossings, box_error, box_surface, box_inside, always_solid, nullptr, false, nullptr, nullptr, true};
+const ShapeOps kBoxOps = {"box", "the solid between two opposite corners", kind_of<Box>(), box_bounds, box_crossings, box_error, box_surface, box_inside, always_solid, nullptr, false, box_normal, box_wanted, true};
 
 }  // namespace alidade

@@ -56,6 +56,26 @@ TEST(Spawn, RaysBeginTwoBoundsOffTheSurface) {
     EXPECT_GT(rounded, 1000u) << "some bounds are less than a rounding";
 }
 
+/// One number on from the rounded sum in the direction that they are moved, also from 0 and where nothing moves them.
+TEST(Spawn, RaysBeginAtTheNextNumber) {
+    for (uint64_t number = 0; number < 100000; ++number) {
+        Draws draws(RandomKey(5, 0, number));
+        ShadePoint p;
+        p.position = draws.direction(), p.geometric_normal = draws.direction();
+        for (int k = 0; k < 3; ++k) {
+            if (draws.uniform(0, 1) < 0.2) p.geometric_normal[k] = 0;
+            if (draws.uniform(0, 1) < 0.1) p.position[k] = 0;
+        }
+        p.error = draws.coin() ? 1e-17 : draws.coin() ? 0 : 1e-3;
+        const Vec3 dir = draws.direction();
+        const Vec3 offset = p.geometric_normal * ((dot(dir, p.geometric_normal) < 0 ? -2 : 2) * p.error), origin = spawn_ray(p, dir).origin;
+        for (int k = 0; k < 3; ++k) {
+            const double moved = p.position[k] + offset[k], wanted = offset[k] == 0 ? moved : std::nextafter(moved, offset[k] > 0 ? kInf : -kInf);
+            ASSERT_EQ(origin[k], wanted) << number << " " << k;
+        }
+    }
+}
+
 /// What the test of triangles says of its error counts whole, beside what the ray and the place add.
 TEST(Spawn, TheBoundOfAMeshIsThatOfItsTest) {
     SceneBuilder b;
