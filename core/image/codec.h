@@ -26,9 +26,6 @@ struct ColorChannels {
 };
 ColorChannels color_channels(const Picture& picture);
 
-/// Does any pixel have an alpha other than 1?
-bool is_transparent(const Picture& picture, const ColorChannels& colors);
-
 /// One float of straight colour, or alpha, for each pixel and output channel: colour is divided by alpha where alpha is not 0.
 /// `with_alpha` asks for a last channel of alpha.
 std::vector<float> straight_colors(const Picture& picture, const ColorChannels& colors, bool with_alpha);

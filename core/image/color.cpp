@@ -91,13 +91,6 @@ ColorChannels color_channels(const Picture& picture) {
     return found;
 }
 
-bool is_transparent(const Picture& picture, const ColorChannels& colors) {
-    if (colors.alpha < 0) return false;
-    for (size_t i = size_t(colors.alpha); i < picture.values.size(); i += size_t(picture.channels))
-        if (picture.values[i] != 1) return true;
-    return false;
-}
-
 std::vector<float> straight_colors(const Picture& picture, const ColorChannels& colors, bool with_alpha) {
     const size_t pixels = size_t(picture.width) * size_t(picture.height);
     std::vector<float> out(pixels * size_t(colors.count + with_alpha));

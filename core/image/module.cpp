@@ -175,7 +175,7 @@ Result<Bytes> encode_by_module(const Picture& picture, const std::string& ending
     if (colors.count == 0) return tl::unexpected(fmt::format("{} holds colour, but the picture has no channels R, G, B or Y", target->format));
     colors.count = 3;
     if (!target->alpha) colors.alpha = -1;   // over black
-    const bool with_alpha = is_transparent(picture, colors);
+    const bool with_alpha = colors.alpha >= 0;
     const auto& opened = module();
     if (!opened) return tl::unexpected(opened.error());
 

@@ -194,7 +194,7 @@ static Result<Bytes> written(const Picture& picture, uint32_t format, const void
 Result<Bytes> encode_png(const Picture& picture) {
     const ColorChannels colors = color_channels(picture);
     if (colors.count == 0) return tl::unexpected(std::string(kNoColor));
-    const bool with_alpha = is_transparent(picture, colors);
+    const bool with_alpha = colors.alpha >= 0;
     const std::vector<uint8_t> codes = encode_8bit(picture, colors, with_alpha);
     return written(picture, (colors.count == 3 ? PNG_FORMAT_FLAG_COLOR : 0u) | (with_alpha ? PNG_FORMAT_FLAG_ALPHA : 0u), codes.data());
 }
@@ -202,7 +202,7 @@ Result<Bytes> encode_png(const Picture& picture) {
 Result<Bytes> encode_deep_png(const Picture& picture) {
     const ColorChannels colors = color_channels(picture);
     if (colors.count == 0) return tl::unexpected(std::string(kNoColor));
-    const bool with_alpha = is_transparent(picture, colors);
+    const bool with_alpha = colors.alpha >= 0;
     std::vector<uint16_t> codes = encode_16bit(picture, colors, with_alpha);
     std::vector<png_bytep> rows(size_t(picture.height));
     for (size_t y = 0; y < rows.size(); ++y) rows[y] = reinterpret_cast<png_bytep>(&codes[y * (codes.size() / rows.size())]);

@@ -166,6 +166,16 @@ TEST_F(ImageFiles, PngAlphaIsStraight) {
     EXPECT_EQ(std::lround(read->at(0, 0)[3] * 255), 128) << "alpha is not gamma-encoded";
 }
 
+/// What reads the files of an animation finds one kind of picture in all of them.
+TEST_F(ImageFiles, PngHasTheAlphaOfAPictureThatIsNowhereTransparent) {
+    Picture picture(2, 1, {"R", "G", "B", "A"});
+    picture.values = {0.25f, 0.5f, 0, 1, 1, 1, 1, 1};
+    ASSERT_TRUE(write_picture(path("a.png"), picture));
+    const auto read = read_picture(path("a.png"), Encoding::automatic);
+    ASSERT_TRUE(read) << read.error();
+    EXPECT_EQ(read->names, (std::vector<std::string>{"R", "G", "B", "A"}));
+}
+
 TEST_F(ImageFiles, PpmIsOverBlackAndSrgb) {
     Picture picture(2, 1, {"R", "G", "B", "A"});
     const float pixels[2][4] = {{0.5f, 0, 1, 0.5f}, {0.18f, 0.05f, 0, 0}};
