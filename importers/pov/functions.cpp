@@ -77,10 +77,11 @@ Value parse_function(Parser& p, Place at) {
     Ref<Function> function(new Function);
     function->place = at;
     read_parameters(p, *function);
+    function->named = !function->parameters.empty();
     if (function->parameters.empty() && !p.peek().is('{')) {       // the sizes of a picture made of a function
-        parse_float(p);
+        const double columns = parse_float(p);
         p.accept(',');
-        parse_float(p);
+        function->size = {columns, parse_float(p)};
     }
     if (function->parameters.empty()) function->parameters = {"x"_w, "y"_w, "z"_w};
     p.expect('{', "before the body of a function");

@@ -15,7 +15,5 @@ Value call_function(Parser& p, const Function& function, Place at);
 Value parse_spline(Parser& p, Place at);
 /// `(t)` or `(t, type)` of a spline.
 Value call_spline(Parser& p, const Spline& spline, Place at);
-/// The value at `t`: linear; quadratic through three knots; natural cubic; cubic_spline with tangents of both sides. All are constant outside.
-std::array<double, 5> spline_value(const Spline& spline, double t);
 
 }  // namespace alidade::pov
