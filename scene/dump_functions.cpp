@@ -14,7 +14,7 @@ constexpr const char* kSplines[] = {"linear", "quadratic", "cubic", "natural"};
 
 void dump_function(std::string& out, size_t i, const FunctionProgram& f) {
     Line(out, fmt::format("function {}", i)).field("parameters", f.parameters, 3u);
-    for (const FunctionStep& s : f.steps) Line(out, "  ").word(kOps[size_t(s.op)]).field("a", s.a).field("b", s.b).field("value", s.value);
+    for (const FunctionStep& s : f.steps) Line(out, " ").word(kOps[size_t(s.op)]).field("a", s.a).field("b", s.b).field("value", s.value);
     for (const Transform& t : f.transforms) Line(out, "  transform").always("to", t);
     for (const SplineCurve& s : f.splines) {
         Line(out, "  spline").word(kSplines[size_t(s.type)]);

@@ -108,6 +108,12 @@ Value parse_function(Parser& p, Place at) {
     return Value::of(Kind::function, function);
 }
 
+Value parse_declared_function(Parser& p, Place at) {
+    Value value = parse_function(p, at);
+    if (value.kind == Kind::function && value.as<Function>().size) p.fail(at, "a function with a size is a picture: it has no name", "it can stand in image_map, image_pattern, bump_map and material_map");
+    return value;
+}
+
 Value call_function(Parser& p, const Function& function, Place at) {
     const Ref<Function> hold(const_cast<Function*>(&function));
     p.expect('(', "before the arguments of a function");

@@ -8,6 +8,8 @@ namespace alidade::pov {
 
 /// `function [(parameters)] { ... }` or `function W, H { ... }` behind its word: kept as tokens with identifiers resolved.
 Value parse_function(Parser& p, Place at);
+/// The same behind a name and `=`.
+Value parse_declared_function(Parser& p, Place at);
 /// `(arguments)` of a function. `at`: of its name.
 Value call_function(Parser& p, const Function& function, Place at);
 

@@ -74,6 +74,7 @@ TEST_F(PovBuilders, WhatIsNoFunctionOfAPatternIsAnErrorAtItsPlace) {
                              {"pigment { function { x*y z } }", "3:40: error: z is not expected in a function"}, {"pigment { function { } }", "3:25: error: the function ends in the middle of its expression"},
                              {"texture { function { sin(x, y) } texture_map { [0 pigment { rgb 1 }] } }", "error: sin does not take 2 arguments"}, {"pigment { function { sum(i, 1, 3) } }", "error:"}, {"pigment { function { x } .3 }", "error: a value means nothing here in pigment"}})
         EXPECT_THAT(said(declared + "sphere { 0, 1 " + r.scene + " }"), HasSubstr(r.message)) << r.scene;
+    EXPECT_THAT(said("#declare Q = function 8, 8 { x }"), HasSubstr("1:14: error: a function with a size is a picture: it has no name"));
     const Scene s = scene(declared + "sphere { 0, 1 pigment { function { F(x, 2) + F(y, 3) } frequency 2 } normal { function { P(x, y, z).gray } .3 } } sphere { 0, 1 pigment { function { F(z, z) } } }");
     EXPECT_EQ(s.functions.size(), 4u) << "F is there once";
     EXPECT_EQ(s.functions.at(1).steps.size(), 7u);

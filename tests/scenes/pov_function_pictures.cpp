@@ -35,6 +35,9 @@ std::vector<PovPicture> function_pictures() {
         {"FunctionsAfterPatterns", function_balls({"pigment { W function { x*2 } }", "pigment { C function { x*3 } }", "pigment { S wood }", "pigment { function { y*2 } } pigment { bozo }", "pigment { function { sqrt(x) } color_map { Map } }", "pigment { function { x/(y - y) } color_map { Map } }", "pigment { W pigment_pattern { gradient x } }",
                                           "pigment { function { -3.7*x } frequency -2 phase 3 color_map { Map } }"})
                                        .insert(kFunctionHead.size(), "#declare W = pigment { wood scale .3 color_map { [0 rgb x] [1 rgb y] } } #declare C = pigment { checker scale .4 } #declare S = pigment { function { x } frequency 2 color_map { [0 rgb 0] [1 rgb z] } }\n")},
+        {"PicturesOfFunctions", function_balls({"pigment { image_map { function 8,6 { x*y } interpolate 2 } scale .7 }", "pigment { image_map { function 30,30 { pigment { agate scale .2 color_map { Map } } } map_type 1 } rotate 50*y }", "pigment { image_pattern { function 9,5 { F(x, y)/2 + .5 } } color_map { Map } }",
+                                                "pigment { rgb 1 } normal { bump_map { function 12,12 { sin(9*x)*sin(9*y)/2 + .5 } interpolate 2 bump_size 3 } scale .6 }", "texture { material_map { function 6,6 { x*2/255 } texture { pigment { rgb x } } texture { pigment { rgb y } } texture { pigment { rgb z } } } }",
+                                                "pigment { image_map { function 9,9 { pigment { gradient x color_map { [0 rgbt <1,0,0,.8>] [1 rgb 1] } } } once transmit all .2 } }"})},
         {"FunctionsAround", "#include \"functions.inc\"\n" + kFunctionHead + "sky_sphere { pigment { function { y*2 + F(x, z)*.2 } color_map { Map } } } sphere { 0, 1.5 pigment { rgb 0 } finish { reflection 1 } normal { function { sin(9*y) } .2 } } plane { y, -2 pigment { function { f_noise3d(x, y, z) + f_r(x, y, z) } color_map { Map } } }\n"},
     };
 }

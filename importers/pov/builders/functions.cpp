@@ -315,9 +315,10 @@ SignalId build_number_pattern(Build& build, const Block& block) {
 
 SignalId build_function_pigment(Build& build, const Block& block) { return build_pigment(build, block, plain_pigment(build)); }
 
+bool is_declared(const Function& function, Place place) { return place.source != function.place.source || place.offset != function.place.offset; }
+
 void check_pattern_function(const Parser& p, const Function& function, Place place) {
-    const bool declared = place.source != function.place.source || place.offset != function.place.offset;
-    if (declared) p.fail(place, "a declared function cannot stand here by its name", "call it: function { NAME(x, y, z) }");
+    if (is_declared(function, place)) p.fail(place, "a declared function cannot stand here by its name", "call it: function { NAME(x, y, z) }");
     if (function.size) p.fail(place, "a function with a size is a picture: it cannot stand here", "it can in image_map, image_pattern, bump_map and material_map");
     if (function.named) p.fail(place, "the function of a pattern has no parameters of its own", "they are x, y and z");
     const std::string_view alone = block_of(function) ? std::string_view(kWords[block_of(function)->word]) : internal_of(p, function) ? "internal" : "";

@@ -19,6 +19,8 @@ SignalId build_number_pattern(Build& build, const Block& block);
 /// The pigment of a `function { pigment { } }`.
 SignalId build_function_pigment(Build& build, const Block& block);
 
+/// Is a function that stands at `place` there by a name?
+bool is_declared(const Function& function, Place place);
 /// Fails unless the function that stands in a pattern's place is one that POV-Ray takes there. `place`: where it is named.
 void check_pattern_function(const Parser& p, const Function& function, Place place);
 
