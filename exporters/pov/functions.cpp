@@ -160,7 +160,7 @@ void FunctionWriter::declare_spline(uint32_t function, uint32_t i) {
     const SplineCurve& curve = scene_.functions[function].splines[i];
     sdl_.begin("#declare", fmt::format("Spline_{}_{} = function {{ spline", function, i));
     sdl_.line(kTypes[size_t(curve.type)]);
-    for (const auto& [t, c] : curve.knots) sdl_.line(t, ",", fmt::format("<{}, {}, {}, {}, {}>", c[0], c[1], c[2], c[3], c[4]));
+    for (const auto& [t, c] : curve.knots) sdl_.line(t, ", <", c[0], ",", c[1], ",", c[2], ",", c[3], ",", c[4], ">");
     sdl_.end();
     sdl_.line("}");
 }
