@@ -30,7 +30,6 @@ class Flattening {
         return picture ? std::optional(Texel{Vec4(1), std::move(picture), -1}) : std::nullopt;
     }
     std::optional<Texel> of(const ReliefSignal&) { return std::nullopt; }
-    std::optional<Texel> of(const FunctionSignal&) { return std::nullopt; }
     std::optional<Texel> of(const ProductSignal& s) {
         const auto a = of(s.a), b = of(s.b);
         if (!a || !b || (a->picture && b->picture)) return std::nullopt;

@@ -91,9 +91,7 @@ std::string dump(const Scene& scene, MeshLists lists) {
         Line(out, fmt::format("skin {}", i)).field("name", scene.skins[i].name).always("joints", scene.skins[i].joints)
             .field("inverse_bind", scene.skins[i].inverse_bind);
     for (size_t i = 0; i < scene.animations.size(); ++i) dump_animation(out, i, scene.animations[i]);
-    for (size_t i = 0; i < scene.functions.size(); ++i)
-        Line(out, fmt::format("function {}", i)).field("parameters", scene.functions[i].parameters).field("constants", scene.functions[i].constants)
-            .field("code", scene.functions[i].code);
+    for (size_t i = 0; i < scene.functions.size(); ++i) dump_function(out, i, scene.functions[i]);
     return out;
 }
 

@@ -110,6 +110,7 @@ void dump_nodes(std::string& out, const Scene& scene);
 void dump_shapes(std::string& out, const Scene& scene, MeshLists lists);
 /// Images, signals, materials and interiors.
 void dump_surfaces(std::string& out, const Scene& scene);
+void dump_function(std::string& out, size_t i, const FunctionProgram& f);
 void dump_media(std::string& out, const std::vector<Interior::Medium>& media);
 
 }  // namespace alidade

@@ -25,7 +25,6 @@ class SignalDump {
     }
     void operator()(const ProductSignal& s) const { Line(out_, head_).word("product").always("a", s.a).always("b", s.b).field("from", from_); }
     void operator()(const ChannelSignal& s) const { Line(out_, head_).word("channel").always("of", s.of).always("channel", s.channel).field("from", from_); }
-    void operator()(const FunctionSignal& s) const { Line(out_, head_).word("function").always("program", s.program).field("from", from_); }
     void operator()(const PatternSignal& s) const { pattern(head_, s); }
     void operator()(const ReliefSignal& s) const {
         const ReliefSignal usual;
@@ -37,7 +36,7 @@ class SignalDump {
   private:
     void pattern(std::string_view head, const PatternSignal& s) const {
         const PatternSignal usual;
-        Line(out_, head).word("pattern").always("pattern", s.pattern).field("parameters", s.parameters).field("source", s.source).field("uv_mapped", s.uv_mapped).field("bumps_turn", s.bumps_turn).field("bumps_turned", s.bumps_turned, usual.bumps_turned).field("turbulence", s.turbulence.amount, usual.turbulence.amount)
+        Line(out_, head).word("pattern").always("pattern", s.pattern).field("parameters", s.parameters).field("source", s.source).field("function", s.function).field("uv_mapped", s.uv_mapped).field("bumps_turn", s.bumps_turn).field("bumps_turned", s.bumps_turned, usual.bumps_turned).field("turbulence", s.turbulence.amount, usual.turbulence.amount)
             .field("octaves", s.turbulence.octaves, usual.turbulence.octaves).field("omega", s.turbulence.omega, usual.turbulence.omega)
             .field("lambda", s.turbulence.lambda, usual.turbulence.lambda).field("noise", s.noise, usual.noise).field("wave", s.wave)
             .field("wave_exponent", s.wave_exponent, usual.wave_exponent).field("frequency", s.frequency).field("phase", s.phase).field("from", from_);

@@ -60,12 +60,14 @@ template <class S> auto pattern_of(S& signal) -> decltype(std::get_if<PatternSig
 }
 
 /// Calls f(SignalId) for every signal that `signal` reads.
-template <class F> void for_each_operand(const Signal& signal, const F& f) {
+template <class F> void for_each_operand(const Scene& scene, const Signal& signal, const F& f) {
     if (const auto* product = std::get_if<ProductSignal>(&signal.what)) f(product->a), f(product->b);
     if (const auto* channel = std::get_if<ChannelSignal>(&signal.what)) f(channel->of);
     const PatternSignal* pattern = pattern_of(signal);
     if (!pattern) return;
     if (pattern->source) f(*pattern->source);
+    if (pattern->function)
+        for (const auto& [asked, times] : function_work(scene, *pattern->function).asked) f(asked);
     for (const MapEntry& entry : pattern->map) f(entry.signal);
 }
 

@@ -21,5 +21,6 @@ using ImageId = Id<struct Image>;
 using LightId = Id<struct Light>;
 using CameraId = Id<struct Camera>;
 using SkinId = Id<struct Skin>;
+using FunctionId = Id<struct FunctionProgram>;
 
 }  // namespace alidade

@@ -98,6 +98,8 @@ enum class PictureValue { grey, transmission, palette, number };
 
 /// The pattern whose colours are a picture's, without a map.
 inline constexpr const char* kImageMap = "image_map";
+/// The pattern whose number is a function's.
+inline constexpr const char* kFunctionPattern = "function";
 
 /// A picture in space, of the patterns that show one (POV-Ray's manual, 3.4.7.6 "Image Map").
 struct PatternPicture {
@@ -127,6 +129,7 @@ struct PatternSignal {
     std::string pattern;
     std::vector<double> parameters;        ///< in the order of the pattern's row; what is left out at the end has the row's default
     std::optional<SignalId> source;        ///< of `pigment_pattern`: the pigment whose grey is the pattern's number
+    std::optional<FunctionId> function;    ///< of `function`: what is the pattern's number, of (x, y, z)
     std::optional<PatternPicture> picture; ///< of `image_map`, `image_pattern` and `bump_map`, and of nothing else
     bool uv_mapped = false;                ///< looked up at (u, v, 0) of the surface (v upwards), and not at the point
     bool bumps_turn = false;               ///< of reliefs and maps of textures that are uv_mapped: the bumps' directions follow the object; false: they are those of the world
@@ -155,13 +158,8 @@ struct ReliefSignal {
     std::vector<SlopeEntry> slopes;   ///< in the order of the file; empty: the pattern's value is the height. Patterns with a relief of their own have no use for them
 };
 
-/// A user function of (x, y, z); `program` is an index into Scene::functions.
-struct FunctionSignal {
-    uint32_t program = 0;
-};
-
 struct Signal {
-    std::variant<ConstantSignal, ImageSignal, ProductSignal, ChannelSignal, PatternSignal, ReliefSignal, FunctionSignal> what;
+    std::variant<ConstantSignal, ImageSignal, ProductSignal, ChannelSignal, PatternSignal, ReliefSignal> what;
     SourcePos from;
 };
 

@@ -153,7 +153,7 @@ class Collector {
         if (std::holds_alternative<ImageSignal>(s.what)) need(Requirement::textures, s.from);
         if (const PatternSignal* pattern = pattern_of(s); pattern && pattern->picture) need(Requirement::textures, s.from);
         if (std::holds_alternative<PatternSignal>(s.what) || std::holds_alternative<ReliefSignal>(s.what)) need(Requirement::patterns, s.from);
-        if (std::holds_alternative<FunctionSignal>(s.what)) need(Requirement::functions, s.from);
+        if (const PatternSignal* pattern = pattern_of(s); pattern && pattern->function) need(Requirement::functions, s.from);
     }
 
     void light(const Light& l) {
@@ -231,7 +231,7 @@ void Collector::reach_signals() {
     while (!open.empty()) {
         const SignalId id = open.back();
         open.pop_back();
-        for_each_operand(scene_.signals[id.index], reach);
+        for_each_operand(scene_, scene_.signals[id.index], reach);
     }
 }
 

@@ -4,6 +4,7 @@
 
 #include "scene/animation.h"
 #include "scene/camera.h"
+#include "scene/function.h"
 #include "scene/light.h"
 #include "scene/material.h"
 #include "scene/shape.h"
@@ -136,13 +137,6 @@ struct RenderSettings {
     int default_spp = 16;                     ///< POV scenes: 1, the pixel's centre
     std::optional<LensNoise> lens_noise;      ///< with it, pixels may take fewer samples than default_spp
     std::string generator;                    ///< what wrote the file
-};
-
-/// A user function, compiled by the language that declared it (eval runs it).
-struct FunctionProgram {
-    std::vector<std::string> parameters;
-    std::vector<double> constants;
-    std::vector<uint32_t> code;
 };
 
 struct Scene {

@@ -7,6 +7,7 @@ namespace alidade {
 Diagnostics validate(const Scene& scene) {
     Validation v(scene);
     check_references(v);
+    check_functions(v);
     if (v.found.has_errors()) return v.found;   // the other checks follow these references
     check_shapes(v);
     check_surfaces(v);

@@ -26,11 +26,10 @@ void check_node(Validation& v, size_t i) {
 void check_signal(Validation& v, size_t i) {
     const Signal& signal = v.scene.signals[i];
     const Label who = label("signal", i);
-    for_each_operand(signal, [&](SignalId id) { v.in_range(id, v.scene.signals, signal.from, who, "signal"); });
+    for_each_operand(v.scene, signal, [&](SignalId id) { v.in_range(id, v.scene.signals, signal.from, who, "signal"); });
     if (const auto* image = std::get_if<ImageSignal>(&signal.what)) v.in_range(image->image, v.scene.images, signal.from, who, "image");
     if (const PatternSignal* pattern = pattern_of(signal); pattern && pattern->picture) v.in_range(pattern->picture->image, v.scene.images, signal.from, who, "image");
-    if (const auto* function = std::get_if<FunctionSignal>(&signal.what))
-        v.in_range(Id<FunctionProgram>{function->program}, v.scene.functions, signal.from, who, "function");
+    if (const PatternSignal* pattern = pattern_of(signal); pattern && pattern->function) v.in_range(*pattern->function, v.scene.functions, signal.from, who, "function");
 }
 
 void check_material(Validation& v, size_t i) {

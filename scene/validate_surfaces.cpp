@@ -58,13 +58,13 @@ void check_reliefs(Validation& v, size_t i) {
         if (is_relief(v.scene, id) != relief) v.error(signal.from, fmt::format("{} reads signal {}, which {} a relief", label("signal", i).text(), id.index, relief ? "is not" : "is"));
     };
     const PatternSignal* pattern = pattern_of(signal);
-    if (!pattern) return for_each_operand(signal, [&](SignalId id) { check(id, false); });
+    if (!pattern) return for_each_operand(v.scene, signal, [&](SignalId id) { check(id, false); });
     if (pattern->source) check(*pattern->source, false);
     for (const MapEntry& entry : pattern->map) check(entry.signal, is_relief(v.scene, {uint32_t(i)}));
 }
 
 const char* kind_of(const Signal& signal) {
-    static constexpr const char* kKinds[] = {"a colour or number", "a picture", "a product", "a channel", "a pattern", "a relief", "a function"};
+    static constexpr const char* kKinds[] = {"a colour or number", "a picture", "a product", "a channel", "a pattern", "a relief"};
     static_assert(std::size(kKinds) == std::variant_size_v<decltype(Signal::what)>);
     return kKinds[signal.what.index()];
 }
@@ -78,7 +78,7 @@ void check_signals(Validation& v) {
         if (channel && (channel->channel < 0 || channel->channel > 3))
             v.error(signals[i].from, fmt::format("{} reads channel {}: there are channels 0 to 3", label("signal", i).text(), channel->channel));
     }
-    const auto operands = [&](uint32_t i, const auto& f) { for_each_operand(signals[i], [&](SignalId id) { f(id.index); }); };
+    const auto operands = [&](uint32_t i, const auto& f) { for_each_operand(v.scene, signals[i], [&](SignalId id) { f(id.index); }); };
     if (const auto cycle = topological_order(signals.size(), operands).on_cycle)
         v.error(signals[*cycle].from, label("signal", *cycle).text() + " reads itself, directly or through others");
 }

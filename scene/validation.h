@@ -70,6 +70,8 @@ void check_lights_and_cameras(Validation& v);
 void check_atmosphere(Validation& v);
 /// Cycles, transforms, and what nodes say of their shapes.
 void check_graph(Validation& v);
+/// The steps of functions.
+void check_functions(Validation& v);
 /// Skins and morph targets: what deform() relies on, and how much it would make.
 void check_deformations(Validation& v);
 void check_animations(Validation& v);

@@ -83,7 +83,7 @@ void collect_signals(const Scene& scene, SignalId root, std::vector<SignalId>& o
         if (seen[id.index]) continue;
         seen[id.index] = true;
         out.push_back(id);
-        for_each_operand(scene.signals[id.index], [&](SignalId operand) { todo.push_back(operand); });
+        for_each_operand(scene, scene.signals[id.index], [&](SignalId operand) { todo.push_back(operand); });
     }
 }
 

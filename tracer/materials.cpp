@@ -92,16 +92,10 @@ std::vector<SignalId> read_signals(const Scene& scene, const Material& m) {
 }
 
 /// False, and an error, if the tracer cannot render the material.
-bool check_supported(const Scene& scene, uint32_t material, const std::vector<SignalId>& signals, Diagnostics& said) {
+bool check_supported(const Scene& scene, uint32_t material, Diagnostics& said) {
     const Material& m = scene.materials[material];
     if (!is_pov(scene, material) && (m.layers.size() != 1 || !std::holds_alternative<GltfPbr>(m.layers[0]))) {
         said.error(m.from, fmt::format("material '{}': layers of different kinds cannot be rendered", m.name));
-        return false;
-    }
-    for (const SignalId id : signals) {
-        const Signal& s = scene.signals[id.index];
-        if (!std::holds_alternative<FunctionSignal>(s.what)) continue;
-        said.error(s.from, fmt::format("material '{}': functions are not rendered yet", m.name));
         return false;
     }
     return true;
@@ -242,7 +236,7 @@ void compile_materials(CompiledScene& out, const CompileOptions& options, Featur
     for (const uint32_t i : used) {
         const Material& m = out.scene.materials[i];
         const std::vector<SignalId> own = read_signals(out.scene, m);
-        if (!check_supported(out.scene, i, own, said)) continue;
+        if (!check_supported(out.scene, i, said)) continue;
         const std::string who = fmt::format("material '{}'", m.name);
         for (const auto& layer : m.layers) reasons.need(std::visit([&](const auto& surface) { return features_of(out.scene, surface); }, layer), who);
         if (const auto* pbr = std::get_if<GltfPbr>(&m.layers[0])) out.glows = out.glows || (pbr->emissive && !is_zero(out.scene, pbr->emissive)) || pbr->unlit;

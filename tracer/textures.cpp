@@ -106,6 +106,13 @@ void Textures::add_patterns(const Scene& scene, const std::vector<SignalId>& use
 tl::expected<PatternSource, std::string> Textures::source_of(const PatternSignal& signal, const Scene& scene) {
     PatternSource source;
     if (signal.source) source.grey = [this, pigment = *signal.source](const Vec3& place) { return pov_grey(this->pigment(pigment, place).color); };
+    if (signal.function) {
+        const auto number = [this](SignalId pattern, const Vec3& p) { return patterns_[resource_of_[pattern.index]].value(p); };
+        const auto color = [this](SignalId pigment, const Vec3& p) { return components(this->pigment(pigment, p)); };
+        auto runner = FunctionRunner::make(scene, *signal.function, {number, color});
+        if (!runner) return tl::unexpected(runner.error());
+        source.grey = pattern_of_function(std::move(*runner));
+    }
     if (!signal.picture) return source;
     auto picture = space_pictures_.get(*signal.picture, scene);
     if (!picture) return tl::unexpected(picture.error());
@@ -159,7 +166,7 @@ Textures::Value Textures::value(SignalId signal, const ShadePoint& point, const 
         return {texel, 0, 1 - texel.w};
     }
     if (const auto* pattern = std::get_if<PatternSignal>(&what)) return mapped(*pattern, patterns_[resource_of_[signal.index]], point, at);
-    return {};   // compile() refuses functions
+    return {};
 }
 
 Vec4 Textures::evaluate(SignalId signal, const ShadePoint& point) const {

@@ -13,7 +13,6 @@ struct Unrendered {
 };
 
 constexpr Unrendered kTable[] = {
-    {Requirement::functions, Severity::error, "functions are not rendered yet"},
     {Requirement::media, Severity::warning, "media are not rendered yet: they are left out"},
 };
 

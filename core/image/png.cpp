@@ -95,12 +95,12 @@ void on_write(png_structp png, png_bytep data, size_t size) {
 }
 void on_flush(png_structp) {}
 
-/// Rows of 16-bit samples, encoded as sRGB.
-bool write_rows(Writer& writer, const Picture& picture, int color_type, png_bytepp rows) {
+/// Rows of 16-bit samples, which are encoded as sRGB, or nobody says how.
+bool write_rows(Writer& writer, const Picture& picture, int color_type, bool srgb, png_bytepp rows) {
     if (setjmp(png_jmpbuf(writer.png))) return false;
     png_set_write_fn(writer.png, &writer, on_write, on_flush);
     png_set_IHDR(writer.png, writer.info, png_uint_32(picture.width), png_uint_32(picture.height), 16, color_type, PNG_INTERLACE_NONE, PNG_COMPRESSION_TYPE_DEFAULT, PNG_FILTER_TYPE_DEFAULT);
-    png_set_sRGB(writer.png, writer.info, PNG_sRGB_INTENT_PERCEPTUAL);
+    if (srgb) png_set_sRGB(writer.png, writer.info, PNG_sRGB_INTENT_PERCEPTUAL);
     png_set_compression_level(writer.png, 3);
     png_write_info(writer.png, writer.info);
     if constexpr (std::endian::native == std::endian::little) png_set_swap(writer.png);
@@ -199,31 +199,43 @@ Result<Bytes> encode_png(const Picture& picture) {
     return written(picture, (colors.count == 3 ? PNG_FORMAT_FLAG_COLOR : 0u) | (with_alpha ? PNG_FORMAT_FLAG_ALPHA : 0u), codes.data());
 }
 
-Result<Bytes> encode_deep_png(const Picture& picture) {
-    const ColorChannels colors = color_channels(picture);
-    if (colors.count == 0) return tl::unexpected(std::string(kNoColor));
-    const bool with_alpha = colors.alpha >= 0;
-    std::vector<uint16_t> codes = encode_16bit(picture, colors, with_alpha);
+static Result<Bytes> deep_written(const Picture& picture, int color_type, bool srgb, std::vector<uint16_t> codes) {
     std::vector<png_bytep> rows(size_t(picture.height));
     for (size_t y = 0; y < rows.size(); ++y) rows[y] = reinterpret_cast<png_bytep>(&codes[y * (codes.size() / rows.size())]);
     Writer writer;
     writer.png = png_create_write_struct(PNG_LIBPNG_VER_STRING, static_cast<Codec*>(&writer), on_error, on_warning);
     if (writer.png) writer.info = png_create_info_struct(writer.png);
     if (!writer.info) return tl::unexpected(std::string("not enough memory"));
-    const int color_type = (colors.count == 3 ? PNG_COLOR_MASK_COLOR : 0) | (with_alpha ? PNG_COLOR_MASK_ALPHA : 0);
-    if (!write_rows(writer, picture, color_type, rows.data())) return tl::unexpected(std::string(writer.error));
+    if (!write_rows(writer, picture, color_type, srgb, rows.data())) return tl::unexpected(std::string(writer.error));
     return std::move(writer.bytes);
+}
+
+Result<Bytes> encode_deep_png(const Picture& picture) {
+    const ColorChannels colors = color_channels(picture);
+    if (colors.count == 0) return tl::unexpected(std::string(kNoColor));
+    const bool with_alpha = colors.alpha >= 0;
+    return deep_written(picture, (colors.count == 3 ? PNG_COLOR_MASK_COLOR : 0) | (with_alpha ? PNG_COLOR_MASK_ALPHA : 0), true, encode_16bit(picture, colors, with_alpha));
 }
 
 }  // namespace alidade::image
 
 namespace alidade {
 
-tl::expected<std::vector<std::byte>, std::string> encode_linear_png(const Picture& picture) {
-    if (picture.channels != 3 && picture.channels != 4) return tl::unexpected(std::string("a linear PNG file has channels R, G, B, or R, G, B, A"));
+static std::vector<uint16_t> codes_of(const Picture& picture) {
     std::vector<uint16_t> codes;
     codes.reserve(picture.values.size());
     for (const float value : picture.values) codes.push_back(uint16_t(value > 0 ? std::min(value, 1.0f) * 65535.0f + 0.5f : 0));   // NaN is 0
+    return codes;
+}
+
+tl::expected<std::vector<std::byte>, std::string> encode_number_png(const Picture& picture) {
+    if (picture.channels != 3 && picture.channels != 4) return tl::unexpected(std::string("a PNG file of numbers has channels R, G, B, or R, G, B, A"));
+    return image::deep_written(picture, PNG_COLOR_MASK_COLOR | (picture.channels == 4 ? PNG_COLOR_MASK_ALPHA : 0), false, codes_of(picture));
+}
+
+tl::expected<std::vector<std::byte>, std::string> encode_linear_png(const Picture& picture) {
+    if (picture.channels != 3 && picture.channels != 4) return tl::unexpected(std::string("a linear PNG file has channels R, G, B, or R, G, B, A"));
+    const std::vector<uint16_t> codes = codes_of(picture);
     return image::written(picture, picture.channels == 4 ? PNG_FORMAT_LINEAR_RGB_ALPHA : PNG_FORMAT_LINEAR_RGB, codes.data());
 }
 

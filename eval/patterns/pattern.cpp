@@ -29,9 +29,9 @@ tl::expected<Pattern, std::string> Pattern::make(const PatternSignal& signal, Pa
     Pattern out;
     out.row_ = find_pattern(signal.pattern);
     if (!out.row_) return tl::unexpected(fmt::format("there is no pattern '{}'", signal.pattern));
-    const SourceKind needed = out.row_->source, given = signal.picture ? SourceKind::picture : signal.source ? SourceKind::pigment : SourceKind::none;
+    const SourceKind needed = out.row_->source, given = signal.picture ? SourceKind::picture : signal.function ? SourceKind::function : signal.source ? SourceKind::pigment : SourceKind::none;
     if (needed != given || (needed != SourceKind::none) != bool(source)) {
-        static constexpr const char* kWanted[] = {"takes no pigment and no picture", "has no pigment", "has no picture"};
+        static constexpr const char* kWanted[] = {"takes no pigment, picture or function", "has no pigment", "has no picture", "has no function"};
         return tl::unexpected(fmt::format("the pattern '{}' {}", signal.pattern, kWanted[size_t(needed)]));
     }
     out.source_ = std::move(source);

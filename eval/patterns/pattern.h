@@ -30,7 +30,7 @@ template <class Entry> MapBlend look_up(std::span<const Entry> map, double value
         const double before = map[i - 1].value;
         return {i - 1, i, (value - before) / (position - before)};
     }
-    return {last, last, 0};   // a NaN
+    return {};   // a NaN, as in POV-Ray
 }
 inline MapBlend look_up(const std::vector<MapEntry>& map, double value) { return look_up(std::span<const MapEntry>(map), value); }
 

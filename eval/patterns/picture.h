@@ -17,6 +17,9 @@ struct PigmentColor {
     bool ended = false;   ///< outside of a picture that is shown once: there is nothing to colour
 };
 
+/// Red, green, blue, filter, transmit.
+inline std::array<double, 5> components(const PigmentColor& c) { return {c.color.x, c.color.y, c.color.z, c.filter, c.transmit}; }
+
 class SpacePicture {
   public:
     /// Or why not, in one sentence. `settings`: what the colours of the scene mean.

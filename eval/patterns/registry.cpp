@@ -34,6 +34,7 @@ constexpr PatternOps kPatterns[] = {
     {"cylindrical", "1 at the y axis, 0 at distance 1 and outside", {}, pattern::cylindrical},
     {"dents", "noise to the third power", {}, pattern::dents, Wave::ramp, 1, true, nullptr, pattern::dents_relief},
     {"facets", "flat pieces: it bends normals alone", kFacets, nullptr, Wave::ramp, 1, true, nullptr, pattern::facets_relief},
+    {kFunctionPattern, "the number of a function of the scene", {}, nullptr, Wave::ramp, 1, true, nullptr, nullptr, SourceKind::function},
     {"gradient", "the distance along a direction, folded at 1", kGradient, pattern::gradient},
     {"granite", "six octaves of folded noise", {}, pattern::granite},
     {"hexagon", "hexagons of 0, 1 and 2 in the xz plane", {}, pattern::hexagon, Wave::ramp, 0},

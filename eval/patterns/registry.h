@@ -36,7 +36,7 @@ struct PatternParameter {
 };
 
 /// What a pattern's number is taken from, where no function of the point makes it.
-enum class SourceKind { none, pigment, picture };
+enum class SourceKind { none, pigment, picture, function };
 
 struct PatternOps {
     const char* name;

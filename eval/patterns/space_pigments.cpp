@@ -15,11 +15,13 @@ double lookups(const Scene& scene, SignalId root) {
     while (!todo.empty()) {
         const SignalId id = todo.back();
         const size_t before = todo.size();
-        double sum = 1;
-        for_each_operand(scene.signals[id.index], [&](SignalId operand) {
+        const PatternSignal* pattern = pattern_of(scene.signals[id.index]);
+        const FunctionWork work = pattern && pattern->function ? function_work(scene, *pattern->function) : FunctionWork();
+        double sum = 1 + work.steps;
+        for_each_operand(scene, scene.signals[id.index], [&](SignalId operand) {
             const auto there = known.find(operand.index);
             if (there == known.end()) todo.push_back(operand);
-            else sum += there->second;
+            else sum += there->second * (work.asked.contains(operand) ? work.asked.at(operand) : 1);
         });
         if (todo.size() > before) continue;
         known[id.index] = sum;
@@ -50,12 +52,23 @@ tl::expected<void, std::string> SpacePigments::prepare(SignalId root) {
 tl::expected<Pattern, std::string> SpacePigments::make(const PatternSignal& signal) {
     PatternSource source;
     if (signal.source) source.grey = [this, pigment = *signal.source](const Vec3& place) { return pov_grey(color(pigment, place).color); };
+    if (signal.function) {
+        auto function = runner(*signal.function);
+        if (!function) return tl::unexpected(function.error());
+        source.grey = pattern_of_function(std::move(*function));
+    }
     if (signal.picture) {
         auto picture = pictures_.get(*signal.picture, scene_);
         if (!picture) return tl::unexpected(picture.error());
         source.picture = std::move(*picture);
     }
     return Pattern::make(signal, std::move(source));
+}
+
+tl::expected<FunctionRunner, std::string> SpacePigments::runner(FunctionId function) const {
+    const auto number_of = [this](SignalId pattern, const Vec3& p) { return number(pattern, p); };
+    const auto color_of = [this](SignalId pigment, const Vec3& p) { return components(color(pigment, p)); };
+    return FunctionRunner::make(scene_, function, {number_of, color_of, turns});
 }
 
 PigmentColor SpacePigments::color(SignalId pigment, const Vec3& p) const {

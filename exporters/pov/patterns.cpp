@@ -42,7 +42,7 @@ void PatternWriter::declare(const std::vector<SignalId>& roots) {
         if (!used[root.index]) collect_signals(scene_, root, all);
     declare_unit(all);
     for (const SignalId id : all) used[id.index] = true;
-    const auto operands = [&](uint32_t i, const auto& f) { for_each_operand(scene_.signals[i], [&](SignalId id) { f(id.index); }); };
+    const auto operands = [&](uint32_t i, const auto& f) { for_each_operand(scene_, scene_.signals[i], [&](SignalId id) { f(id.index); }); };
     const std::vector<uint32_t> order = topological_order(scene_.signals.size(), operands).sequence;
     for (auto i = order.rbegin(); i != order.rend(); ++i)
         if (used[*i]) declare_one({*i});
@@ -57,6 +57,7 @@ void PatternWriter::declare_one(SignalId id) {
     const Signal& signal = scene_.signals[id.index];
     const bool relief_signal = std::holds_alternative<ReliefSignal>(signal.what);
     if (!relief_signal && !std::holds_alternative<PatternSignal>(signal.what)) return;
+    if (const PatternSignal* s = pattern_of(signal); s->function) functions_.declare_parts(*s->function);
     sdl_.begin("#declare", item(id, relief_signal ? "Normal" : "Pigment"), "=", relief_signal ? "normal" : "pigment");
     if (relief_signal) relief(std::get<ReliefSignal>(signal.what));
     else pigment_pattern(std::get<PatternSignal>(signal.what));
@@ -139,7 +140,8 @@ void PatternWriter::pattern_head(const PatternSignal& s) {
         sdl_.begin("pigment_pattern");
         pigment(*s.source);
         sdl_.end();
-    } else sdl_.line(s.pattern);
+    } else if (s.function) sdl_.line("function {", functions_.formula(*s.function), "}");
+    else sdl_.line(s.pattern);
     losses_.add("numbers of waves", has_waves(s) && int(parameter(s, 0, 10)) != number_of_waves(scene_), "that of the first pattern that has one");
 }
 
@@ -177,6 +179,13 @@ void PatternWriter::pigment_map(const PatternSignal& s) {
         }
     }
     sdl_.end();
+}
+
+void PatternWriter::asked_by_function(SignalId id, bool number) {
+    if (!number) return pigment(id);
+    const auto& s = std::get<PatternSignal>(scene_.signals[id.index].what);
+    pattern_head(s);
+    pattern_modifiers(s);
 }
 
 void PatternWriter::pigment_pattern(const PatternSignal& s) {

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "exporters/losses.h"
+#include "exporters/pov/functions.h"
 #include "exporters/pov/images.h"
 #include "exporters/pov/sdl.h"
 
@@ -11,7 +12,9 @@ namespace alidade::pov_export {
 /// Patterns are declared once, operands first, and named where they are used: a graph of signals stays as small as it is.
 class PatternWriter {
   public:
-    PatternWriter(const Scene& scene, Sdl& sdl, ImageWriter& images, Losses& losses) : scene_(scene), sdl_(sdl), images_(images), losses_(losses) {}
+    PatternWriter(const Scene& scene, Sdl& sdl, ImageWriter& images, Losses& losses)
+        : scene_(scene), sdl_(sdl), images_(images), losses_(losses), functions_(scene, sdl, [this](SignalId id, bool number) { asked_by_function(id, number); }) {}
+    PatternWriter(const PatternWriter&) = delete;   // functions point back to it
 
     /// Declares all that `roots` lead to.
     void declare(const std::vector<SignalId>& roots);
@@ -33,6 +36,7 @@ class PatternWriter {
   private:
     void declare_one(SignalId id);
     void pigment_pattern(const PatternSignal& s);
+    void asked_by_function(SignalId id, bool number);
     void relief(const ReliefSignal& r);
     void picture(const PatternSignal& s);
     void parameters(const PatternSignal& s);
@@ -45,6 +49,7 @@ class PatternWriter {
     Sdl& sdl_;
     ImageWriter& images_;
     Losses& losses_;
+    FunctionWriter functions_;
 };
 
 /// The number of waves is one for the whole scene in POV-Ray: that of the first pattern that has one, else 10.

@@ -93,9 +93,6 @@ void tell_losses(const Scene& scene, Losses& losses) {
     for (const ShapeEntry& shape : scene.shapes)
         if (const auto* mesh = std::get_if<Mesh>(&shape.geometry)) morphs += mesh->morphs.size();
     losses.add("morph targets", morphs, "meshes as they stand");
-    size_t functions = 0;
-    for (const Signal& signal : scene.signals) functions += std::holds_alternative<FunctionSignal>(signal.what);
-    losses.add("functions", functions, "white");
     const Bounds box = world_bounds(scene);
     const bool bounded = !box.empty() && box.finite();
     losses.add("places farther than 1e7 from the middle, which POV-Ray does not see", bounded && std::max(max_abs(box.min), max_abs(box.max)) > 1e7, "as they are");

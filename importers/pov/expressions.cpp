@@ -392,7 +392,7 @@ Value parse_value(Parser& p, Standing standing) {
     switch (token.id) {
         case "array"_w: return parse_array(p, token.place());
         case "spline"_w: return parse_spline(p, token.place());
-        case "function"_w: return parse_function(p, token.place());
+        case "function"_w: return parse_declared_function(p, token.place());
         default: return parse_declared_block(p, token);
     }
 }

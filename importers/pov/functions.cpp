@@ -77,10 +77,11 @@ Value parse_function(Parser& p, Place at) {
     Ref<Function> function(new Function);
     function->place = at;
     read_parameters(p, *function);
+    function->named = !function->parameters.empty();
     if (function->parameters.empty() && !p.peek().is('{')) {       // the sizes of a picture made of a function
-        parse_float(p);
+        const double columns = parse_float(p);
         p.accept(',');
-        parse_float(p);
+        function->size = {columns, parse_float(p)};
     }
     if (function->parameters.empty()) function->parameters = {"x"_w, "y"_w, "z"_w};
     p.expect('{', "before the body of a function");
@@ -105,6 +106,12 @@ Value parse_function(Parser& p, Place at) {
         function->parts.push_back(std::move(part));
     }
     return Value::of(Kind::function, function);
+}
+
+Value parse_declared_function(Parser& p, Place at) {
+    Value value = parse_function(p, at);
+    if (value.kind == Kind::function && value.as<Function>().size) p.fail(at, "a function with a size is a picture: it has no name", "it can stand in image_map, image_pattern, bump_map and material_map");
+    return value;
 }
 
 Value call_function(Parser& p, const Function& function, Place at) {

@@ -171,6 +171,10 @@ void Parser::fail(Place at, std::string message, std::string hint) const {
     throw Failure{diagnostic(Severity::error, at, std::move(message), std::move(hint)), false};
 }
 
+void Parser::fail_unmodelled(Place at, std::string message, std::string hint) const {
+    throw Failure{diagnostic(Severity::error, at, std::move(message), std::move(hint)), false, false, true};
+}
+
 void Parser::fail_limit(Place at, std::string message, std::string hint) const {
     throw Failure{diagnostic(Severity::error, at, std::move(message), std::move(hint)), true};
 }

@@ -20,6 +20,7 @@ struct Failure {
     Diagnostic diagnostic;
     bool fatal = false;          ///< a limit or #error: reading ends
     bool follows = false;        ///< from an error that is said already
+    bool unmodelled = false;     ///< POV-Ray takes it
 };
 
 class Parser {
@@ -63,6 +64,7 @@ class Parser {
 
     // ---- messages ----
     [[noreturn]] void fail(Place at, std::string message, std::string hint = {}) const;
+    [[noreturn]] void fail_unmodelled(Place at, std::string message, std::string hint = {}) const;
     [[noreturn]] void fail_limit(Place at, std::string message, std::string hint = {}) const;
     /// The same of one that can be raised.
     [[noreturn]] void fail_limit(Place at, uint64_t Limits::*limit, std::string message) const { fail_limit(at, std::move(message), how_to_raise(options.limits, limit)); }

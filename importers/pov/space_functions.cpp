@@ -2,30 +2,13 @@
 #include "importers/pov/space_functions.h"
 
 #include "eval/patterns/space_pigments.h"
+#include "importers/pov/builders/functions.h"
 #include "importers/pov/builders/globals.h"
-#include "importers/pov/builders/patterns.h"
-#include "importers/pov/builders/pigments.h"
 
 #include <fmt/format.h>
 #include <unordered_map>
 
 namespace alidade::pov {
-
-const Block* block_of(const Function& function) {
-    const bool one = function.parts.size() == 1 && function.parts[0].value.kind == Kind::block;
-    return one ? &function.parts[0].value.as<Block>() : nullptr;
-}
-
-const InternalFunction* internal_of(const Parser& p, const Function& function) {
-    const std::vector<Function::Part>& parts = function.parts;
-    if (parts.size() != 4 || !parts[0].token.is_word("internal"_w) || !parts[1].token.is('(') || parts[2].token.kind != TokenKind::number || !parts[3].token.is(')')) return nullptr;
-    const double number = parts[2].token.number;
-    const InternalFunction* row = find_internal_function(number);
-    if (row) return row;
-    std::string known;
-    for (const InternalFunction& other : internal_functions()) known += fmt::format("{}{}", known.empty() ? "" : ", ", other.name);
-    p.fail(function.place, fmt::format("internal({}) is not modelled yet", number), "those of functions.inc that are: " + known);
-}
 
 NoiseGenerator usual_noise(const Parser& p) {
     NoiseGenerator noise = p.version_given && p.version < 3.5 - 1e-9 ? NoiseGenerator::original : NoiseGenerator::range_corrected;
@@ -58,24 +41,31 @@ void set_usual_gamma(const Parser& p, Build& build) {
 
 }  // namespace
 
-/// What was made of the blocks that were asked.
+/// What was made of the functions that were asked.
 struct SpaceFunctions::Stage {
     explicit Stage(Parser& p) : build(p), pigments(build.scene) {
         build.scene.settings.noise = usual_noise(p);
         set_usual_gamma(p, build);
         settings = p.globals.size();
+        pigments.turns = &turns;
     }
     /// Loops make functions without end; when there are many, the next one begins anew.
     bool is_full(const Parser& p) const {
         constexpr size_t kFunctions = 1000, kSignals = 100'000;
-        return patterns.size() + colours.size() >= kFunctions || build.scene.signals.size() > kSignals || settings != p.globals.size();
+        return runners.size() + colours.size() >= kFunctions || build.scene.signals.size() > kSignals || settings != p.globals.size();
     }
+
+    struct Ready {
+        FunctionRunner runner;
+        uint64_t steps;
+    };
 
     Build build;
     SpacePigments pigments;
+    uint64_t turns = 0;              ///< that loops may still make
     size_t settings = 0;             ///< global_settings when it was made
-    std::vector<Ref<Block>> held;    ///< so that no other block comes to stand where one stood
-    std::unordered_map<const Block*, Pattern> patterns;
+    std::vector<Ref<Shared>> held;   ///< so that nothing else comes to stand where something stood
+    std::unordered_map<const Function*, Ready> runners;
     std::unordered_map<const Block*, SignalId> colours;
 };
 
@@ -96,34 +86,37 @@ void prepare(Parser& p, SpacePigments& pigments, SignalId pigment, Place at) {
     if (!ready) p.fail(at, ready.error());
 }
 
-Pattern build_pattern(Build& build, SpacePigments& pigments, const Block& block) {
-    const Nested nested(build.p, block.place);
-    PatternSignal signal;
-    for (Cursor at(build, block); !at.done();) {
-        if (take_pattern(build, at, signal) || (!signal.pattern.empty() && take_pattern_modifier(build, at, signal))) continue;
-        const Item& item = at.peek();
-        const bool named = item.kind == Item::Kind::word || at.any_block();
-        build.p.fail(item.place, fmt::format("{} in the pattern of a function is not modelled", named ? kWords[at.any_block() ? at.any_block()->word : item.word] : "a value"));
-    }
-    if (signal.pattern.empty()) build.p.fail(block.place, "the name of a pattern is expected in pattern { }");
-    if (signal.source) prepare(build.p, pigments, *signal.source, block.place);
-    auto made = pigments.make(signal);
-    if (!made) build.p.fail(block.place, made.error());
-    if (!made->row().value && !signal.source && signal.pattern != "image_pattern") build.p.fail(block.place, fmt::format("the pattern {} has no number", signal.pattern));
-    return std::move(*made);
+/// What one value costs, among the steps of the scene.
+uint64_t price(double steps) {
+    constexpr double kStepsOfOne = 8, kMost = 1e18;
+    return uint64_t(std::min(steps / kStepsOfOne, kMost));
 }
 
 }  // namespace
 
-double SpaceFunctions::pattern(const Block& block, const Vec3& at) {
+double SpaceFunctions::number(const Function& function, std::span<const double> arguments, Place at) {
     Stage& s = stage();
-    auto known = s.patterns.find(&block);
-    if (known == s.patterns.end()) {
-        s.held.emplace_back(const_cast<Block*>(&block));             // also if it fails: the builders keep what they made of its parts
-        Pattern made = build_pattern(s.build, s.pigments, block);
-        known = s.patterns.emplace(&block, std::move(made)).first;
+    auto known = s.runners.find(&function);
+    if (known == s.runners.end()) {
+        s.held.emplace_back(const_cast<Function*>(&function));       // also if it fails: the builders keep what they made of its parts
+        const FunctionId id = build_function(s.build, function);
+        const FunctionWork work = function_work(s.build.scene, id);
+        for (const auto& [asked, times] : work.asked) prepare(p_, s.pigments, asked, function.place);
+        auto runner = s.pigments.runner(id);
+        if (!runner) p_.fail(function.place, runner.error());
+        known = s.runners.emplace(&function, Stage::Ready{std::move(*runner), price(work.steps)}).first;
     }
-    return known->second.value(at);
+    const Stage::Ready& ready = known->second;
+    const size_t parameters = s.build.scene.functions[s.build.functions.at(&function).index].parameters;
+    if (parameters != arguments.size()) p_.fail(at, fmt::format("the function takes {} argument{}, and {} are given", parameters, parameters == 1 ? "" : "s", arguments.size()));
+    p_.charge(ready.steps, at);
+    const uint64_t most = p_.options.limits.loop_turns;
+    s.turns = most - std::min(most, p_.loop_turns);
+    const uint64_t before = s.turns;
+    const double value = ready.runner.value(arguments);
+    p_.loop_turns += before - s.turns;
+    if (s.turns == 0) p_.fail_limit(function.place, &Limits::loop_turns, fmt::format("the loops of the scene have made more than {} turns: does one never end?", most));
+    return value;
 }
 
 std::array<double, 5> SpaceFunctions::pigment(const Block& block, const Vec3& at) {
@@ -131,12 +124,12 @@ std::array<double, 5> SpaceFunctions::pigment(const Block& block, const Vec3& at
     auto known = s.colours.find(&block);
     if (known == s.colours.end()) {
         s.held.emplace_back(const_cast<Block*>(&block));
-        const SignalId signal = build_pigment(s.build, block, plain_pigment(s.build));
+        const SignalId signal = build_function_pigment(s.build, block);
         prepare(p_, s.pigments, signal, block.place);
         known = s.colours.emplace(&block, signal).first;
     }
-    const PigmentColor c = s.pigments.color(known->second, at);
-    return {c.color.x, c.color.y, c.color.z, c.filter, c.transmit};
+    s.turns = p_.options.limits.loop_turns;
+    return components(s.pigments.color(known->second, at));
 }
 
 }  // namespace alidade::pov

@@ -1,28 +1,26 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Functions whose body is no expression, `pattern { }`, `pigment { }` or `internal(N)`: asked at points while a scene is read.
+/// Functions, asked while a scene is read.
 #pragma once
 
-#include "eval/functions/internal.h"
+#include "core/vec.h"
 #include "importers/pov/parser.h"
+#include "scene/material.h"
+
+#include <span>
 
 namespace alidade::pov {
-
-/// The block of a function that is nothing but `pattern { }` or `pigment { }` (or `transform { }`), or null.
-const Block* block_of(const Function& function);
-/// The row of a function that is nothing but `internal(N)`, or null. Fails for numbers that are not modelled.
-const InternalFunction* internal_of(const Parser& p, const Function& function);
 
 /// What patterns take that name no generator: as the last global_settings has it.
 NoiseGenerator usual_noise(const Parser& p);
 
-/// Builds patterns and pigments into a scene of their own, each once as long as there is room, and asks eval/.
+/// Builds functions, and the patterns and pigments that they ask, into a scene of their own, each once as long as there is room, and asks eval/.
 class SpaceFunctions {
   public:
     explicit SpaceFunctions(Parser& p);
     ~SpaceFunctions();
 
-    /// The number of a `pattern { }` at a point.
-    double pattern(const Block& block, const Vec3& at);
+    /// Of a function of a number. Fails with a place, which is `at` for the call itself.
+    double number(const Function& function, std::span<const double> arguments, Place at);
     /// Red, green, blue, filter, transmit of a `pigment { }` at a point.
     std::array<double, 5> pigment(const Block& block, const Vec3& at);
 

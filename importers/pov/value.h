@@ -3,6 +3,7 @@
 #pragma once
 
 #include "importers/pov/lexer.h"
+#include "scene/function.h"
 
 #include <algorithm>
 #include <array>
@@ -248,15 +249,13 @@ struct Macro : Shared {
     std::vector<WordId> parameters;
 };
 
-/// `spline { ... }`: knots in order of their parameter.
+/// `spline { ... }`, whose knots have `terms` components at the most.
 struct Spline : Shared {
-    enum class Type { linear, quadratic, cubic, natural };
-    Type type = Type::linear;
+    SplineCurve curve;
     uint8_t terms = 1;
-    std::vector<std::pair<double, std::array<double, 5>>> knots;
 };
 
-/// `function(parameters) { tokens }`: what stood in the braces, with macros expanded and identifiers resolved; compiled when it is first asked.
+/// `function(parameters) { tokens }`, `function W, H { tokens }`: what stood in the braces, with macros expanded and identifiers resolved; compiled when it is first asked.
 struct Function : Shared {
     struct Part {
         Token token;
@@ -266,6 +265,8 @@ struct Function : Shared {
     std::vector<WordId> counters;   ///< that sum() and prod() in it count with
     std::vector<Part> parts;
     std::vector<std::string> texts;
+    bool named = false;                       ///< its parameters are: `function(a, b)`, not `function`
+    std::optional<std::array<double, 2>> size;   ///< of a picture that is made of it: columns and rows
     Place place;
 };
 

@@ -98,6 +98,12 @@ TEST(PovLimits, WhatIsAskedInOneAnother) {
     EXPECT_THAT(said_of(loop(ball, "sphere { 0, 1 bounded_by { object { A } } bounded_by { object { A translate x } } }", 26) + "object { A }", {}), HasSubstr("the limit is 1000000"));
     EXPECT_THAT(said_of(loop("pigment { rgb 1 }", "pigment { pigment_pattern { A } }", 3000) + "sphere { 0, 1 pigment { A } }", {}), HasSubstr("more than 1000 levels deep"));
     EXPECT_THAT(said_of(loop("texture { pigment { rgb 1 } }", "texture { average texture_map { [1 A] [1 A scale 2] } }", 30) + "sphere { 0, 1 texture { A } }", {}), HasSubstr("textures that are named in one another"));
+    EXPECT_THAT(said_of(loop("function { x }", "function { pattern { function { A(x, y, z) } } }", 3000) + "sphere { 0, 1 pigment { function { A(x, y, z) } } }", {}), HasSubstr("too deep"));
+    EXPECT_THAT(said_of(loop("function { x }", "function { pattern { function { A(x, y, z) } } }", 400) + "sphere { 0, 1 pigment { function { A(x, y, z) } } }", {}), HasSubstr("error"));
+    EXPECT_EQ(said_of(loop("function { x }", "function { pattern { function { A(x, y, z) } } }", 50) + "sphere { 0, 1 pigment { function { A(x, y, z) } } }", {}), "");
+    EXPECT_THAT(said_of(loop("function { x }", "function { A(x, y, z) + A(y, z, x) }", 30) + "sphere { 0, 1 pigment { function { A(x, y, z) } } }", {}), HasSubstr("the limit is 1000000"));
+    EXPECT_THAT(said_of(loop("function { x }", "function { pattern { function { A(x, y, z) + A(y, z, x) } } }", 30) + "sphere { 0, 1 normal { function { A(x, y, z) } } }", {}), HasSubstr("the limit is 1000000"));
+    EXPECT_THAT(said_of(loop("function { x }", "function { A(x, y, z) }", 300) + "sphere { 0, 1 pigment { function { A(x, y, z) } } }", {}), HasSubstr("more than 200 functions call one another"));
     EXPECT_EQ(said_of(loop("texture { pigment { rgb 1 } }", "texture { checker texture { A } texture { A scale 2 } }", 30) + "sphere { 0, 1 texture { A } }", {}), "");
 }
 

@@ -64,6 +64,23 @@ TEST_F(PovBuilders, WhatIsNoPatternIsAnError) {
         EXPECT_THAT(said(r.scene), HasSubstr(r.message)) << r.scene;
 }
 
+/// Of POV-Ray's errors (probed); a function that it takes has its place in the scene.
+TEST_F(PovBuilders, WhatIsNoFunctionOfAPatternIsAnErrorAtItsPlace) {
+    const std::string declared = "#declare F = function(a, b) { a*b }\n#declare P = function { pigment { bozo } }\n";
+    for (const Refusal& r : {Refusal{"pigment { F }", "3:25: error: a declared function cannot stand here by its name"}, {"pigment { function(a, b) { a } }", "3:25: error: the function of a pattern has no parameters of its own"},
+                             {"pigment { function 8, 8 { x } }", "3:25: error: a function with a size is a picture"}, {"pigment { function { pattern { bozo } } }", "3:25: error: pattern cannot stand in the function of a pattern"},
+                             {"pigment { function { pigment { bozo } } }", "3:25: error: pigment cannot stand in"}, {"pigment { function { internal(76) } }", "3:25: error: internal cannot stand in"},
+                             {"normal { function { F(x) } .3 }", "3:35: error: the function takes 2 arguments, and 1 are given"}, {"pigment { function { P(x, y, z) } }", "3:36: error: this function gives a colour"},
+                             {"pigment { function { x*y z } }", "3:40: error: z is not expected in a function"}, {"pigment { function { } }", "3:25: error: the function ends in the middle of its expression"},
+                             {"texture { function { sin(x, y) } texture_map { [0 pigment { rgb 1 }] } }", "error: sin does not take 2 arguments"}, {"pigment { function { sum(i, 1, 3) } }", "error:"}, {"pigment { function { x } .3 }", "error: a value means nothing here in pigment"}})
+        EXPECT_THAT(said(declared + "sphere { 0, 1 " + r.scene + " }"), HasSubstr(r.message)) << r.scene;
+    EXPECT_THAT(said("#declare Q = function 8, 8 { x }"), HasSubstr("1:14: error: a function with a size is a picture: it has no name"));
+    const Scene s = scene(declared + "sphere { 0, 1 pigment { function { F(x, 2) + F(y, 3) } frequency 2 } normal { function { P(x, y, z).gray } .3 } } sphere { 0, 1 pigment { function { F(z, z) } } }");
+    EXPECT_EQ(s.functions.size(), 4u) << "F is there once";
+    EXPECT_EQ(s.functions.at(1).steps.size(), 7u);
+    EXPECT_EQ(said(declared + "sphere { 0, 1 texture { function { F(x, y) } texture_map { [0 pigment { rgb 1 }] [1 pigment { rgb 0 }] } } }"), "");
+}
+
 TEST_F(PovBuilders, IndicesOfAMesh2FitItsTriangles) {
     const std::string mesh = "mesh2 { vertex_vectors { 4, 0, x, y, x+y } ", faces = "face_indices { 2, <0,1,2>, <1,3,2> } ";
     for (const Refusal& r : {Refusal{"normal_vectors { 1, z } FACES normal_indices { 3, 0, 0, 0 } }", "there are 3 normal_indices for 2 triangles"}, {"uv_vectors { 1, <1,0> } FACES uv_indices { 1, 0 } }", "there are 1 uv_indices for 2 triangles"},
@@ -77,8 +94,9 @@ TEST_F(PovBuilders, IndicesOfAMesh2FitItsTriangles) {
 
 /// What is not modelled is left out with all its values, and a warning.
 TEST_F(PovBuilders, PatternsThatAreNotModelledAreNoErrors) {
-    for (const char* text : {"sphere { 0, 1 pigment { rgb 1 } normal { function { x } .5 } }", "sphere { 0, 1 normal { function { x } } }", "sphere { 0, 1 normal { slope { y } .5 } }", "sphere { 0, 1 normal { object { sphere { 0, 1 } }, .5 } }",
-                             "sphere { 0, 1 normal { bumps normal_map { [0 function { x } .3] [1 bumps] } } }", "sphere { 0, 1 texture { function { x } texture_map { [0 pigment { rgb 1 }] [1 pigment { rgb 0 }] } } }", "#default { normal { function { x } .4 } } sphere { 0, 1 }"}) {
+    for (const char* text : {"#declare S = function { internal(63) } sphere { 0, 1 pigment { rgb 1 } normal { function { S(x, y, z) } .5 } }", "#declare S = function { pattern { slope y } } sphere { 0, 1 normal { function { x*S(x, y, z) } } }", "sphere { 0, 1 normal { slope { y } .5 } }", "sphere { 0, 1 normal { object { sphere { 0, 1 } }, .5 } }",
+                             "#declare S = function { internal(63) } sphere { 0, 1 normal { bumps normal_map { [0 function { S(x, y, z) } .3] [1 bumps] } } }", "#declare S = function { internal(63) } sphere { 0, 1 texture { function { S(x, y, z) } texture_map { [0 pigment { rgb 1 }] [1 pigment { rgb 0 }] } } }",
+                             "#declare S = function { internal(63) } #default { normal { function { S(x, y, z) } .4 } } sphere { 0, 1 }", "#declare S = function { internal(63) } #declare P = function { pigment { function { S(x, y, z) } } } sphere { 0, 1 pigment { function { P(x, y, z).red } } }"}) {
         EXPECT_THAT(said(text), HasSubstr("is not modelled yet")) << text;
         EXPECT_THAT(said(text), Not(HasSubstr("error"))) << text;
     }

@@ -49,7 +49,7 @@ signal 4 pattern pattern="agate"
   map value=0 signal=0
   map value=1 signal=5
   warp kind=transform
-signal 5 function program=0
+signal 5 pattern pattern="function" function=0
 signal 6 relief
   pattern pattern="bumps"
 material 0
@@ -68,6 +68,13 @@ animation 0
   channel node=1 path=translation interpolation=linear times=[0 1] values=[0 0 0 1 2 3]
   channel node=1 path=weights interpolation=cubic width=1 times=[0 1] values=[0 0 0 0 1 0]
 function 0
+  number value=2.5
+  number value=2.5
+  argument
+  transform b=1
+  transform to=<1 0 0><0 1 0><0 0 1><0 0 0>
+  spline linear
+    knot at=0 value=[1 2 3 4 5]
 )");
 }
 

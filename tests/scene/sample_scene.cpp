@@ -65,11 +65,17 @@ void add_surfaces(Scene& s) {
     s.signals[2].what = ProductSignal{SignalId{0}, SignalId{1}};
     s.signals[3].what = ChannelSignal{SignalId{1}, 2};
     s.signals[4].what = pattern;
-    s.signals[5].what = FunctionSignal{0};
+    PatternSignal formula;
+    formula.pattern = kFunctionPattern, formula.function = FunctionId{0};
+    s.signals[5].what = formula;
     ReliefSignal relief;
     relief.pattern.pattern = "bumps";
     s.signals[6].what = relief;
     s.functions.resize(1);
+    s.functions[0].steps = {{FunctionOp::argument, 0}, {FunctionOp::transform, 0, 1}};
+    s.functions[0].steps.insert(s.functions[0].steps.begin(), 2, {FunctionOp::number, 0, 0, 2.5});
+    s.functions[0].transforms.resize(1);
+    s.functions[0].splines = {{SplineCurve::Type::linear, {{0, {1, 2, 3, 4, 5}}}}};
     GltfPbr gltf;
     gltf.base_color = SignalId{2};
     gltf.roughness = SignalId{3};

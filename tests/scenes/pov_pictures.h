@@ -40,6 +40,8 @@ std::vector<PovPicture> bound_pictures();
 std::vector<PovPicture> inside_pictures();
 /// Of what is seen by which rays.
 std::vector<PovPicture> flag_pictures();
+/// Of functions as patterns.
+std::vector<PovPicture> function_pictures();
 std::vector<PovPicture> other_pictures();
 /// All of them.
 std::vector<PovPicture> pov_pictures();

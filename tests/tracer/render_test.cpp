@@ -276,17 +276,30 @@ TEST(Compile, BuildsAndReadsOnlyWhatCanBeSeen) {
 TEST(Compile, SaysWhatItDoesNotRender) {
     SceneBuilder b;
     const MaterialId white = b.material(b.lambert(Color(1)));
-    const NodeId other = b.object(Sphere{}, white);
+    b.object(Sphere{}, white);
     b.scene.atmosphere.media.emplace_back();
     Diagnostics said;
     const auto scene = compile(b.scene, {}, said);
     ASSERT_TRUE(scene) << said.text();
     EXPECT_NE(said.text().find("media"), std::string::npos) << said.text();
-    b.scene.signals.emplace_back().what = FunctionSignal{};
-    GltfPbr formula = b.lambert(Color(1));
-    formula.base_color = {uint32_t(b.scene.signals.size() - 1)};
-    b.scene.nodes[other.index].materials = {b.material(formula)};
+}
+
+TEST(Compile, RefusesFunctionsThatItDoesNotKnow) {
+    SceneBuilder b;
+    PatternSignal formula;
+    formula.pattern = kFunctionPattern, formula.function = FunctionId{0};
+    b.scene.functions.resize(1);
+    b.scene.functions[0].steps = {{FunctionOp::argument, 0}, {FunctionOp::argument, 1}, {FunctionOp::argument, 2}, {FunctionOp::internal, 12, 3}};
+    GltfPbr surface = b.lambert(Color(1));
+    b.scene.signals.emplace_back().what = formula;
+    surface.base_color = {uint32_t(b.scene.signals.size() - 1)};
+    b.object(Sphere{}, b.material(surface));
+    Diagnostics said;
     EXPECT_FALSE(compile(b.scene, {}, said));
+    EXPECT_NE(said.text().find("internal(12)"), std::string::npos) << said.text();
+    b.scene.functions[0].steps.back().a = 76;
+    Diagnostics none;
+    EXPECT_TRUE(compile(b.scene, {}, none)) << none.text();
 }
 
 /// A graph of 40 levels with two references each has 2^40 paths: refused in seconds, not walked.

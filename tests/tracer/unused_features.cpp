@@ -154,7 +154,10 @@ const UnusedFeature kTable[] = {
     {R::patterns, [](SceneBuilder& b, Nodes& nodes) { surface(b, nodes, [&](GltfPbr& m) { m.base_color = signal(b, bozo()); }); }},
     {R::functions, [](SceneBuilder& b, Nodes& nodes) {
          b.scene.functions.resize(b.scene.functions.size() + 1);
-         surface(b, nodes, [&](GltfPbr& m) { m.base_color = signal(b, FunctionSignal{uint32_t(b.scene.functions.size() - 1)}); });
+         b.scene.functions.back().steps = {{FunctionOp::argument, 0}};
+         PatternSignal formula;
+         formula.pattern = kFunctionPattern, formula.function = FunctionId{uint32_t(b.scene.functions.size() - 1)};
+         surface(b, nodes, [&](GltfPbr& m) { m.base_color = signal(b, formula); });
      }},
 };
 

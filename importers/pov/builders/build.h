@@ -55,6 +55,11 @@ struct Build {
     std::map<SignalId, ConstantSignal> quick_colors;     ///< of pigments that have one
     std::set<SignalId> without_maps;                     ///< pigments that have their pattern's own colours: those of another pattern that takes its place are its own again
     std::map<const Block*, MaterialId> parts;           ///< textures of maps
+    std::map<const Function*, FunctionId> functions;     ///< what was made of functions,
+    std::map<const Function*, ImageId> function_pictures;   ///< of those of pictures,
+    std::vector<uint32_t> function_calls;               ///< how many calls stand in one another in each of the scene's,
+    std::map<const Block*, SignalId> number_patterns;   ///< and of the patterns that they ask
+    int function_levels = 0;                            ///< of brackets and calls around what is being made of one
     int number_of_waves = 10;                           ///< of waves and ripples
 
     bool shapes_alone = false;                          ///< textures, materials and interiors are passed over: the scene is asked where its shapes are, and not drawn

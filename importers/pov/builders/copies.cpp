@@ -13,8 +13,8 @@ namespace alidade::pov {
 
 namespace {
 
-/// Signals are looked up by functions that call themselves, on the stacks of threads; those of a pattern of pigments by more of them.
-constexpr uint32_t kDeepestSignal = 4000, kLevelsOfASource = 4;
+/// Signals are looked up by functions that call themselves, on the stacks of threads; those of a pattern of pigments by more of them, those of functions by more yet.
+constexpr uint32_t kDeepestSignal = 4000, kLevelsOfASource = 4, kLevelsOfAFunction = 8;
 
 void say_too_many(Build& build, const SourcePos& at, double copies, const std::string& what) {
     const Limits& limits = build.p.options.limits;
@@ -66,15 +66,24 @@ template <class F> double most_looked_up(const PatternSignal& pattern, const F& 
 /// Each point of a surface may ask for all that a pigment or a normal is made of, as often as it is named. What each signal looks up.
 std::vector<double> check_signals(Build& build) {
     const Scene& scene = build.scene;
-    const auto operands = [&](uint32_t i, const auto& f) { for_each_operand(scene.signals[i], [&](SignalId of) { f(of.index); }); };
+    const auto operands = [&](uint32_t i, const auto& f) { for_each_operand(scene, scene.signals[i], [&](SignalId of) { f(of.index); }); };
     const std::vector<uint32_t> order = topological_order(scene.signals.size(), operands).sequence;
     std::vector<double> looked_up(scene.signals.size(), 1);
     std::vector<uint32_t> levels(scene.signals.size(), 0);
     uint32_t largest = kNoId;
+    const auto ask_function = [&](FunctionId function, uint32_t i) {
+        const FunctionWork work = function_work(scene, function);
+        looked_up[i] += work.steps;
+        for (const auto& [of, times] : work.asked) {
+            looked_up[i] += times * looked_up[of.index];
+            levels[i] = std::max(levels[i], levels[of.index] + kLevelsOfAFunction + work.calls);
+        }
+    };
     for (auto i = order.rbegin(); i != order.rend(); ++i) {
         const Signal& signal = scene.signals[*i];
         const PatternSignal* pattern = pattern_of(signal);
         if (pattern) looked_up[*i] += most_looked_up(*pattern, [&](size_t entry) { return looked_up[pattern->map[entry].signal.index]; });
+        if (pattern && pattern->function) ask_function(*pattern->function, *i);
         if (pattern && pattern->source) looked_up[*i] += looked_up[pattern->source->index];
         if (!pattern) operands(*i, [&](uint32_t of) { looked_up[*i] += looked_up[of]; });
         operands(*i, [&](uint32_t of) { levels[*i] = std::max(levels[*i], levels[of] + (pattern && pattern->source && pattern->source->index == of ? kLevelsOfASource : 1)); });

@@ -3,6 +3,7 @@
 
 #include "eval/noise/single.h"
 #include "eval/patterns/registry.h"
+#include "importers/pov/builders/functions.h"
 #include "importers/pov/builders/pictures.h"
 #include "importers/pov/builders/pigments.h"
 #include "importers/pov/builders/warps.h"
@@ -113,21 +114,46 @@ void choose_noise(const Build& build, PatternSignal& s) {
     if (s.pattern.empty()) s.noise = build.scene.settings.noise;
 }
 
+/// Nothing of another pattern's own is there any more.
+void begin_pattern(PatternSignal& s, std::string name) {
+    keep_wave(s, find_pattern(name));
+    s.pattern = std::move(name), s.parameters.clear(), s.source.reset(), s.picture.reset(), s.function.reset();
+}
+
+/// `function { }`. False where a part of it is not modelled, which is told.
+bool take_function(Build& build, Cursor& at, PatternSignal& s) {
+    const Function& function = at.peek().value().as<Function>();
+    check_pattern_function(build.p, function, at.place());
+    try {
+        const FunctionId id = build_function(build, function);
+        choose_noise(build, s);
+        begin_pattern(s, kFunctionPattern);
+        s.function = id;
+    } catch (const Failure& failure) {
+        if (!failure.unmodelled) throw;
+        build.p.tally(at.place(), failure.diagnostic.message);
+        return false;
+    }
+    at.next();
+    return true;
+}
+
 }  // namespace
 
 bool take_pattern(Build& build, Cursor& at, PatternSignal& s, double* depth) {
+    if (at.at_function()) return take_function(build, at, s);
     if (at_picture(at)) {
         const Block& block = *at.any_block();
         at.next();
         choose_noise(build, s);
-        s.pattern = kWords[block.word], s.parameters.clear(), s.source.reset();
+        begin_pattern(s, std::string(kWords[block.word]));
         s.picture = build_picture(build, block, depth);
         return true;
     }
     if (const Block* pigment = at.block_at("pigment_pattern"_w)) {
         at.next();
         choose_noise(build, s);
-        s.pattern = "pigment_pattern", s.parameters.clear(), s.picture.reset();
+        begin_pattern(s, "pigment_pattern");
         s.source = build_pigment(build, *pigment, plain_pigment(build));
         return true;
     }
@@ -135,12 +161,10 @@ bool take_pattern(Build& build, Cursor& at, PatternSignal& s, double* depth) {
     const WordId word = at.peek().word;
     const PatternOps* row = find_pattern(kWords[word]);
     if (row ? row->source != SourceKind::none : word != "magnet"_w) return false;
-    s.parameters.clear(), s.source.reset(), s.picture.reset();
     choose_noise(build, s);
-    keep_wave(s, row);
+    begin_pattern(s, row ? row->name : "");
     if (!row) return take_magnet(build, at, s);
     at.next();
-    s.pattern = row->name;
     if (row->frequency == 0) s.frequency = 0;   // it stays so for another pattern, too
     take_leading(build, at, word, s);
     return true;

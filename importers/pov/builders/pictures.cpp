@@ -3,6 +3,8 @@
 
 #include "core/image.h"
 #include "eval/noise/single.h"
+#include "importers/pov/builders/function_pictures.h"
+#include "importers/pov/builders/functions.h"
 
 #include <algorithm>
 #include <fmt/format.h>
@@ -110,6 +112,21 @@ bool take_modifier(Build& build, Cursor& at, PatternPicture& out, double* depth)
     return true;
 }
 
+/// `function W, H { ... }` and what may stand behind it: its numbers are what the scene calculates with.
+PatternPicture take_function_picture(Build& build, Cursor& at, double* depth) {
+    const Place place = at.place();
+    const Function& function = at.next().value().as<Function>();
+    if (is_declared(function, place) || !function.size) build.p.fail(place, "the function of a picture stands there itself, with its size", "write function COLUMNS, ROWS { ... }");
+    PatternPicture out;
+    out.image = build_function_picture(build, function, place);
+    out.scene_gamma = false;
+    while (!at.done()) {
+        if (at.at_word("gamma"_w) || at.at_word("premultiplied"_w)) build.p.fail(at.place(), fmt::format("{} cannot stand behind a function", kWords[at.peek().word]));
+        if (!take_modifier(build, at, out, depth)) break;
+    }
+    return out;
+}
+
 }  // namespace
 
 bool at_picture(const Cursor& at) { return at.at_block("image_map"_w) || at.at_block("image_pattern"_w) || at.at_block("bump_map"_w); }
@@ -118,10 +135,11 @@ PatternPicture take_picture(Build& build, Cursor& at, double* depth) {
     const Block& block = at.block();
     PatternPicture out;
     if (at.at_numeric()) at.next();                                  // the old direction, which says nothing any more
+    if (at.at_function()) return take_function_picture(build, at, depth);
     const Format* told = take_format(at);
     const Place place = at.place();
     const bool named = !at.done() && at.peek().kind == Item::Kind::value && at.peek().value_kind() == Kind::string;
-    if (!named) build.p.fail(place, fmt::format("the name of a file is expected in {}", kWords[block.word]), "pictures that are made by functions are not modelled yet");
+    if (!named) build.p.fail(place, fmt::format("the name of a file is expected in {}", kWords[block.word]));
     out.image = add_image(build, at.next().text(), told ? *told : kFormats[0], place);
     const Format& format = told ? *told : format_of(build.scene.images[out.image.index].path);
     out.premultiplied = format.word == "exr"_w;                      // as that format has it
