@@ -157,6 +157,4 @@ std::string why_no_format(const std::string& path) {
     return done ? std::string() : done.error();
 }
 
-bool can_write_picture(const std::string& path) { return find_format(lower_ending(path)) != nullptr; }
-
 }  // namespace alidade

@@ -65,9 +65,6 @@ tl::expected<std::vector<std::byte>, std::string> encode_picture(const Picture& 
 /// ".png" of "a/b.PNG"; nothing for a name without an ending.
 std::string lower_ending(const std::string& path);
 
-/// The endings that write_picture knows without a module.
-bool can_write_picture(const std::string& path);
-
 /// Why write_picture could write no picture to a file with the ending of `path`; "" if it can. Opens the OpenImageIO module where the format needs it.
 std::string why_no_format(const std::string& path);
 

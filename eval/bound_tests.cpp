@@ -25,6 +25,19 @@ bool is_convex(const Scene& scene, NodeId id) {
     return meets && std::ranges::all_of(node.children, [&](NodeId child) { return is_convex(scene, child); });
 }
 
+/// Is there a disc in it?
+bool has_discs(const Scene& scene, NodeId id) {
+    const Node& node = scene.nodes[id.index];
+    const auto* shape = std::get_if<ShapeId>(&node.what);
+    if (shape && std::holds_alternative<Disc>(scene.shapes[shape->index].geometry)) return true;
+    return std::ranges::any_of(node.children, [&](NodeId child) { return has_discs(scene, child); });
+}
+
+bool meets_box(const Bounds& box, const Ray& ray) {
+    const LineInterval in_box = inside_bounds(ray, box);
+    return !in_box.empty() && in_box.exit >= 0;
+}
+
 /// A box that touches what bounds it is held: boxes are padded, and files round their numbers.
 Bounds shrunk(const Bounds& box) {
     const Vec3 by = box.extent() * 1e-6;
@@ -75,15 +88,6 @@ Bounds box_around(const Scene& scene, NodeId id, const Transform& placed, MeshAc
     return {center - reach, center + reach};
 }
 
-/// Calls f(node, to_world) for the nodes on the path that something bounds.
-template <class F> void for_each_bounded(const Scene& scene, const std::vector<NodeId>& path, const Transform& placed, const F& f) {
-    Transform to_world = placed;
-    for (size_t i = 0; i < path.size(); ++i) {
-        if (i > 0) to_world = to_world * scene.nodes[path[i].index].to_parent;
-        if (!scene.nodes[path[i].index].bounds.empty()) f(path[i], to_world);
-    }
-}
-
 }  // namespace
 
 bool BoundTests::bounded(const Scene& scene, const std::vector<NodeId>& path) {
@@ -96,7 +100,7 @@ const std::vector<BoundTests::Bound>& BoundTests::bounds_of(NodeId node) {
     for (const NodeId bound : scene_.nodes[node.index].bounds) {
         SolidQuery solid(scene_, bound, meshes_);
         if (!solid.complete()) continue;      // what cannot be asked bounds nothing
-        Bound made{std::move(solid), is_convex(scene_, bound), nullptr, nullptr, {}, {}};
+        Bound made{std::move(solid), is_convex(scene_, bound), has_discs(scene_, bound), nullptr, nullptr, {}, {}};
         ask_shape(made, bound);
         at->second.push_back(std::move(made));
     }
@@ -111,53 +115,75 @@ void BoundTests::ask_shape(Bound& bound, NodeId node) const {
     bound.own = bound.ops->bounds(*bound.shape);
 }
 
-uint32_t BoundTests::add(Test test) {
-    tests_.push_back(std::move(test));
-    return uint32_t(tests_.size() - 1);
+void BoundTests::follow(const std::vector<NodeId>& path, const Transform& placed) {
+    size_t common = 0;
+    while (common < path.size() && common < trail_.size() && trail_[common].node == path[common]) ++common;
+    trail_.erase(trail_.begin() + std::ptrdiff_t(common), trail_.end());
+    for (size_t i = common; i < path.size(); ++i) {
+        const Node& node = scene_.nodes[path[i].index];
+        Step step;
+        step.node = path[i];
+        step.to_world = i == 0 ? placed : trail_.back().to_world * node.to_parent;
+        if (!node.bounds.empty()) step.to_local = inverse(step.to_world);
+        trail_.push_back(std::move(step));
+    }
 }
 
 uint32_t BoundTests::by_shapes(const std::vector<NodeId>& path, const Transform& placed, const Bounds& surface) {
-    Test test;
+    if (surface.empty()) return kNoId;
     const Bounds box = shrunk(surface);
-    for_each_bounded(scene_, path, placed, [&](NodeId node, const Transform& to_world) {
-        const auto to_local = inverse(to_world);
-        if (!to_local) return;
-        for (const Bound& bound : bounds_of(node))
-            if (!(bound.convex && box.finite() && holds(bound.solid, *to_local, box))) test.shapes.push_back({&bound, *to_local});
-    });
-    return surface.empty() || test.shapes.empty() ? kNoId : add(std::move(test));
+    follow(path, placed);
+    uint32_t last = kNoId;
+    for (Step& step : trail_) {
+        if (!step.to_local) continue;
+        for (const Bound& bound : bounds_of(step.node)) {
+            if (bound.convex && box.finite() && holds(bound.solid, *step.to_local, box)) continue;
+            const auto [at, added] = step.tests.try_emplace({last, &bound}, uint32_t(tests_.size()));
+            if (added) tests_.push_back({&bound, *step.to_local, {}, last});
+            last = at->second;
+        }
+    }
+    return last;
+}
+
+std::optional<Bounds> BoundTests::smaller_box(const std::vector<NodeId>& path, const Transform& placed, const Bounds& own) {
+    Bounds around{Vec3(-kInf), Vec3(kInf)};
+    follow(path, placed);
+    for (const Step& step : trail_)
+        for (const NodeId bound : scene_.nodes[step.node.index].bounds)
+            if (!scene_.nodes[bound.index].inverse) around = intersection(around, box_around(scene_, bound, step.to_world, meshes_));
+    if (own.empty() || around.empty() || !around.finite() || (own.finite() && volume(around) >= volume(own))) return std::nullopt;
+    return around;
 }
 
 uint32_t BoundTests::by_boxes(const std::vector<NodeId>& path, const Transform& placed, const Bounds& surface) {
-    Test test;
-    for_each_bounded(scene_, path, placed, [&](NodeId node, const Transform& to_world) {
-        for (const NodeId bound : scene_.nodes[node.index].bounds)
-            if (!scene_.nodes[bound.index].inverse) test.box = intersection(test.box, box_around(scene_, bound, to_world, meshes_));
-    });
-    if (surface.empty() || test.box.empty() || !test.box.finite() || (surface.finite() && volume(test.box) >= volume(surface))) return kNoId;
+    const std::optional<Bounds> around = smaller_box(path, placed, surface);
     const Bounds box = shrunk(surface);
-    return test.box.contains(box.min) && test.box.contains(box.max) ? kNoId : add(std::move(test));
+    if (!around || (around->contains(box.min) && around->contains(box.max))) return kNoId;
+    tests_.push_back({nullptr, {}, *around, kNoId});
+    return uint32_t(tests_.size() - 1);
 }
 
 bool BoundTests::passes(uint32_t number, const Ray& ray) const {
-    if (number == kNoId) return true;
-    const Test& test = tests_[number];
-    const LineInterval in_box = inside_bounds(ray, test.box);
-    if (in_box.empty() || in_box.exit < 0) return false;
-    return std::ranges::all_of(test.shapes, [&](const Placed& placed) {
-        Ray local = placed.to_local.ray(ray);
-        local.tmin = 0, local.tmax = kInf;
-        return meets(*placed.bound, local);
-    });
+    for (uint32_t i = number; i != kNoId; i = tests_[i].before)
+        if (!tests_[i].passes(ray)) return false;
+    return true;
+}
+
+bool BoundTests::Test::passes(const Ray& ray) const {
+    if (!shape) return meets_box(box, ray);
+    Ray local = to_local.ray(ray);
+    local.tmin = 0, local.tmax = kInf;
+    return meets(*shape, local);
 }
 
 bool BoundTests::meets(const Bound& bound, const Ray& ray) {
-    if (!bound.ops) return bound.solid.inside(ray.origin) || bound.solid.first(ray);
+    if (!bound.ops) return ((!bound.has_discs || meets_box(bound.solid.bounds(), ray)) && bound.solid.inside(ray.origin)) || bound.solid.first(ray);
     const Ray local = bound.to_shape.ray(ray);
     const Crossings met = bound.ops->crossings_wanted(*bound.shape, bound.own, local, Wanted::any);
     for (int i = 0; i < met.count; ++i)
         if (met.at[i].t >= 0) return true;
-    return bound.ops->inside(*bound.shape, local.origin);
+    return (!bound.has_discs || meets_box(bound.own, local)) && bound.ops->inside(*bound.shape, local.origin);
 }
 
 }  // namespace alidade

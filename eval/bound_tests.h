@@ -18,40 +18,51 @@ class BoundTests {
 
     /// Is a node on the path bounded?
     static bool bounded(const Scene& scene, const std::vector<NodeId>& path);
-    /// The number of a test for what stands at the end of `path`, whose first node `placed` places, and has its surface in the box `surface`. kNoId where it would surely be passed.
+    /// The number of a test for what stands at the end of `path`, whose first node `placed` places, always the same way, and has its surface in the box `surface`. kNoId where it would surely be passed.
+    /// Paths that begin with the same nodes should be asked for one after the other, so that they share tests.
     uint32_t by_shapes(const std::vector<NodeId>& path, const Transform& placed, const Bounds& surface);
     /// The same where the box around what bounds it counts alone, and only if it is smaller than that of the surface: so it is with most shapes that stand alone.
     uint32_t by_boxes(const std::vector<NodeId>& path, const Transform& placed, const Bounds& surface);
     bool passes(uint32_t test, const Ray& ray) const;
+    /// The box around what bounds the nodes of `path`, if it is smaller than `own`.
+    std::optional<Bounds> smaller_box(const std::vector<NodeId>& path, const Transform& placed, const Bounds& own);
 
   private:
     /// A shape that bounds a node, in the space of that.
     struct Bound {
         SolidQuery solid;
         bool convex = false;
+        bool has_discs = false;                ///< which hold all that is on one side of them: a ray that begins there must meet the box
         const ShapeOps* ops = nullptr;         ///< of a closed form that stands alone, which is asked without the solid; else null
         const ShapeGeometry* shape = nullptr;
         Bounds own;                            ///< of the shape
         Transform to_shape;
     };
-    /// One of a test.
-    struct Placed {
-        const Bound* bound = nullptr;
-        Transform to_local;
-    };
+    /// What passes a test meets a shape or a box, and passes those before it: what stands deep in bounds shares the tests of all around it.
     struct Test {
-        std::vector<Placed> shapes;
-        Bounds box{Vec3(-kInf), Vec3(kInf)};   ///< all that passes meets it
+        const Bound* shape = nullptr;          ///< null: the box
+        Transform to_local;                    ///< of the shape
+        Bounds box;
+        uint32_t before = kNoId;
+        bool passes(const Ray& ray) const;
     };
+    /// A node of the path that was asked for last.
+    struct Step {
+        NodeId node;
+        Transform to_world;
+        std::optional<Transform> to_local;                                   ///< where something bounds it
+        std::map<std::pair<uint32_t, const Bound*>, uint32_t> tests;         ///< by the test before and the shape
+    };
+    void follow(const std::vector<NodeId>& path, const Transform& placed);
     const std::vector<Bound>& bounds_of(NodeId node);
     void ask_shape(Bound& bound, NodeId node) const;
     static bool meets(const Bound& bound, const Ray& ray);
-    uint32_t add(Test test);
 
     const Scene& scene_;
     MeshAccelerators meshes_;
     std::map<uint32_t, std::vector<Bound>> bounds_;   ///< by node
     std::vector<Test> tests_;
+    std::vector<Step> trail_;
 };
 
 }  // namespace alidade

@@ -2,6 +2,7 @@
 #include "eval/solid_query.h"
 
 #include "eval/bound_tests.h"
+#include "eval/bounded_paths.h"
 #include "eval/csg_expression.h"
 #include "eval/mesh_inside.h"
 #include "eval/mesh_points.h"
@@ -69,7 +70,7 @@ class SolidQuery::Parts final : public CsgParts {
   public:
     Parts(SolidQuery& out, MeshAccelerators& meshes) : out_(out), meshes_(meshes) {}
 
-    std::vector<std::vector<NodeId>> paths;   ///< by shape, as far as something on them is bounded
+    BoundedPaths bounded;      ///< to shapes
 
     bool enters(const Visit&) override { return true; }
 
@@ -87,7 +88,7 @@ class SolidQuery::Parts final : public CsgParts {
         placed.triangles = mesh ? &meshes_.of(*shape) : nullptr;
         placed.ops = mesh ? nullptr : find_shape(out_.scene_.shapes[shape->index].geometry);
         out_.shapes_.push_back(std::move(placed));
-        if (!paths.empty() || BoundTests::bounded(out_.scene_, at.path)) paths.resize(out_.shapes_.size()), paths.back() = at.path;
+        if (BoundTests::bounded(out_.scene_, at.path)) bounded.add(uint32_t(out_.shapes_.size() - 1), at.path);
         return uint32_t(out_.shapes_.size() - 1);
     }
 
@@ -167,16 +168,18 @@ SolidQuery::SolidQuery(const Scene& scene, NodeId root, MeshAccelerators& meshes
     if (!clipped && expression->op == CsgOp::clip) expression = CsgExpression(std::move(expression->parts[0]));
     parts.describe(*expression);
     tree_.emplace(*expression);
-    if (!parts.paths.empty()) find_bounds(parts.paths, placed);
+    if (!parts.bounded.empty()) find_bounds(parts.bounded, placed);
 }
 
 SolidQuery::~SolidQuery() = default;
 SolidQuery::SolidQuery(SolidQuery&&) noexcept = default;
 
-void SolidQuery::find_bounds(const std::vector<std::vector<NodeId>>& paths, const Transform& placed) {
+void SolidQuery::find_bounds(const BoundedPaths& bounded, const Transform& placed) {
     bounds_ = std::make_unique<BoundTests>(scene_);
+    std::vector<Bounds> surfaces(shapes_.size());
     for (const CsgNode& node : tree_->nodes())
-        if (node.op == CsgOp::leaf && node.leaf < paths.size() && !paths[node.leaf].empty()) shapes_[node.leaf].bound_test = bounds_->by_shapes(paths[node.leaf], placed, intersection(node.box, tree_->bounds()));
+        if (node.op == CsgOp::leaf && node.leaf != kNoId) surfaces[node.leaf] = intersection(node.box, tree_->bounds());
+    bounded.for_each([&](uint32_t shape, const std::vector<NodeId>& path) { shapes_[shape].bound_test = bounds_->by_shapes(path, placed, surfaces[shape]); });
     tree_->find_bounded([this](uint32_t leaf) { return shapes_[leaf].bound_test != kNoId; });
 }
 

@@ -13,6 +13,7 @@
 namespace alidade {
 
 class BoundTests;
+class BoundedPaths;
 
 /// The accelerators of a scene's meshes, each built when it is first asked for. The scene may grow meanwhile.
 class MeshAccelerators {
@@ -88,7 +89,7 @@ class SolidQuery {
     };
 
     FoundSurface surface(const Ray& ray, const Hit& hit) const;
-    void find_bounds(const std::vector<std::vector<NodeId>>& paths, const Transform& placed);
+    void find_bounds(const BoundedPaths& bounded, const Transform& placed);
 
     const Scene& scene_;
     std::vector<PlacedShape> shapes_;

@@ -19,10 +19,14 @@ bool has_hierarchy(const CompiledScene& scene) {
     return false;
 }
 
-/// Is the end of the path a part of a set, that POV-Ray does not take apart?
+/// How many nodes of the path stand above the set or union that POV-Ray does not take apart.
+size_t above_object(const Scene& scene, const std::vector<NodeId>& path) {
+    return size_t(std::ranges::find_if(path, [&](NodeId id) { return scene.nodes[id.index].whole || is_solid(scene.nodes[id.index]); }) - path.begin());
+}
+
+/// Is the end of the path a part of such a set?
 bool is_part(const Scene& scene, const std::vector<NodeId>& path) {
-    const auto object = std::ranges::find_if(path, [&](NodeId id) { return scene.nodes[id.index].whole || is_solid(scene.nodes[id.index]); });
-    return std::any_of(object, path.end(), [&](NodeId id) { return scene.nodes[id.index].csg != CsgKind::none; });
+    return std::any_of(path.begin() + std::ptrdiff_t(above_object(scene, path)), path.end(), [&](NodeId id) { return scene.nodes[id.index].csg != CsgKind::none; });
 }
 
 /// Does a union that is taken apart move it? Its parts are moved then, and their boxes are their own again.
@@ -64,19 +68,31 @@ std::vector<Bounds> surfaces(const CompiledScene& scene) {
 
 }  // namespace
 
-void find_bounds(CompiledScene& scene, const std::vector<BoundedInstance>& bounded) {
+void find_bounds(CompiledScene& scene, const BoundedPaths& bounded) {
     if (bounded.empty()) return;
     scene.bound_tests = std::make_unique<BoundTests>(scene.scene);
     const std::vector<Bounds> surface = surfaces(scene);
     const bool hierarchy = has_hierarchy(scene);
-    for (const BoundedInstance& b : bounded) {
-        Instance& instance = scene.instances[b.instance];
-        const Transform& placed = scene.scene.nodes[b.path.front().index].to_parent;
+    bounded.for_each([&](uint32_t id, const std::vector<NodeId>& path) {
+        Instance& instance = scene.instances[id];
+        const Transform& placed = scene.scene.nodes[path.front().index].to_parent;
         const ShapeGeometry& shape = *scene.geometries[instance.geometry].source;
-        if (is_bounded_as_it_is(shape) || is_part(scene.scene, b.path)) instance.bound_test = scene.bound_tests->by_shapes(b.path, placed, surface[b.instance]);
-        else if ((hierarchy || keeps_its_box(shape)) && !moved_by_unions(scene.scene, b.path)) instance.bound_test = scene.bound_tests->by_boxes(b.path, placed, surface[b.instance]);
-    }
+        if (is_bounded_as_it_is(shape) || is_part(scene.scene, path)) instance.bound_test = scene.bound_tests->by_shapes(path, placed, surface[id]);
+        else if ((hierarchy || keeps_its_box(shape)) && !moved_by_unions(scene.scene, path)) instance.bound_test = scene.bound_tests->by_boxes(path, placed, surface[id]);
+    });
     for (Solid& solid : scene.solids) solid.tree.find_bounded([&](uint32_t leaf) { return scene.instances[leaf].bound_test != kNoId; });
+}
+
+void bound_object_boxes(CompiledScene& scene, const BoundedPaths& bounded) {
+    const Scene& nodes = scene.scene;
+    bounded.for_each([&](uint32_t id, std::vector<NodeId> path) {
+        if (!is_part(nodes, path) && moved_by_unions(nodes, path)) return;
+        size_t count = above_object(nodes, path) + 1;      // of nodes down to the operation
+        while (count < path.size() && lone_part(nodes.nodes[path[count - 1].index])) ++count;
+        path.resize(std::min(count, path.size()));
+        Bounds& box = scene.object_boxes[scene.instances[id].object];
+        if (const auto smaller = scene.bound_tests->smaller_box(path, nodes.nodes[path.front().index].to_parent, box)) box = *smaller;
+    });
 }
 
 }  // namespace alidade

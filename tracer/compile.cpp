@@ -53,6 +53,12 @@ Bounds bounds_of(const ShapeOps& ops, const ShapeGeometry& shape) {
     return narrow.empty() || narrow.finite() ? narrow : own;
 }
 
+/// A solid with instances as leaves.
+struct PlacedSolid {
+    CsgExpression what;
+    NodeId node;
+};
+
 /// Walks the graph once and fills a CompiledScene with instances, lights and cameras.
 class Placer : private CsgParts {
   public:
@@ -65,13 +71,13 @@ class Placer : private CsgParts {
         if (visit.path.size() > solid_depth_) return;   // it has been placed with the solid that it is a part of
         const Node& node = out_.scene.nodes[visit.node.index];
         solid_depth_ = is_solid(node) ? visit.path.size() : std::numeric_limits<size_t>::max();
+        levels_to_object_ = levels_to_object(visit.path);
         if (is_solid(node)) place_solid(visit);
         else place(visit, node);
     }
 
-    /// The solids, each with instances as leaves.
-    std::vector<CsgExpression> take_solids() { return std::move(solids_); }
-    const std::vector<BoundedInstance>& bounded() const { return bounded_; }
+    std::vector<PlacedSolid> take_solids() { return std::move(solids_); }
+    const BoundedPaths& bounded() const { return bounded_; }
 
   private:
     void place(const Visit& visit, const Node& node) {
@@ -87,14 +93,19 @@ class Placer : private CsgParts {
         return levels;
     }
 
+    /// Down to the set that is one object, with itself; to a shape where there is none.
+    size_t levels_to_object(const std::vector<NodeId>& path) const {
+        const auto object = std::ranges::find_if(path, [&](NodeId id) { return out_.scene.nodes[id.index].whole || is_solid(out_.scene.nodes[id.index]); });
+        return object == path.end() ? path.size() : size_t(object - path.begin()) + 1 + levels_to_operation(*object);
+    }
+
     /// What rays see a solid is said by the nodes down to it.
     void place_solid(Visit visit) {
         const Mask mask = mask_of_path(out_.scene, visit.path);
-        levels_to_solid_ = visit.path.size() + levels_to_operation(visit.node);
         auto solid = csg_expression(out_.scene, visit, mask, *this);
         if (!solid) return;
         solid->mask = mask;
-        solids_.push_back(std::move(*solid));
+        solids_.push_back({std::move(*solid), visit.node});
     }
 
     bool enters(const Visit& visit) override {
@@ -135,11 +146,11 @@ class Placer : private CsgParts {
         const size_t carrier = interior_carrier(out_.scene, visit.path);
         const auto interior = carrier ? out_.scene.nodes[visit.path[carrier - 1].index].interior : std::nullopt;
         instance.carrier = carrier ? carrier_at({visit.path.begin(), visit.path.begin() + std::ptrdiff_t(carrier)}) : carriers_++;
-        instance.of_whole = carrier <= levels_to_solid_;
+        instance.of_whole = carrier <= levels_to_object_;
         const bool hollow = is_hollow(out_.scene, visit.path, carrier);
         materials_.add_slots(visit.path, slots, interior, hollow, instance);
         instance.uv_mapped = instance.uv_mapped && instance.inside_slot == kNoId;
-        if (BoundTests::bounded(out_.scene, visit.path)) bounded_.push_back({uint32_t(out_.instances.size()), visit.path});
+        if (BoundTests::bounded(out_.scene, visit.path)) bounded_.add(uint32_t(out_.instances.size()), visit.path);
         out_.instances.push_back(instance);
     }
 
@@ -186,9 +197,9 @@ class Placer : private CsgParts {
     Diagnostics& said_;
     std::vector<uint32_t> geometry_of_;   // by shape
     size_t solid_depth_ = std::numeric_limits<size_t>::max();   // of the solid whose parts are being passed over
-    size_t levels_to_solid_ = 0;    // nodes on the path down to the operation of the last solid, with itself
-    std::vector<CsgExpression> solids_;
-    std::vector<BoundedInstance> bounded_;
+    size_t levels_to_object_ = 0;   // nodes on the path down to the last object
+    std::vector<PlacedSolid> solids_;
+    BoundedPaths bounded_;
     bool too_deep_ = false;
     std::map<std::vector<uint32_t>, uint32_t> carrier_of_;
     uint32_t carriers_ = 0;
@@ -211,10 +222,14 @@ void describe_leaves(const CompiledScene& scene, CsgExpression& e) {
 
 /// From here on, their parts are not met by themselves. What goes on for ever, as the inverse of a sphere does, is for POV-Ray what it was before it was
 /// inverted: a ray that comes from far away enters it.
-void build_solids(CompiledScene& out, std::vector<CsgExpression> solids) {
+void build_solids(CompiledScene& out, std::vector<PlacedSolid> solids, Diagnostics& said) {
     const auto narrow = [&out](uint32_t leaf, bool inverted, const Bounds& box) { return narrowed_leaf(out, leaf, inverted, box); };
-    find_cutaways(out, solids);
-    for (CsgExpression& e : solids) describe_leaves(out, e), out.solids.push_back({CsgTree(e, narrow), e.mask});
+    for (PlacedSolid& solid : solids) {
+        find_cutaways(out, solid.what);
+        describe_leaves(out, solid.what);
+        out.solids.push_back({CsgTree(solid.what, narrow), solid.what.mask});
+        if (out.solids.back().tree.levels() > kDeepestTree) said.error(out.scene.nodes[solid.node.index].from, fmt::format("different set operations stand more than {} levels deep in one another", kDeepestTree));
+    }
     for (const Solid& solid : out.solids)
         for (const CsgNode& node : solid.tree.nodes()) {
             if (node.op != CsgOp::leaf || node.leaf == kNoId) continue;
@@ -237,7 +252,7 @@ void place_bounds(CompiledScene& out, int threads) {
 }
 
 /// Meshes get their accelerators, in parallel, large ones each on several threads; only those that an instance shows. Lazy ones get them when a ray comes near.
-void build_structures(CompiledScene& out, const AcceleratorEntry& accel, std::vector<CsgExpression> solids, const std::vector<BoundedInstance>& bounded, const CompileOptions& options, Diagnostics& said) {
+void build_structures(CompiledScene& out, const AcceleratorEntry& accel, std::vector<PlacedSolid> solids, const BoundedPaths& bounded, const CompileOptions& options, Diagnostics& said) {
     const AccelOptions build{options.precision, options.isa, options.threads, options.intersect};
     parallel_for(out.geometries.size(), options.threads, [&](size_t i) {
         Geometry& g = out.geometries[i];
@@ -249,11 +264,12 @@ void build_structures(CompiledScene& out, const AcceleratorEntry& accel, std::ve
     for (const Geometry& g : out.geometries)
         if (g.mesh) report_removed(out, g, said);
     place_bounds(out, options.threads);
-    build_solids(out, std::move(solids));
-    for (const Solid& solid : out.solids)
-        if (solid.tree.levels() > kDeepestTree) said.error({}, fmt::format("different set operations stand more than {} levels deep in one another", kDeepestTree));
+    build_solids(out, std::move(solids), said);
     find_bounds(out, bounded);
-    if (out.scene.settings.first_box_shows) out.object_boxes = object_boxes(out);
+    if (out.scene.settings.first_box_shows) {
+        out.object_boxes = object_boxes(out);
+        bound_object_boxes(out, bounded);
+    }
     out.set = std::make_shared<InstanceSet>(out);
     out.top = accel.over_set(out.set, build);
 }

@@ -66,7 +66,7 @@ struct Instance {
     bool turned = false;           ///< inverse, or a part of a solid that goes on for ever: its inside is where its normals point
     uint32_t carrier = 0;          ///< of its interior: parts of one object that carries it have the same
     uint32_t object = 0;           ///< what it is a part of, as POV-Ray counts objects: a solid, a union that is a whole, or itself
-    bool of_whole = true;          ///< its interior is not its own alone, if it is part of a solid, but the solid's
+    bool of_whole = true;          ///< its interior is not its own alone, if it is part of a solid or a union that is one object, but that of the whole
     NodeId node;
     uint32_t light_set = 0;        ///< into CompiledScene::lit_by
     uint32_t bound_test = kNoId;   ///< of CompiledScene::bound_tests: rays that fail it do not meet its surface
@@ -86,6 +86,17 @@ struct Instance {
 struct Solid {
     CsgTree tree;                  ///< its leaves are instances, in world space
     Mask mask = kMaskAll;          ///< of all leaves
+};
+
+/// An operation whose cuts show what they lay open, or a part of it: each is followed by what is in it.
+struct CutawayNode {
+    CsgOp op = CsgOp::leaf;
+    bool inverse = false;
+    bool inverted = false;         ///< with all around it
+    bool cuts = false;             ///< a part of a difference or a clip behind the first
+    uint32_t instance = kNoId;     ///< of a leaf
+    uint32_t parent = 0;
+    uint32_t end = 0;              ///< of what is in it
 };
 
 /// A camera with its node's transform applied: all in world space.
@@ -110,7 +121,7 @@ struct CompiledScene {
     std::vector<Solid> solids;
     std::vector<Bounds> object_boxes;      ///< by Instance::object: of surfaces that coincide, that of the object whose box a ray enters first is seen. Empty: that of the first instance
     std::unique_ptr<BoundTests> bound_tests;   ///< null if nothing is bounded
-    std::vector<CsgExpression> cutaways;   ///< operations whose parts are looked up at points of faces that show them
+    std::vector<std::vector<CutawayNode>> cutaways;   ///< operations whose parts are looked up at points of faces that show them
     std::vector<SlotMaterial> slots;
     std::vector<PatternSpace> pattern_spaces;
     std::vector<CompiledInterior> interiors;

@@ -29,6 +29,19 @@ bool has_material(const CompiledScene& scene, const CsgExpression& e) {
     return std::any_of(e.parts.begin(), e.parts.end(), [&](const CsgExpression& part) { return has_material(scene, part); });
 }
 
+/// `inverted`: with all around it.
+void flatten(const CsgExpression& e, bool inverted, std::vector<CutawayNode>& nodes) {
+    const size_t here = nodes.size();
+    nodes.push_back({e.op, e.inverse, inverted, false, e.op == CsgOp::leaf ? e.leaf.id : kNoId, 0, 0});
+    for (size_t i = 0; i < e.parts.size(); ++i) {
+        const size_t part = nodes.size();
+        flatten(e.parts[i], inverted != e.parts[i].inverse, nodes);
+        nodes[part].parent = uint32_t(here);
+        nodes[part].cuts = i > 0 && (e.op == CsgOp::difference || e.op == CsgOp::clip);
+    }
+    nodes[here].end = uint32_t(nodes.size());
+}
+
 class Finder {
   public:
     explicit Finder(CompiledScene& scene) : scene_(scene) {}
@@ -50,8 +63,8 @@ class Finder {
     void finish(bool inverted) {
         if (!leaves_.empty() && has_material(scene_, *outermost_)) {
             for (const uint32_t leaf : leaves_) scene_.instances[leaf].cutaway = uint32_t(scene_.cutaways.size());
-            scene_.cutaways.push_back(*outermost_);
-            scene_.cutaways.back().inverse = inverted;
+            scene_.cutaways.emplace_back();
+            flatten(*outermost_, inverted, scene_.cutaways.back());
         }
         leaves_.clear();
         outermost_ = nullptr;
@@ -62,54 +75,64 @@ class Finder {
     std::vector<uint32_t> leaves_;
 };
 
-class LaidOpen {
+/// Which nodes hold the point, each from what is in it, so that no depth needs a call stack.
+class Holding {
   public:
-    LaidOpen(const CompiledScene& scene, const ShadePoint& point) : scene_(scene), point_(point), leaves_(scene, unused_) {}
-
-    void collect(const CsgExpression& e, bool inverted) {
-        const size_t count = e.op == CsgOp::difference || e.op == CsgOp::clip ? std::min<size_t>(e.parts.size(), 1) : e.parts.size();
-        for (size_t i = 0; i < count; ++i) {
-            const CsgExpression& part = e.parts[i];
-            if (holds(part) == inverted) continue;
-            if (!is_instance(part)) collect(part, inverted != part.inverse);
-            else if (const Instance& instance = scene_.instances[part.leaf.id]; instance.cutaway == kNoId) slots.push_back(instance.first_slot);
-        }
+    Holding(const CompiledScene& scene, const std::vector<CutawayNode>& nodes, const ShadePoint& point) : scene_(scene), nodes_(nodes), point_(point), leaves_(scene, unused_), holds_(nodes.size()) {
+        for (size_t i = nodes.size(); i-- > 0; ) holds_[i] = nodes[i].op == CsgOp::leaf ? leaf_holds(nodes[i]) : operation_holds(i);
     }
-
-    std::vector<uint32_t> slots;
+    bool operator[](size_t node) const { return holds_[node]; }
 
   private:
-    bool holds(const CsgExpression& e) const {
-        const auto part_holds = [&](const CsgExpression& part) { return holds(part); };
-        switch (e.op) {
-            // What was hit holds its surface.
-            case CsgOp::leaf: return e.leaf.id != kNoId && (e.leaf.id == point_.instance || leaves_.inside(e.leaf.id, point_.position)) != (e.inverse && csg_leaf(scene_, e.leaf.id).inside != CsgInside::nowhere);
+    bool leaf_holds(const CutawayNode& leaf) const {
+        if (leaf.instance == kNoId) return false;
+        const bool inside = leaf.instance == point_.instance || leaves_.inside(leaf.instance, point_.position);    // what was hit holds its surface
+        return inside != (leaf.inverse && csg_leaf(scene_, leaf.instance).inside != CsgInside::nowhere);
+    }
+
+    bool operation_holds(size_t node) const {
+        const CutawayNode& operation = nodes_[node];
+        const size_t first = node + 1;
+        bool any = false, all = true, of_first = false, any_other = false, all_others = true;
+        for (size_t part = first; part < operation.end; part = nodes_[part].end) {
+            any = any || holds_[part], all = all && holds_[part];
+            if (part == first) of_first = holds_[part];
+            else any_other = any_other || holds_[part], all_others = all_others && holds_[part];
+        }
+        switch (operation.op) {
             case CsgOp::union_:
-            case CsgOp::merge: return std::any_of(e.parts.begin(), e.parts.end(), part_holds) != e.inverse;
-            case CsgOp::intersection: return std::all_of(e.parts.begin(), e.parts.end(), part_holds) != e.inverse;
-            case CsgOp::difference: return (!e.parts.empty() && holds(e.parts[0]) && std::none_of(e.parts.begin() + 1, e.parts.end(), part_holds)) != e.inverse;
-            case CsgOp::clip: return holds(e.parts[0]) != e.inverse && std::all_of(e.parts.begin() + 1, e.parts.end(), part_holds);
+            case CsgOp::merge: return any != operation.inverse;
+            case CsgOp::intersection: return all != operation.inverse;
+            case CsgOp::difference: return (of_first && !any_other) != operation.inverse;
+            case CsgOp::clip: return of_first != operation.inverse && all_others;
+            case CsgOp::leaf: break;
         }
         return false;
     }
 
     const CompiledScene& scene_;
+    const std::vector<CutawayNode>& nodes_;
     const ShadePoint& point_;
     WorkCounters unused_;
     InstanceLeaves leaves_;
+    std::vector<bool> holds_;
 };
 
 }  // namespace
 
-void find_cutaways(CompiledScene& scene, std::span<const CsgExpression> solids) {
-    for (const CsgExpression& solid : solids) Finder(scene).look(solid, solid.inverse, false);
-}
+void find_cutaways(CompiledScene& scene, const CsgExpression& solid) { Finder(scene).look(solid, solid.inverse, false); }
 
 std::vector<uint32_t> slots_laid_open(const CompiledScene& scene, const ShadePoint& point) {
-    LaidOpen open(scene, point);
-    const CsgExpression& all = scene.cutaways[scene.instances[point.instance].cutaway];
-    open.collect(all, all.inverse);
-    return std::move(open.slots);
+    const std::vector<CutawayNode>& nodes = scene.cutaways[scene.instances[point.instance].cutaway];
+    const Holding holding(scene, nodes, point);
+    std::vector<uint32_t> slots;
+    for (size_t i = 1; i < nodes.size(); ) {
+        const CutawayNode& node = nodes[i];
+        const bool open = !node.cuts && holding[i] != nodes[node.parent].inverted;
+        if (open && node.instance != kNoId && scene.instances[node.instance].cutaway == kNoId) slots.push_back(scene.instances[node.instance].first_slot);
+        i = open ? i + 1 : node.end;
+    }
+    return slots;
 }
 
 }  // namespace alidade

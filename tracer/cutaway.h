@@ -4,17 +4,15 @@
 
 #include "tracer/compiled_scene.h"
 
-#include <span>
-
 namespace alidade {
 
 struct ShadePoint;
 
-/// Fills in CompiledScene::cutaways, and which of the instances in `solids` ask them.
+/// Adds to CompiledScene::cutaways, and to the instances in `solid` which of them they ask.
 ///
 /// By experiment: a leaf without a material is meant whose own operation cuts (an intersection, a difference, a union that is taken away), if that or an
 /// operation around it says cutaway_textures and some part of the outermost operation that cuts has a material.
-void find_cutaways(CompiledScene& scene, std::span<const CsgExpression> solids);
+void find_cutaways(CompiledScene& scene, const CsgExpression& solid);
 
 /// What the surface at `point`, of an instance with a cutaway, shows in equal shares, as indices into CompiledScene::slots. By experiment: the parts of the
 /// outermost operation that cuts which hold the point, of a difference the first alone, and in them their parts; black where there are none.

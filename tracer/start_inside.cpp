@@ -37,7 +37,8 @@ StartInside::StartInside(const CompiledScene& scene, const Camera& camera) : sce
     const Bounds begin = origins(camera);
     const auto look = [&](uint32_t id, const Instance& part, const Bounds& bounds) {
         const uint32_t interior = scene.slots[part.first_slot].interior;
-        if (interior != kNoId && !intersection(bounds, begin).empty()) bodies_.push_back({id, bounds, {part.carrier, interior}});
+        const Bounds both = scene.object_boxes.empty() ? bounds : intersection(bounds, scene.object_boxes[part.object]);
+        if (part.of_whole && interior != kNoId && !intersection(both, begin).empty()) bodies_.push_back({id, both, {part.carrier, interior}});
     };
     for (uint32_t i = 0; i < scene.instances.size(); ++i) look(i, scene.instances[i], scene.instances[i].bounds);
     for (uint32_t i = 0; i < scene.solids.size(); ++i)

@@ -9,7 +9,8 @@
 namespace alidade {
 
 /// The bodies that hold the origin of a camera's ray, in the order of the scene. By experiment: POV-Ray counts those that a camera does not see, too;
-/// each part of a union by itself; a solid if the operation has an interior, not if its parts alone have; and none outside of the box of its surface.
+/// each part of a union by itself; a solid, or a union that is one object, if the operation has an interior, not if its parts alone have; and none outside of the box of its surface, or of that
+/// of what bounds it.
 class StartInside {
   public:
     StartInside(const CompiledScene& scene, const Camera& camera);

@@ -109,7 +109,7 @@ void NodeWriter::group(const Node& node, bool is_root) {
 
 void NodeWriter::lone_shape(const Node& node, ShapeId shape, bool is_root) {
     const NodeFacts::ShapeKey key = facts_.key_of(node, shape);
-    const auto named = shapes_.find(key);
+    const auto named = cuts_ && has_texture(key) ? shapes_.end() : shapes_.find(key);
     const auto geometry = geometries_.find(shape.index);
     if (named != shapes_.end()) {
         c_.sdl.begin("object");
@@ -194,16 +194,19 @@ void NodeWriter::cut(const char* word, const std::vector<NodeId>& by) {
     const bool any = std::any_of(by.begin(), by.end(), [&](NodeId id) { return !facts_.is_empty(id); });
     if (!any) return;
     c_.sdl.begin(word);
+    const bool before = std::exchange(cuts_, true);
     for (const NodeId id : by)
         if (!facts_.is_empty(id)) object(id);
+    cuts_ = before;
     c_.sdl.end();
 }
 
 /// The transformation comes last: all before it lies in the node's own space.
 void NodeWriter::modifiers(const Node& node, bool is_root, bool textured) {
+    textured = textured && !cuts_;
     if (textured && node.flags.uv_mapping) c_.sdl.line("uv_mapping");   // before the texture, as POV-Ray has it
     if (textured) texture(node, is_root);
-    if (node.inside_material) {
+    if (node.inside_material && !cuts_) {
         c_.sdl.begin("interior_texture");
         c_.sdl.line(fmt::format("Texture_{}", node.inside_material->index));
         c_.sdl.end();

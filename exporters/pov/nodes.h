@@ -43,6 +43,7 @@ class NodeWriter {
     const ShapeContext& c_;
     LightWriter& lights_;
     const NodeFacts& facts_;
+    bool cuts_ = false;        ///< is what clips or bounds an object, which has no texture
     std::map<uint32_t, std::string> geometries_;                ///< shapes that were declared without materials
     std::map<NodeFacts::ShapeKey, std::string> shapes_;          ///< and with them
 };

@@ -56,6 +56,11 @@ Value parse_array(Parser& p, Place at) {
     return Value::of(Kind::array, array);
 }
 
+void refuse_subscript(Parser& p, const Token& name, const Value& value) {
+    if (value.kind == Kind::array || p.version < 3.5 || !p.stream.goes_on_with('[')) return;
+    p.fail(p.peek_behind_value().place(), fmt::format("{} is no array but {}", p.names.text(name.id), kind_name(value)));
+}
+
 Value owned(Parser& p, Value value, Place at) {
     if (value.kind != Kind::array || value.shared->uses == 1) return value;
     const Nested nested(p, at);

@@ -10,6 +10,8 @@ namespace alidade::pov {
 Value parse_array(Parser& p, Place at);
 /// The element that the subscripts behind an array mean. Empty if it was never assigned to, unless `make` makes it.
 Ref<Slot> parse_subscripts(Parser& p, Array& array, bool make);
+/// Fails where a subscript stands behind the name of what is no array. (Before 3.5 a declaration without a semicolon may end before a [.)
+void refuse_subscript(Parser& p, const Token& name, const Value& value);
 /// `value`, and if it is an array that somebody else holds, a copy of it and of the arrays in it: so arrays are trees.
 Value owned(Parser& p, Value value, Place at);
 

@@ -116,7 +116,11 @@ Value parse_colour(Parser& p, Standing standing) {
     if (const ColourWord* entry = find_colour_word(token)) return parse_colour_components(p, from_word(p, *entry, standing), standing);
     p.put_back(token);
     if (component_of(token) >= 0) return parse_colour_components(p, Value::colour({}), standing);
-    if (!begins_expression(p, token)) return p.warn(token.place(), fmt::format("no colour is given before {}: it is black, as in POV-Ray", p.describe(token))), Value::colour({});
+    if (!begins_expression(p, token)) {
+        const bool twice = token.is_word("color"_w) || token.is_word("colour"_w);
+        p.warn(token.place(), twice ? "color stands twice: behind the first there is no colour, which is black, as in POV-Ray" : fmt::format("no colour is given before {}: it is black, as in POV-Ray", p.describe(token)));
+        return Value::colour({});
+    }
     const Value given = parse_expression(p, standing);
     if (!given.numeric()) p.fail(token.place(), fmt::format("a colour is expected, not {}", kind_name(given)));
     return parse_colour_components(p, Value::colour(promoted(given, 5)), standing);

@@ -159,7 +159,10 @@ void obey_switch(Parser& p, const Token& directive, uint32_t index) {
         return x;
     });
     const Token first = p.stream.frame().tokens[next_clause(p, index)];
-    if (first.directive.word == "end"_w || first.directive.word == "else"_w) p.fail(first.place(), fmt::format("#case or #range is expected in #switch before #{}", kWords[first.directive.word]));
+    if (first.directive.word == "end"_w || first.directive.word == "else"_w) {
+        jump_behind_end(p, index);                                   // where it goes on: the #end is no error of its own
+        p.fail(first.place(), fmt::format("#case or #range is expected in #switch before #{}", kWords[first.directive.word]));
+    }
     enter(p, Kind::switch_, index);                                  // what stands before the first clause is obeyed
     p.stream.conditions().back().waiting = value;
 }

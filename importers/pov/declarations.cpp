@@ -24,6 +24,7 @@ Ref<Deprecation> read_deprecation(Parser& p, Token& name) {
 /// The element `name[i]...` that is assigned to, or empty if a whole identifier is.
 Ref<Slot> element(Parser& p, const Token& name) {
     Slot* slot = p.symbols.find(name.id);
+    if (slot) refuse_subscript(p, name, slot->value);
     if (!slot || slot->value.kind != Kind::array || !p.peek_behind_value().is('[')) return {};
     return parse_reference(p, name, true);
 }

@@ -95,10 +95,10 @@ Value identifier(Parser& p, const Token& name) {
     Slot* plain = p.symbols.find(name.id);
     if (!plain || plain->value.kind == Kind::nothing) fail_undeclared(p, name);
     warn_if_deprecated(p, *plain, name);
+    refuse_subscript(p, name, plain->value);
     if (plain->value.numeric()) return plain->value;
-    const Ref<Slot> slot = parse_reference(p, name, false);
-    if (!slot) p.fail(name.place(), "this array element has no value yet");
-    return called(p, slot->value, name.place());
+    if (const Ref<Slot> slot = parse_reference(p, name, false)) return called(p, slot->value, name.place());
+    p.fail(name.place(), "this array element has no value yet");
 }
 
 [[noreturn]] void fail_no_value(Parser& p, const Token& token) {
@@ -120,7 +120,7 @@ bool take_plain(Parser& p, double& x) {
         return true;
     }
     const Slot* slot = token.kind == TokenKind::name ? p.symbols.find(token.id) : nullptr;
-    if (!slot || slot->value.kind != Kind::number || slot->deprecation) return false;
+    if (!slot || slot->value.kind != Kind::number || slot->deprecation || p.stream.goes_on_with('[')) return false;
     x = slot->value.c[0];
     p.take();
     if (p.stream.goes_on_with('.')) x = first_component(p, x);

@@ -152,22 +152,7 @@ Diagnostic Parser::diagnostic(Severity severity, Place at, std::string message, 
     return d;
 }
 
-std::string Parser::no_array(Place at) const {
-    const std::vector<Frame>& frames = stream.frames();
-    if (frames.empty()) return {};
-    const Frame& frame = frames.back();
-    constexpr uint32_t kLookedAt = 2;   // the last token, and one that peek() has taken
-    for (uint32_t i = frame.at; i-- > 1 && i + kLookedAt >= frame.at;) {
-        const Token &mark = frame.tokens[i], &name = frame.tokens[i - 1];
-        if (!mark.is('[') || mark.offset != at.offset || mark.source != at.source || name.kind != TokenKind::name) continue;
-        const Slot* slot = symbols.find(name.id);
-        if (slot && slot->value.kind != Kind::array && slot->value.kind != Kind::macro) return fmt::format("{} is no array but {}", names.text(name.id), kind_name(slot->value));
-    }
-    return {};
-}
-
 void Parser::fail(Place at, std::string message, std::string hint) const {
-    if (std::string why = no_array(at); !why.empty()) message = std::move(why);
     throw Failure{diagnostic(Severity::error, at, std::move(message), std::move(hint)), false};
 }
 

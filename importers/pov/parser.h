@@ -123,8 +123,6 @@ class Parser {
 
   private:
     friend class Nested;
-    /// "" or, where a [ stands at `at` behind a name that is no array, what is wrong with that.
-    std::string no_array(Place at) const;
     void warn_of_nuls(uint16_t source);
     /// What a token names, if that is a macro.
     Macro* macro_of(const Token& token) const;

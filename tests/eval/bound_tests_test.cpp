@@ -2,6 +2,8 @@
 /// Which rays see what is bounded, beside distances of lines and points from balls.
 #include "eval/bound_tests.h"
 
+#include "eval/bounded_paths.h"
+
 #include <gtest/gtest.h>
 #include <random>
 
@@ -121,6 +123,41 @@ TEST(BoundTests, ABoxIsMetAheadAlone) {
     EXPECT_FALSE(tests.passes(test, {{0.9, 1.0, -5}, {0, 0, -1}}));
     EXPECT_TRUE(tests.passes(test, {{0.9, 1.0, 0}, {0, 0, -1}}));
     EXPECT_TRUE(tests.passes(kNoId, {{0.9, 1.0, -5}, {0, 0, -1}}));
+}
+
+/// Unions in one another, each of them bounded: what is deep in them shares the tests of all around it, and the paths to it are stored once.
+TEST(BoundTests, WhatIsDeepInBoundsSharesTests) {
+    constexpr uint32_t kLevels = 200;
+    Scene scene;
+    scene.shapes.resize(2);
+    scene.shapes[0].geometry = Sphere{Vec3(0), 1}, scene.shapes[1].geometry = Sphere{Vec3(0), 0.5};
+    const auto add = [&](Node node) { scene.nodes.push_back(std::move(node)); return NodeId{uint32_t(scene.nodes.size() - 1)}; };
+    const auto ball = [&](uint32_t shape) { Node node; node.what = ShapeId{shape}; return add(std::move(node)); };
+    const NodeId bound = ball(1);
+    std::vector<NodeId> unions, balls;
+    NodeId inner = ball(0);
+    for (uint32_t i = 0; i < kLevels; ++i) {
+        Node node;
+        balls.push_back(ball(0));
+        node.csg = CsgKind::union_, node.whole = true, node.children = {inner, balls.back()}, node.bounds = {bound};
+        inner = add(std::move(node));
+        unions.push_back(inner);
+    }
+    BoundedPaths paths;
+    std::vector<std::vector<NodeId>> wanted;
+    for (uint32_t i = 0; i < kLevels; ++i) {                        // the outermost union comes first
+        std::vector<NodeId> path(unions.rbegin(), unions.rbegin() + i + 1);
+        path.push_back(balls[kLevels - 1 - i]);
+        paths.add(i, path), wanted.push_back(path);
+    }
+    BoundTests tests(scene);
+    const Bounds surface{Vec3(-1), Vec3(1)};
+    paths.for_each([&](uint32_t i, const std::vector<NodeId>& path) {
+        EXPECT_EQ(path, wanted[i]);
+        EXPECT_EQ(tests.by_shapes(path, Transform(), surface), i);  // one more than the union around it asks
+    });
+    EXPECT_TRUE(tests.passes(kLevels - 1, {Vec3(0, 0.4, -3), Vec3(0, 0, 1)}));
+    EXPECT_FALSE(tests.passes(kLevels - 1, {Vec3(0, 0.6, -3), Vec3(0, 0, 1)}));
 }
 
 }  // namespace

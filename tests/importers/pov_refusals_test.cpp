@@ -155,6 +155,31 @@ TEST_F(PovBuilders, SurroundingsThatAreNotFiniteHaveTheirPlace) {
         EXPECT_THAT(said(r.scene), HasSubstr(r.message)) << r.scene;
 }
 
+/// POV-Ray looks into what clips and bounds, but not into light groups.
+TEST_F(PovBuilders, WhatClipsOrBoundsHasNoTextureAndNoPatches) {
+    const std::string declared = "#declare T = sphere { 0, 1 pigment { rgb 1 } } #declare M = mesh { triangle { 0, x, y } triangle { 0, x, z } inside_vector y } #declare S = sphere { 0, 1 }\n";
+    for (const std::string word : {"clipped_by", "bounded_by"}) {
+        const auto limited = [&](const std::string& by) { return said(declared + "sphere { 0, 1 " + word + " { " + by + " } }"); };
+        for (const char* by : {"sphere { 0, 1 pigment { rgb 1 } }", "sphere { 0, 1 finish { phong 1 } }", "sphere { 0, 1 material { texture { } } }", "object { T scale 2 }", "object { S texture { } }", "union { object { T } sphere { 0, 2 } }",
+                               "intersection { sphere { 0, 1 } box { 0, 1 texture { } translate x } }", "triangle { 0, x, y }", "mesh { triangle { 0, x, y } }", "union { sphere { 0, 1 } triangle { 0, x, y } }", "light_source { 0, 1 }"})
+            EXPECT_THAT(limited(by), HasSubstr("2:28: error: what clips or bounds an object has no texture")) << word << ' ' << by;
+        for (const char* by : {"S", "object { S interior { ior 2 } no_shadow }", "disc { 0, y, 1 }", "polygon { 4, 0, x, y, 0 }", "M", "light_group { light_source { 0, 1 } object { T } }", "sphere { 0, 1 } box { -1, 1 } scale 2"}) EXPECT_EQ(limited(by), "") << word << ' ' << by;
+        EXPECT_THAT(limited("S no_shadow"), HasSubstr("2:30: error: no_shadow cannot stand in " + word));
+        EXPECT_THAT(limited("S inverse"), HasSubstr("inverse cannot stand in " + word));
+        EXPECT_THAT(limited(""), HasSubstr("2:15: error: an object is expected in " + word));
+    }
+}
+
+TEST_F(PovBuilders, ListsOfTexturesAreOfBlocksInAMesh2AndOfNamesInATriangle) {
+    const std::string declared = "#declare A = texture { } #declare B = texture { pigment { rgb 1 } }\n";
+    EXPECT_THAT(said(declared + "mesh2 { vertex_vectors { 3, 0, x, y } texture_list { 2, A, B } face_indices { 1, <0,1,2>, 0, 1, 1 } }"), HasSubstr("2:57: error: a mesh2's texture_list holds textures"));
+    EXPECT_THAT(said(declared + "mesh { triangle { 0, x, y texture_list { A texture { B } A } } }"), HasSubstr("2:44: error: a triangle's texture_list holds names of textures"));
+    EXPECT_EQ(said(declared + "mesh2 { vertex_vectors { 3, 0, x, y } texture_list { 2, texture { A }, texture { B } } face_indices { 1, <0,1,2>, 0, 1, 1 } } mesh { triangle { 0, x, y texture_list { A B A } } }"), "");
+}
+
+/// POV-Ray takes it where a second colour may stand.
+TEST_F(PovBuilders, AColorBeforeAColorIsTold) { EXPECT_THAT(said("fog { distance 3 color color rgb z }"), HasSubstr("1:24: warning: color stands twice: behind the first there is no colour, which is black")); }
+
 /// A file that was cut off is no smaller mesh.
 TEST_F(PovBuilders, ListsOfMeshesHaveWhatTheySay) {
     for (const Refusal& r : {Refusal{"mesh2 { vertex_vectors { 4, 0, x, y } face_indices { 1, <0,1,2> } }", "1:26: error: vertex_vectors says that it has 4, and has 3"}, {"mesh2 { vertex_vectors { 3, 0, x, y, z } face_indices { 1, <0,1,2> } }", "vertex_vectors says that it has 3, and has 4"},

@@ -39,6 +39,13 @@ std::vector<PovPicture> bound_pictures() {
         {"BoundsAwayFromThem", bounded(two + "bounded_by { sphere { <2,0,8>, 3 } } At(-2,1.2) } " + two + "bounded_by { sphere { <.6,2.2,-7>, 3 } } At(0,1.2) } " + two + "bounded_by { plane { z, -6.9 inverse } } At(2,1.2) } " + two + "bounded_by { plane { z, -20 } } At(2,-.5) } " + two +
          "bounded_by { sphere { 0, .3 inverse } } At(0,-.5) }")},
         {"AFewBoundedShapes", "#version 3.7; global_settings { assumed_gamma 1 } camera { location <.6,2.2,-7> look_at <0,.4,0> angle 50 } light_source { <4,8,-6> rgb 1 } sphere { 0, 1 pigment { rgb 1 } bounded_by { sphere { <.2,.2,-.1>, .6 } } }"},
+        {"BoundsWithDiscs", bounded("#declare T = merge { sphere { 0, .8 } box { 0, 1 } } #declare D = disc { 0, z, .5 } object { T bounded_by { D } At(-2,1.2) } object { T bounded_by { disc { 0, -z, .5 } } At(0,1.2) } object { T bounded_by { union { object { D } sphere { .5, .3 } } } At(2,1.2) } "
+         "poly { 2, <1,0,0,0,1,0,0,1,0,-.7> bounded_by { D } At(-2,-.5) } quadric { <1,-1,1>, 0, 0, -.2 bounded_by { D } At(0,-.5) } " + two + "bounded_by { D } At(2,-.5) }")},
+        {"CamerasInBodiesWithoutTheirBounds", bounded("#macro In() pigment { rgbf <.7,1,.7,.8> } interior { ior 1.1 } #end #declare Far = sphere { <.6,2.2,-4.5>, .6 } sphere { <.6,2.2,-6>, 2 bounded_by { Far } In() } cylinder { <.6,2.2,-9>, <.6,2.2,-4>, 2.2 bounded_by { Far } In() } "
+         "merge { sphere { <.6,2.2,-6>, 2.4 } box { 0, 1 } bounded_by { Far } In() }")},
+        {"CamerasInBodiesWithTheBoxesOfTheirBounds", bounded("#macro In() pigment { rgbf <.7,1,.7,.8> } interior { ior 1.1 } #end #declare Near = sphere { <-1.6,0,-4.8>, 3 } sphere { <.6,2.2,-6>, 2 bounded_by { Near } In() } "
+         "union { union { sphere { <.6,2.2,-6>, 2.4 } box { 0, 1 } bounded_by { sphere { <.6,2.2,-4.5>, .6 } } In() } sphere { -3*y, .1 } translate .001*x }")},
+        {"CamerasInUnionsThatAreWhole", bounded("union { sphere { <.6,2.2,-6>, 2 pigment { rgbf <.7,1,.7,.8> } interior { ior 1.1 } } box { 0, 1 pigment { rgb 1 } } bounded_by { sphere { <.6,2.2,-7>, 30 } } }")},
         {"BoundsThatHoldAll", bounded(two + "bounded_by { box { -.8, 1 } } At(-2,1.2) } difference { sphere { 0, .9 } box { 0, 2 translate -.5*z } bounded_by { sphere { 0, .9 } } At(0,1.2) } torus { .6, .2 bounded_by { cylinder { -.2*y, .2*y, .8 } } At(2,1.2) } "
          "intersection { plane { y, .5 } plane { -y, .5 } quadric { <1,0,1>, 0, 0, -.4 } bounded_by { sphere { 0, 1 } } At(-2,-.5) } " + two + "bounded_by { intersection { box { -1, 1 } plane { y, 2 } } } rotate 30 At(0,-.5) } "
          "quartic { <1,0,0,0,2,0,0,2,0,-1,0,0,0,0,0,0,0,0,0,0,1,0,0,2,0,-1,0,0,0,0,1,0,-1,0,0.1> bounded_by { sphere { 0, 1.2 } } At(2,-.5) }", "")},

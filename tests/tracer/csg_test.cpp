@@ -3,6 +3,9 @@
 #include "tests/core/draw.h"
 #include "tests/tracer/scene_builder.h"
 #include "tracer/compiled_scene.h"
+#include "tracer/shade_point.h"
+
+#include <pthread.h>
 
 namespace alidade {
 namespace {
@@ -175,6 +178,61 @@ TEST(Solids, AreNotDeeperThanTheStack) {
     Diagnostics said;
     compile(b.scene, {}, said);
     EXPECT_NE(said.text().find("levels deep"), std::string::npos) << said.text();
+}
+
+/// What alternates is as deep as it stands there: the error has the place of the object.
+TEST(Solids, ThatAreTooDeepHaveAPlace) {
+    Solids b(5);
+    b.scene.files.push_back({"deep.pov"});
+    NodeId below = b.random_shape();
+    constexpr int kLevels = 2400;
+    for (int i = 0; i < kLevels; ++i) {
+        Node n;
+        n.csg = i % 2 ? CsgKind::intersection : CsgKind::merge;
+        n.children = {below, b.random_shape()};
+        n.from.file = 0, n.from.line = uint32_t(i + 1), n.from.column = 7;
+        below = b.node(n, i == kLevels - 1);
+    }
+    Diagnostics said;
+    EXPECT_FALSE(compile(b.scene, {}, said));
+    EXPECT_NE(said.text().find("deep.pov:2400:7: error: different set operations stand more than 1000 levels deep"), std::string::npos) << said.text();
+}
+
+/// Threads that render have small stacks.
+TEST(Solids, WhatIsLaidOpenIsFoundHoweverDeepItStands) {
+    test::SceneBuilder b;
+    const auto ball = [&](double radius) { Node n; n.what = b.shape(Sphere{Vec3(0), radius}); return n; };
+    Node colored = ball(1), box = ball(1);
+    colored.materials = {b.material(b.lambert(Color(1)))};
+    box.what = b.shape(Box{Vec3(-2, -2, -0.5), Vec3(2)});
+    NodeId below = b.node(colored, false);
+    constexpr int kLevels = 2000;
+    for (int i = 0; i < kLevels; ++i) {
+        Node n;
+        n.csg = CsgKind::intersection, n.cutaway_textures = true;
+        n.children = {below, b.node(i == 0 ? box : ball(3), false)};
+        below = b.node(n, i == kLevels - 1);
+    }
+    const auto scene = test::compiled(b.scene);
+    ASSERT_FALSE(scene->cutaways.empty());
+    ShadePoint point;
+    point.position = Vec3(0, 0, -0.5);
+    while (point.instance < scene->instances.size() && scene->instances[point.instance].cutaway == kNoId) ++point.instance;
+    ASSERT_LT(point.instance, scene->instances.size());
+    std::pair<const CompiledScene*, const ShadePoint*> asked{scene.get(), &point};
+    pthread_attr_t small;
+    pthread_t thread;
+    pthread_attr_init(&small);
+    pthread_attr_setstacksize(&small, 128 * 1024);
+    static std::vector<uint32_t> open;
+    ASSERT_EQ(pthread_create(&thread, &small, [](void* in) -> void* {
+        const auto& [s, p] = *static_cast<std::pair<const CompiledScene*, const ShadePoint*>*>(in);
+        open = slots_laid_open(*s, *p);
+        return nullptr;
+    }, &asked), 0);
+    pthread_join(thread, nullptr);
+    ASSERT_EQ(open.size(), 1u);
+    EXPECT_EQ(scene->slots[open[0]].material, colored.materials[0]->index);
 }
 
 }  // namespace

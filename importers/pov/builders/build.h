@@ -13,10 +13,10 @@
 
 namespace alidade::pov {
 
-/// A node that stands for a declared object, and whether it carries a texture of its own.
+/// A node that stands for an object.
 struct BuiltObject {
     NodeId node;
-    bool textured = false;
+    bool limits = true;      ///< may it clip or bound others? POV-Ray refuses textures, lights and triangles, also in its parts
 };
 
 /// Appends. Where there is no room any more, what is there is moved: std::vector would copy it, since GLM does not promise that copying its vectors cannot throw.

@@ -7,12 +7,22 @@
 #include "importers/pov/builders/texts.h"
 
 #include <algorithm>
+#include <fmt/format.h>
+#include <memory>
 
 namespace alidade::pov {
 
 namespace {
 
 const Bounds kAllSpace{Vec3(-kInf), Vec3(kInf)};
+
+struct Extent;
+
+/// What clips or bounds an object. References share it: copies of copies would double at every level.
+struct Limit {
+    std::shared_ptr<const Extent> what;
+    Bounds box;                          ///< of it; all space if it is turned inside out
+};
 
 /// What an object is as long as its transformations are read.
 struct Extent {
@@ -26,7 +36,8 @@ struct Extent {
     bool inverse = false;
     std::optional<Plane> plane;          ///< moved by `transform`
     std::optional<Quadric> quadric;      ///< moved already
-    std::vector<Extent> clips, bounds;
+    std::vector<Limit> clips, bounds;
+    double limits = 0;                   ///< how many there are, with those of limits: each is moved as the object is
 };
 
 double volume(const Bounds& b) {
@@ -49,13 +60,10 @@ Bounds own_box(const Extent& e) {
     return box;
 }
 
-Bounds box_of(const Extent& e);
-
-void replace_by_smaller(Bounds& box, const std::vector<Extent>& others) {
+void replace_by_smaller(Bounds& box, const std::vector<Limit>& others) {
     if (others.empty()) return;
     Bounds common = kAllSpace;
-    for (const Extent& other : others)
-        if (!other.inverse) common = intersection(common, box_of(other));
+    for (const Limit& other : others) common = intersection(common, other.box);
     if (common.finite() && !common.empty() && (!box.finite() || volume(common) < volume(box))) box = common;
 }
 
@@ -67,10 +75,25 @@ Bounds box_of(const Extent& e) {
     return box;
 }
 
+Limit limit_of(Extent e) {
+    const Bounds box = e.inverse ? kAllSpace : box_of(e);
+    return {std::make_shared<const Extent>(std::move(e)), box};
+}
+
 /// Does it keep a sphere one?
 bool keeps_spheres(const Item& item, const Transform& t) {
     if (item.kind != Item::Kind::word || item.word == "matrix"_w || item.word == "transform"_w) return false;
     return item.word != "scale"_w || (t.linear[0].x == t.linear[1].y && t.linear[0].x == t.linear[2].z);
+}
+
+void move(Extent& e, const Item& item, const Transform& t);
+
+void move(std::vector<Limit>& limits, const Item& item, const Transform& t) {
+    for (Limit& limit : limits) {
+        Extent e = *limit.what;
+        move(e, item, t);
+        limit = limit_of(std::move(e));
+    }
 }
 
 void move(Extent& e, const Item& item, const Transform& t) {
@@ -89,8 +112,8 @@ void move(Extent& e, const Item& item, const Transform& t) {
         e.box = t.bounds(e.box);
     }
     if (e.quadric) e.quadric = moved(*e.quadric, t);
-    for (Extent& clip : e.clips) move(clip, item, t);
-    for (Extent& bound : e.bounds) move(bound, item, t);
+    move(e.clips, item, t);
+    move(e.bounds, item, t);
 }
 
 /// Across `axis`, without turning more than it takes: z goes to the axis.
@@ -230,13 +253,13 @@ class Extents::Reader {
     void modifier(Extent& e, Cursor& at) {
         if (at.at_transform()) {
             const Item& item = at.peek();
-            move(e, item, at.transform());
+            moved(e, item, at.transform());
         } else if (const Block* clip = at.block_at("clipped_by"_w)) {
             at.next();
-            for (Extent& part : limits(*clip)) e.clips.push_back(std::move(part));
+            add_limits(e, e.clips, *clip);
         } else if (const Block* bound = at.block_at("bounded_by"_w)) {
             at.next();
-            for (Extent& part : limits(*bound)) e.bounds.push_back(std::move(part));
+            add_limits(e, e.bounds, *bound);
         } else if (at.accept("inverse"_w)) {
             e.inverse = !e.inverse;
         } else {
@@ -244,8 +267,15 @@ class Extents::Reader {
         }
     }
 
+    void moved(Extent& e, const Item& item, const Transform& t) {
+        copies_ += e.limits;
+        const uint64_t most = build_.p.options.limits.copies;
+        if (copies_ > double(most)) build_.p.fail_limit(item.place, &Limits::copies, fmt::format("what clips and bounds objects is itself clipped or bounded: more than {} copies are moved for their extents", most));
+        move(e, item, t);
+    }
+
     /// The objects in `clipped_by` or `bounded_by`, moved by the transformations behind them.
-    std::vector<Extent> limits(const Block& block) {
+    void add_limits(Extent& e, std::vector<Limit>& limits, const Block& block) {
         Cursor at(build_, block);
         std::vector<Extent> all = parts(at);
         while (!at.done()) {
@@ -255,13 +285,17 @@ class Extents::Reader {
                 continue;
             }
             const Transform t = at.transform();
-            for (Extent& limit : all) move(limit, item, t);
+            for (Extent& limit : all) moved(limit, item, t);
         }
-        return all;
+        for (Extent& limit : all) {
+            e.limits += limit.limits + 1;
+            limits.push_back(limit_of(std::move(limit)));
+        }
     }
 
     Build& build_;
     std::map<const Block*, Extent> known_;
+    double copies_ = 0;       ///< of limits
 };
 
 Extents::Extents(Build& build) : reader_(std::make_unique<Reader>(build)) {}

@@ -122,9 +122,13 @@ class Announced {
     double count_;
 };
 
-std::vector<uint32_t> take_textures(Cursor& at, Slots& slots) {
+/// `by_name`: a triangle's list has names alone; that of a mesh2 has none.
+std::vector<uint32_t> take_textures(Build& build, Cursor& at, Slots& slots, bool by_name) {
     std::vector<uint32_t> out;
-    while (const Block* texture = at.block_at("texture"_w)) at.next(), out.push_back(slots.of(named(*texture)));
+    while (const Block* texture = at.block_at("texture"_w)) {
+        if (at.at_declared() != by_name) build.p.fail(at.place(), by_name ? "a triangle's texture_list holds names of textures, without texture { } around them" : "a mesh2's texture_list holds textures: texture { NAME }, not the name alone");
+        at.next(), out.push_back(slots.of(named(*texture)));
+    }
     if (!at.done()) at.skip_unmodelled();
     return out;
 }
@@ -146,7 +150,7 @@ void take_triangle_modifiers(Build& build, Cursor& at, Slots& slots, Mesh& mesh)
         if (const Block* texture = at.block_at("texture"_w)) at.next(), corners = Index3(slots.of(named(*texture)));
         else if (const Block* list = at.block_at("texture_list"_w)) {
             Cursor textures(build, *list);
-            const std::vector<uint32_t> three = take_textures(textures, slots);
+            const std::vector<uint32_t> three = take_textures(build, textures, slots, true);
             if (three.size() != 3) build.p.fail(list->place, "the texture_list of a triangle has three textures");
             at.next(), corners = Index3(three[0], three[1], three[2]);
         } else if (at.accept("uv_vectors"_w)) take_triangle_uvs(at, mesh);
@@ -331,7 +335,7 @@ BuiltShape build_mesh2(Build& build, Cursor& at) {
     if (parts.textures) {
         Cursor list(build, *parts.textures);
         const Announced announced(list);
-        textures = take_textures(list, slots);
+        textures = take_textures(build, list, slots, false);
         announced.check(build, *parts.textures, textures.size());
     }
     take_faces(build, *parts.faces, textures, mesh);

@@ -4,6 +4,7 @@
 #include "eval/csg_expression.h"
 
 #include "core/transform.h"
+#include "importers/pov/builders/clips.h"
 #include "importers/pov/builders/interiors.h"
 #include "importers/pov/builders/lights.h"
 #include "importers/pov/builders/materials.h"
@@ -20,12 +21,6 @@ namespace alidade::pov {
 
 namespace {
 
-/// A bounded_by, which clipped_by may name.
-struct Bound {
-    const Block* block;
-    Transform moved;                      ///< of the object, where it stands
-};
-
 /// An object while its modifiers are read. A texture lies in the space that the object has where the texture stands: transformations before it move the
 /// object alone, those behind it both.
 struct Draft {
@@ -36,7 +31,7 @@ struct Draft {
     TextureLayers layers, inside;         ///< of the inside: those of interior_texture
     Place texture_place;
     bool uv_mapped = false;               ///< of the texture that follows
-    bool parts_textured = false;          ///< a referenced object brings its own
+    bool limits = true;                   ///< as BuiltObject::limits, of its parts
     bool shows_cuts = false;              ///< cutaway_textures stands around it, which is said of the operation itself
     bool changed = false;                 ///< a texture or interior stands around it, which takes the place of its own
     std::vector<Bound> bounds;            ///< those that clipped_by has not named
@@ -148,52 +143,6 @@ void gather_lights(const Scene& scene, NodeId id, std::vector<LightId>& out) {
     for (const NodeId child : node.children) gather_lights(scene, child, out);
 }
 
-/// What clips or bounds an object is moved by its `own` transformations, and by those of the object behind it; `moved` are those before it.
-void add_limit(Build& build, std::vector<NodeId>& limits, const Block& limit, const Transform& moved, const Transform& own) {
-    const auto built = build_object(build, limit);
-    if (!built) return;
-    NodeId node = built->node;
-    if (!moved.is_identity() || !own.is_identity()) {
-        const auto back = inverse(moved);
-        if (!back) return build.p.warn(limit.place, "the object is flat or infinitely large here and cannot be clipped or bounded");
-        Node placed;
-        placed.from = build.position(limit.place);
-        placed.to_parent = *back * own;
-        placed.children.push_back(node);
-        node = build.add_node(std::move(placed));
-    }
-    limits.push_back(node);
-}
-
-/// The transformations in `clipped_by { ... }` or `bounded_by { ... }`, which move all of it.
-Transform moves_of_limits(Build& build, const Block& block) {
-    Transform all;
-    for (Cursor at(build, block); !at.done(); ) {
-        if (at.at_transform()) all = at.transform() * all;
-        else at.next();
-    }
-    return all;
-}
-
-void take_last_bound(Build& build, Draft& d, std::vector<NodeId>& limits);
-
-void take_limits(Build& build, Draft& d, std::vector<NodeId>& limits, const Block& block, const Transform& moved) {
-    const Transform own = moves_of_limits(build, block);
-    for (Cursor at(build, block); !at.done(); ) {
-        const Block* limit = at.any_block();
-        if (limit && is_object(limit->word)) at.next(), add_limit(build, limits, *limit, moved, own);
-        else if (at.at_transform()) at.transform();
-        else if (!d.bounds.empty() && at.accept("bounded_by"_w)) take_last_bound(build, d, limits);
-        else at.skip_unmodelled();
-    }
-}
-
-void take_last_bound(Build& build, Draft& d, std::vector<NodeId>& limits) {
-    const Bound bound = d.bounds.back();
-    d.bounds.pop_back();
-    take_limits(build, d, limits, *bound.block, bound.moved);
-}
-
 /// What bounds an object may clip it as well; `bounded_by { clipped_by }` says nothing new.
 void take_bound(Draft& d, const Block& block) {
     d.bounded = true;
@@ -216,7 +165,7 @@ void take_modifiers(Build& build, Draft& d, Cursor& at) {
     while (!at.done()) {
         if (at.at_transform()) d.transform = at.transform() * d.transform;
         else if (take_surface(build, d, at) || take_flag(d, at)) continue;
-        else if (const Block* clip = at.block_at("clipped_by"_w)) at.next(), take_limits(build, d, d.node.clips, *clip, d.transform * d.before);
+        else if (const Block* clip = at.block_at("clipped_by"_w)) at.next(), take_limits(build, d.bounds, d.node.clips, *clip, d.transform * d.before);
         else if (const Block* bound = at.block_at("bounded_by"_w)) at.next(), take_bound(d, *bound);
         else if (at.at_word("cutaway_textures"_w)) take_cutaway(build, d, at.place()), at.next();
         else if (at.accept("split_union"_w)) d.split = at.flag();
@@ -256,7 +205,7 @@ bool reference(Build& build, const Block& object, Draft& d) {
         known = build.declared.emplace(&object, *built).first;
     }
     d.node.children.push_back(known->second.node);
-    d.parts_textured = known->second.textured;
+    d.limits = known->second.limits;
     return true;
 }
 
@@ -292,7 +241,7 @@ size_t take_children(Build& build, Draft& d, Cursor& at) {
         if (!child || !is_object(child->word)) return parts;
         const Within named(build.by_name, at.at_declared());
         at.next();
-        if (const auto built = build_object(build, *child)) d.node.children.push_back(built->node);
+        if (const auto built = build_object(build, *child)) d.node.children.push_back(built->node), d.limits = d.limits && built->limits;
         else if (d.node.csg == CsgKind::difference && d.node.children.empty()) d.node.children.push_back(build.add_node({}));   // what is left out has no parts
     }
 }
@@ -303,6 +252,8 @@ bool shape(Build& build, const Block& block, Cursor& at, Draft& d) {
         build.p.tally(block.place, fmt::format("{} is not modelled yet: it is left out", kWords[block.word]));
         return false;
     }
+    const auto* mesh = std::get_if<Mesh>(&built->geometry);
+    d.limits = !mesh || mesh->inside_vector;
     ShapeEntry entry;
     entry.geometry = std::move(built->geometry);
     entry.from = build.position(block.place);
@@ -348,7 +299,7 @@ bool draft(Build& build, const Block& block, Draft& d) {
     } else if (block.word == "light_group"_w) {
         d.is_group = true, d.node.open_light_group = build.by_name > 0, d.is_lit = d.node.global_lights = build.lit_globally > 0;
         const Within lit(build.lit_globally, takes_global_lights(block));
-        take_children(build, d, at);
+        take_children(build, d, at), d.limits = true;     // POV-Ray does not look into it
         for (const NodeId child : d.node.children) gather_lights(build.scene, child, d.node.light_group);
     } else if (!shape(build, block, at, d)) {
         return false;
@@ -361,11 +312,11 @@ bool draft(Build& build, const Block& block, Draft& d) {
 
 /// One node, or two where transformations stand on both sides of the texture.
 BuiltObject finish(Build& build, Draft& d) {
-    while (!d.bounds.empty()) take_last_bound(build, d, d.node.bounds);
+    while (!d.bounds.empty()) take_last_bound(build, d.bounds, d.node.bounds);
     if (d.layers.empty() && !d.inside.empty()) build.p.fail(d.texture_place, "an interior_texture needs a texture beside it, for the outside");
     if (d.layers.empty()) {
         d.node.to_parent = d.transform;
-        return {build.add_node(std::move(d.node)), d.parts_textured};
+        return {build.add_node(std::move(d.node)), d.limits};
     }
     const MaterialId material = add_material(build, std::move(d.layers), d.texture_place);
     const bool moved = !d.before.is_identity();
@@ -385,13 +336,13 @@ BuiltObject finish(Build& build, Draft& d) {
         outer.children.push_back(inner);
     }
     carrier->to_parent = d.transform;
-    return {build.add_node(std::move(*carrier)), true};
+    return {build.add_node(std::move(*carrier)), false};
 }
 
 }  // namespace
 
 std::optional<BuiltObject> build_object(Build& build, const Block& block, const Transform& placed) {
-    if (block.word == "light_source"_w) return BuiltObject{build_light(build, block), true};
+    if (block.word == "light_source"_w) return BuiltObject{build_light(build, block), false};
     Draft d;
     d.placed = placed;
     return draft(build, block, d) ? std::optional(finish(build, d)) : std::nullopt;

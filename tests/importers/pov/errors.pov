@@ -20,6 +20,9 @@ sphere { 0, Radios }    // expect error 2:13 Radios is not declared
 //---- a subscript behind what is no array
 #declare A = 3;
 #declare B = A[1];      // expect error 2:15 A is no array but a float
+#declare V = <1, 2>;
+#declare V[0] = 1;      // expect error 4:11 V is no array but a vector of 2
+sphere { V[1], 1 }      // expect error 5:11 V is no array but a vector of 2
 //---- keywords that go on behind what is written come first
 light { 0, 1 }          // expect error 1:1 light is not declared
 //---- a comma before all values
@@ -62,6 +65,9 @@ M()                     // expect error 1:12 macros call one another
 //---- a #switch needs a value to match
 #switch (1) #end                 // expect error 1:13 #case or #range is expected in #switch before #end
 #switch (1) #else #debug "no\n" #end   // expect error 2:13 #case or #range is expected in #switch before #else
+#switch (1)
+#debug "no\n"
+#end                    // expect error 5:1 #case or #range is expected in #switch before #end
 //---- a # before a name that is none
 #delcare A = 3          // expect error 1:1 there is no directive #delcare
 //---- a vector that is not closed
