@@ -51,6 +51,13 @@ TEST_F(PovBuilders, WordsOfOldCamerasActWhereTheyStand) {
     EXPECT_EQ(scene("#version 3.1; camera { angle 100 fisheye }").cameras.at(0).angle, 100);
 }
 
+/// Nearer than 1e-5 (probed), though the direction has a length.
+TEST_F(PovBuilders, ACameraCannotLookAtItsOwnPlace) {
+    for (const char* version : {"", "#version 3.1; "})
+        for (const auto& [at, refused] : {std::pair("<0,0,5e-6>", true), {"<5e-6,5e-6,5e-6>", true}, {"<8e-6,8e-6,0>", false}, {"<1.1e-5,0,0>", false}})
+            EXPECT_EQ(said(fmt::format("{}sphere {{ 9, 1 }} camera {{ location 0 look_at {} }}", version, at)).find("look_at is the camera's location") != std::string::npos, refused) << at;
+}
+
 TEST_F(PovBuilders, PolynomialsHaveAllTheirCoefficients) {
     const Scene s = scene("quadric { <1,2,3>, <4,5,6>, <7,8,9>, 10 } poly { 2, <1,2,3,4,5,6,7,8,9,10> sturm } cubic { <1,2,3,4,5,6,7,8,9,10,11,12,13,14,15,16,17,18,19,20> }");
     const Quadric& q = std::get<Quadric>(s.shapes.at(0).geometry);
