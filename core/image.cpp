@@ -16,7 +16,7 @@ using image::Bytes;
 using image::Result;
 using image::Stored;
 
-/// A format that is read and written without the module. `magic` are the bytes a file begins with.
+/// A format that is read without the module, and written, unless `encode` is null. `magic` are the bytes a file begins with.
 struct Format {
     const char* ending;
     std::vector<std::string_view> magic;
@@ -30,6 +30,8 @@ const std::vector<Format>& formats() {
         {".exr", {"\x76\x2f\x31\x01"}, image::decode_exr, image::encode_exr},
         {".ppm", {"P2", "P3", "P5", "P6"}, image::decode_pnm, image::encode_ppm},
         {".pfm", {"PF", "Pf"}, image::decode_pnm, image::encode_pfm},
+        {".jpeg", {"\xff\xd8\xff"}, image::decode_jpeg, nullptr},
+        {".gif", {"GIF8"}, image::decode_gif, nullptr},
     };
     return table;
 }
@@ -38,9 +40,9 @@ bool starts_with(std::span<const std::byte> bytes, std::string_view magic) {
     return bytes.size() >= magic.size() && std::equal(magic.begin(), magic.end(), bytes.begin(), [](char a, std::byte b) { return std::byte(a) == b; });
 }
 
-const Format* find_format(const std::string& ending) {
+const Format* find_written_format(const std::string& ending) {
     for (const Format& f : formats())
-        if (ending == f.ending) return &f;
+        if (f.encode && ending == f.ending) return &f;
     return nullptr;
 }
 
@@ -91,6 +93,10 @@ Result<void> check_size(uint64_t width, uint64_t height, uint64_t channels, size
     return {};
 }
 
+void note_orientation(Stored& stored, uint32_t orientation) {
+    if (orientation > 1 && orientation <= 8) stored.left_out.push_back(fmt::format("its orientation ({}, as Exif counts them)", orientation));
+}
+
 }  // namespace image
 
 tl::expected<StoredPicture, std::string> decode_stored_picture(std::span<const std::byte> bytes) try {
@@ -129,7 +135,7 @@ tl::expected<std::vector<std::byte>, std::string> encode_picture(const Picture& 
     if (picture.width <= 0 || picture.height <= 0 || picture.channels <= 0) return tl::unexpected(std::string("the picture is empty"));
     if (ending == ".png" && bits > 8) return image::encode_deep_png(picture);
     if (ending == ".ppm" && bits > 8) return image::encode_deep_ppm(picture);
-    if (const Format* format = find_format(ending)) return format->encode(picture);
+    if (const Format* format = find_written_format(ending)) return format->encode(picture);
     return image::encode_by_module(picture, ending);
 } catch (const std::bad_alloc&) {
     return tl::unexpected(std::string(kNoMemory));
@@ -152,7 +158,7 @@ tl::expected<void, std::string> write_picture(const std::string& path, const Pic
 std::string why_no_format(const std::string& path) {
     const std::string ending = lower_ending(path);
     if (ending.empty()) return kNoEnding;
-    if (find_format(ending)) return {};
+    if (find_written_format(ending)) return {};
     const auto done = image::check_module_writes(ending);
     return done ? std::string() : done.error();
 }

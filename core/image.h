@@ -33,8 +33,8 @@ double linear_to_srgb(double linear);
 
 /// Decodes a picture held in memory: by its magic bytes, never by its name. Colour and alpha are as the file has them: alpha is straight (not
 /// multiplied into the colour) but in EXR, whose colour is premultiplied by definition. Alpha is never decoded by a curve. Channels come as
-/// R, G, B, A or Y, A, then others. PNG, PPM/PGM, PFM and EXR are read here; all else goes to the OpenImageIO module, which is opened on first
-/// use. An error is one sentence without the file's name.
+/// R, G, B, A or Y, A, then others. PNG, JPEG, GIF, PPM/PGM, PFM and EXR are read here; all else (JPEG of CMYK, GIF whose first picture does not
+/// fill the screen) goes to the OpenImageIO module, which is opened on first use. An error is one sentence without the file's name.
 tl::expected<Picture, std::string> decode_picture(std::span<const std::byte> bytes, Encoding encoding);
 /// The same for a file; an error names it.
 tl::expected<Picture, std::string> read_picture(const std::string& path, Encoding encoding);

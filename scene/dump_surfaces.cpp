@@ -87,7 +87,7 @@ void dump_layer(std::string& out, const PovTextureMap& m) { Line(out, "  map").a
 void dump_interior(std::string& out, size_t i, const Interior& in) {
     const Interior usual;
     Line(out, fmt::format("interior {}", i)).field("ior", in.ior, usual.ior).field("dispersion", in.dispersion, usual.dispersion)
-        .field("dispersion_samples", in.dispersion_samples, usual.dispersion_samples).field("caustics", in.caustics)
+        .field("dispersion_samples", in.dispersion_samples, usual.dispersion_samples).field("caustics", in.caustics).field("refraction", in.refraction, usual.refraction)
         .field("fade_distance", in.fade_distance).field("fade_power", in.fade_power).field("fade_color", in.fade_color)
         .field("attenuation_color", in.attenuation_color, usual.attenuation_color)
         .field("attenuation_distance", in.attenuation_distance, usual.attenuation_distance).field("from", in.from);

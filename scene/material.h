@@ -197,8 +197,8 @@ struct PovFinish {
     double reflection_falloff = 1, reflection_exponent = 1, reflection_metallic = 0;
     bool reflection_fresnel = false, conserve_energy = false;
     double irid = 0, irid_thickness = 0, irid_turbulence = 0;   ///< colours of a thin film
-    std::optional<double> ior, caustics;      ///< before POV-Ray 3.1: those of the interior behind the surface, if the layer is the one on top
-    double refraction = 1;                    ///< likewise: what passes the surface is multiplied by it, but in shadows
+    std::optional<double> ior, caustics;      ///< before POV-Ray 3.1: what a finish said of the interior. Whoever reads a scene has put it there; it is kept for those who write one
+    double refraction = 1;                    ///< likewise
     bool uncolored = false;                   ///< of all colours filter + transmit pass alike: POV-Ray 3.1 and before, of all layers but the lowest
 };
 
@@ -220,6 +220,7 @@ struct Interior {
     double ior = 1, dispersion = 1;
     int dispersion_samples = 7;
     double caustics = 0;
+    double refraction = 1;                 ///< before POV-Ray 3.1: what passes the surface is multiplied by it, but in shadows
     double fade_distance = 0, fade_power = 0;
     Color fade_color{0};
     Color attenuation_color{1};            ///< KHR_materials_volume: the colour that white becomes ...

@@ -130,7 +130,7 @@ void check_surfaces(Validation& v) {
     for (size_t i = 0; i < s.interiors.size(); ++i) {
         const Interior& in = s.interiors[i];
         const Label who = label("interior", i);
-        if (!is_finite(Vec3(in.ior, in.dispersion, in.caustics)) || !is_finite(Vec3(in.fade_distance, in.fade_power, 0)) || !is_finite(in.fade_color) ||
+        if (!is_finite(Vec3(in.ior, in.dispersion, in.caustics)) || !is_finite(Vec3(in.fade_distance, in.fade_power, in.refraction)) || !is_finite(in.fade_color) ||
             !is_finite(in.attenuation_color) || std::isnan(in.attenuation_distance))
             v.error(in.from, who.text() + " has a number that is not finite");
         else if (in.ior <= 0)

@@ -32,7 +32,6 @@ struct Geometry {
 
 /// An interior behind a surface, with what the surface says of it.
 struct CompiledInterior : Interior {
-    double refraction = 1;         ///< what passes the surface is multiplied by it, but in shadows
     bool hollow = false;           ///< there is fog in it, too
 };
 

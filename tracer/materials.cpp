@@ -163,12 +163,7 @@ uint32_t MaterialTable::add_interior(const Material& material, std::optional<Int
     CompiledInterior in;
     if (interior) static_cast<Interior&>(in) = out_.scene.interiors[interior->index];
     in.hollow = hollow;
-    const bool layered = !material.layers.empty();
-    if (const auto* pbr = layered ? std::get_if<GltfPbr>(&material.layers[0]) : nullptr) in.ior = pbr->ior;
-    if (const auto* finish = layered ? std::get_if<PovFinish>(&material.layers.back()) : nullptr) {
-        in.ior = finish->ior.value_or(in.ior), in.caustics = finish->caustics.value_or(in.caustics);
-        in.refraction = finish->refraction;
-    }
+    if (const auto* pbr = material.layers.empty() ? nullptr : std::get_if<GltfPbr>(&material.layers[0])) in.ior = pbr->ior;
     out_.interiors.push_back(in);
     return uint32_t(out_.interiors.size() - 1);
 }
@@ -178,8 +173,7 @@ SlotMaterial MaterialTable::slot(std::optional<MaterialId> material, std::option
     out.material = material ? material->index : default_material();
     const Material& m = out_.scene.materials[out.material];
     const auto* pbr = m.layers.empty() ? nullptr : std::get_if<GltfPbr>(&m.layers[0]);
-    const auto* top = m.layers.empty() ? nullptr : std::get_if<PovFinish>(&m.layers.back());
-    const bool filled = interior || (top && top->ior) || interiors_count_;
+    const bool filled = interior || interiors_count_;
     if (pbr ? is_zero(out_.scene, pbr->transmission) : !filled && !lets_light_through(out_.scene, out.material)) return out;
     const auto [at, added] = interior_of_.try_emplace({out.material, interior ? interior->index : kNoId, hollow}, 0);
     if (added) at->second = add_interior(m, interior, hollow);
@@ -200,7 +194,7 @@ void MaterialTable::add_slots(const std::vector<NodeId>& path, uint32_t count, s
         add(carried);
     }
     if (const auto inside = carried_inside_material(out_.scene, path)) instance.inside_slot = uint32_t(out_.slots.size()), add(inside);
-    const uint32_t filling = out_.slots[instance.first_slot].interior;   // a solid has one, though old finishes have an ior of their own
+    const uint32_t filling = out_.slots[instance.first_slot].interior;   // a solid has one
     if (instance.inside_slot != kNoId && filling != kNoId) out_.slots.back().interior = filling;
 }
 

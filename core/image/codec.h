@@ -51,6 +51,13 @@ Result<Bytes> encode_pfm(const Picture& picture);
 Result<Stored> decode_exr(std::span<const std::byte> bytes);
 Result<Bytes> encode_exr(const Picture& picture);
 
+/// Both leave what they do not read to the module.
+Result<Stored> decode_jpeg(std::span<const std::byte> bytes);
+Result<Stored> decode_gif(std::span<const std::byte> bytes);
+
+/// Tells that the picture is to be turned, if Exif's number says so.
+void note_orientation(Stored& stored, uint32_t orientation);
+
 /// Everything else, by the OpenImageIO module. `ending` is the wanted format, with its dot.
 Result<Stored> decode_by_module(std::span<const std::byte> bytes);
 /// Is the ending one of a format that encode_by_module writes, and is the module there?

@@ -92,7 +92,7 @@ Result<const AlidadeImageModule*> open_module() {
         return entry();
     }
     std::vector<std::string> looked_in(folders.begin(), folders.end());
-    return tl::unexpected(fmt::format("the image module {}, which reads and writes formats other than PNG, PPM, PFM and EXR, is not in {} "
+    return tl::unexpected(fmt::format("the image module {}, which reads formats other than PNG, JPEG, GIF, PPM, PFM and EXR, and writes JPEG and others, is not in {} "
                                       "(ALIDADE_MODULES names another folder)", kName, fmt::join(looked_in, ", ")));
 }
 
@@ -115,18 +115,9 @@ float* allocate(AlidadeImageCall* call, const AlidadeImageInfo* info) try {
     }
     decoding.stored.picture = Picture(int(info->width), int(info->height), std::vector<std::string>(info->names, info->names + info->channels));
     if (info->more_pages) decoding.stored.left_out.push_back("further pages");
-    if (info->orientation > 1 && info->orientation <= 8) decoding.stored.left_out.push_back(fmt::format("its orientation ({}, as Exif counts them)", info->orientation));
+    image::note_orientation(decoding.stored, info->orientation);
     decoding.stored.levels = info->bits ? (1u << info->bits) - 1 : 0;
     return decoding.stored.picture.values.data();
-} catch (const std::bad_alloc&) {
-    std::snprintf(call->error, sizeof call->error, "not enough memory");
-    return nullptr;
-}
-
-uint8_t* make_numbers(AlidadeImageCall* call) try {
-    Stored& stored = static_cast<Decoding*>(call->context)->stored;
-    stored.palette.resize(size_t(stored.picture.width) * size_t(stored.picture.height));
-    return stored.palette.data();
 } catch (const std::bad_alloc&) {
     std::snprintf(call->error, sizeof call->error, "not enough memory");
     return nullptr;
@@ -154,7 +145,7 @@ Result<Stored> decode_by_module(std::span<const std::byte> bytes) {
     if (!opened) return tl::unexpected(opened.error());
     Decoding decoding;
     decoding.file_bytes = bytes.size();
-    AlidadeImageCall call{&decoding, allocate, make_numbers, nullptr, ""};
+    AlidadeImageCall call{&decoding, allocate, nullptr, ""};
     if (!(*opened)->decode(format, bytes.data(), bytes.size(), &call)) return tl::unexpected(fmt::format("broken {}: {}", format, call.error));
     decoding.stored.format = format;
     return std::move(decoding.stored);
@@ -182,7 +173,7 @@ Result<Bytes> encode_by_module(const Picture& picture, const std::string& ending
     const char* const names[] = {"R", "G", "B", "A"};
     const AlidadeImageInfo info{uint32_t(picture.width), uint32_t(picture.height), with_alpha ? 4u : 3u, target->floats ? 0u : 8u, names, 0, 1};
     Bytes bytes;
-    AlidadeImageCall call{&bytes, nullptr, nullptr, keep_file, ""};
+    AlidadeImageCall call{&bytes, nullptr, keep_file, ""};
     const auto encode = [&](const void* pixels) { return (*opened)->encode(target->format, &info, pixels, &call); };
     const bool done = target->floats ? encode(straight_colors(picture, colors, with_alpha).data()) : encode(encode_8bit(picture, colors, with_alpha).data());
     if (!done) return tl::unexpected(std::string(call.error));

@@ -7,7 +7,7 @@
 #include <stddef.h>
 #include <stdint.h>
 
-#define ALIDADE_IMAGE_ABI 3
+#define ALIDADE_IMAGE_ABI 4
 #define ALIDADE_IMAGE_ENTRY "alidade_image_module"
 
 extern "C" {
@@ -24,7 +24,6 @@ struct AlidadeImageInfo {
 struct AlidadeImageCall {
     void* context;
     float* (*allocate)(struct AlidadeImageCall* call, const struct AlidadeImageInfo* info);   /* decode: where the pixels go, 0..1 for integers */
-    uint8_t* (*number)(struct AlidadeImageCall* call);                                        /* decode, behind it, of a file with a palette: where the number of each pixel's colour goes */
     int (*write)(struct AlidadeImageCall* call, const void* bytes, size_t size);              /* encode: once, the whole file */
     char error[512];
 };

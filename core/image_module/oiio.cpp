@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 /// The image module: OpenImageIO behind core/image_module/abi.h. It stands in a library of its own because OpenImageIO pulls in some 260 others.
 #include "core/image_module/abi.h"
-#include "core/image_module/gif.h"
 
 #include <OpenImageIO/filesystem.h>
 #include <OpenImageIO/imageio.h>
@@ -60,17 +59,6 @@ uint32_t has_more_pages(const char* format, const void* bytes, size_t size) {
     return more;
 }
 
-/// The numbers and colours of a GIF's palette. 0 if there is no room for them.
-int add_palette(const alidade::GifPicture& gif, float* pixels, size_t count, size_t channels, AlidadeImageCall* call) {
-    if (gif.numbers.size() != count || channels < 3) return 1;
-    uint8_t* const numbers = call->number(call);
-    if (!numbers) return 0;
-    std::copy(gif.numbers.begin(), gif.numbers.end(), numbers);
-    for (size_t i = 0; i < count; ++i)
-        for (size_t c = 0; c < 3; ++c) pixels[i * channels + c] = float(gif.colors[numbers[i]][c]) / 255;
-    return 1;
-}
-
 int decode_with(OIIO::ImageInput& input, const char* format, const void* bytes, size_t size, AlidadeImageCall* call) {
     OIIO::Filesystem::IOMemReader proxy(const_cast<void*>(bytes), size);
     OIIO::ImageSpec config, spec;
@@ -92,7 +80,7 @@ int decode_with(OIIO::ImageInput& input, const char* format, const void* bytes, 
     if (info.bits > 0) round_to(pixels, pixel_count * size_t(spec.nchannels), info.bits);
     if (info.bits > 0 && is_associated_tiff(format, spec)) make_straight(pixels, pixel_count, spec.nchannels);   // of floats, colours are expected to be multiplied
     if (format == std::string_view("webp") && spec.nchannels == 4) divide_by_alpha(pixels, pixel_count);
-    return format != std::string_view("gif") || add_palette(alidade::gif_picture(bytes, size), pixels, pixel_count, size_t(spec.nchannels), call);
+    return 1;
 }
 
 int decode(const char* format, const void* bytes, size_t size, AlidadeImageCall* call) try {

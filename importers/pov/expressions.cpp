@@ -157,7 +157,7 @@ Value factor_without_components(Parser& p, Standing standing) {
     const Token token = p.next();
     switch (token.kind) {
         case TokenKind::vector: return p.vector(token);
-        case TokenKind::string: return Value::string(p.text(token));
+        case TokenKind::string: return p.string(token);
         case TokenKind::name: return identifier(p, token);
         case TokenKind::mark: return factor_of_mark(p, token, standing);
         case TokenKind::word:

@@ -11,6 +11,7 @@ struct Font::Face {
     std::string bytes;            ///< FreeType reads them as long as the face lives
     FT_Library library = nullptr;
     FT_Face face = nullptr;
+    FT_CharMap by_unicode = nullptr, by_ascii = nullptr;
 
     Face() = default;
     Face(const Face&) = delete;
@@ -24,15 +25,17 @@ struct Font::Face {
 
 namespace {
 
-constexpr FT_UShort kMicrosoft = 3, kSymbol = 0, kUnicode = 1, kMacintosh = 1;
+struct Mapping {
+    FT_UShort platform, encoding;
+};
+constexpr Mapping kMicrosoft{3, 1}, kSymbols{3, 0}, kUnicode{0, 3}, kMacintosh{1, 0};
 
-/// Unicode if the font has it, else its symbols, else what the Macintosh read.
-void choose_characters(FT_Face face) {
-    for (const auto& [platform, encoding] : {std::pair(kMicrosoft, kUnicode), std::pair(kMicrosoft, kSymbol), std::pair(kMacintosh, FT_UShort(0))})
-        for (int i = 0; i < face->num_charmaps; ++i) {
-            FT_CharMap map = face->charmaps[i];
-            if (map->platform_id == platform && map->encoding_id == encoding && FT_Set_Charmap(face, map) == 0) return;
-        }
+/// The first of them that the font has; without any, FreeType's choice.
+FT_CharMap first_of(FT_Face face, std::initializer_list<Mapping> wanted) {
+    for (const Mapping& mapping : wanted)
+        for (int i = 0; i < face->num_charmaps; ++i)
+            if (face->charmaps[i]->platform_id == mapping.platform && face->charmaps[i]->encoding_id == mapping.encoding) return face->charmaps[i];
+    return face->charmap;
 }
 
 /// Collects what FT_Outline_Decompose says. Coordinates come doubled, so that the points that TrueType leaves out, halfway between two control points,
@@ -104,12 +107,14 @@ std::optional<Font> Font::read(std::string bytes) {
     if (FT_Init_FreeType(&face->library) != 0) return std::nullopt;
     if (FT_New_Memory_Face(face->library, reinterpret_cast<const FT_Byte*>(face->bytes.data()), FT_Long(face->bytes.size()), 0, &face->face) != 0) return std::nullopt;
     if (!FT_IS_SCALABLE(face->face) || face->face->units_per_EM == 0) return std::nullopt;
-    choose_characters(face->face);
+    face->by_unicode = first_of(face->face, {kMicrosoft, kSymbols, kUnicode, kMacintosh});
+    face->by_ascii = first_of(face->face, {kMacintosh, kUnicode, kMicrosoft, kSymbols});
     return Font(std::move(face));
 }
 
-uint32_t Font::glyph_of(uint32_t character) const {
+uint32_t Font::glyph_of(uint32_t character, bool ascii) const {
     constexpr uint32_t kSymbolPage = 0xf000;
+    FT_Set_Charmap(face_->face, ascii ? face_->by_ascii : face_->by_unicode);
     const uint32_t index = FT_Get_Char_Index(face_->face, character);
     return index == 0 && character < 256 ? FT_Get_Char_Index(face_->face, kSymbolPage + character) : index;
 }

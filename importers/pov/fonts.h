@@ -26,8 +26,9 @@ class Font {
     Font(Font&&) noexcept;
     ~Font();
 
-    /// The glyph that the font has for a character: that of "missing" if there is none.
-    uint32_t glyph_of(uint32_t character) const;
+    /// The glyph that the font has for a character: that of "missing" if there is none. By `ascii`, which is POV-Ray's way without `charset utf8`, a number is looked up among those
+    /// of the Macintosh, where 142 is e with an acute accent, if the font has them (by experiment).
+    uint32_t glyph_of(uint32_t character, bool ascii) const;
     /// Nothing if its curves are not quadratic, or the font is damaged.
     std::optional<Glyph> glyph(uint32_t index) const;
     /// What is added between two glyphs.

@@ -46,7 +46,7 @@ void resolve(Parser& p, Function& function, Function::Part& part) {
     } else if (token.kind == TokenKind::word && (token.id == "pigment"_w || token.id == "pattern"_w || token.id == "transform"_w) && p.peek().is('{')) {
         part.value = parse_block(p, token.id, token.place());
     } else if (token.kind == TokenKind::string) {
-        part.value = Value::string(p.text(token));
+        part.value = p.string(token);
     }
     if (part.value.shared) function.depth = std::max(function.depth, part.value.shared->depth + 1);
     p.check_depth(part.value, token.place());

@@ -210,8 +210,9 @@ class Lexer {
 
     void lex_string() {
         const size_t opened = at_++;
-        std::string value;
+        std::string value, blanked;
         for (; peek() != '"'; ++at_) {
+            const size_t before = value.size();
             if (at_ >= text_.size()) return bad(opened, "the string is not closed");
             if (peek() == '\r' || peek() == '\n') {
                 value += take_line_end();
@@ -220,9 +221,12 @@ class Lexer {
             } else if (++at_; !escape(value)) {
                 return bad(at_ - 1, "this escape sequence is not known in a string");
             }
+            if (value.size() == before + 1 && static_cast<unsigned char>(value.back()) >= 0x80) blanked += ' ';
+            else blanked.append(value, before);
         }
         ++at_;
-        value.resize(std::min(value.find('\0'), value.size()));       // which ends it in POV-Ray
+        for (std::string* text : {&value, &blanked}) text->resize(std::min(text->find('\0'), text->size()));       // which ends it in POV-Ray
+        if (value != blanked) list_.blanked.emplace(uint32_t(list_.texts.size()), std::move(blanked));
         with_text(TokenKind::string, opened, std::move(value));
     }
 

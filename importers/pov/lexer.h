@@ -6,6 +6,7 @@
 #include "importers/pov/words.h"
 
 #include <deque>
+#include <map>
 #include <span>
 
 namespace alidade::pov {
@@ -50,6 +51,7 @@ inline constexpr uint32_t kOpen = ~uint32_t(0);
 struct TokenList {
     std::span<const Token> tokens;      ///< in a TokenRoom; ends with one of kind `end`
     std::vector<std::string> texts;     ///< string literals with their escapes resolved; what is wrong with bad tokens
+    std::map<uint32_t, std::string> blanked;   ///< of the strings that have bytes above 127: the same with a blank for each of them
     std::vector<double> vectors;        ///< literals `<1, -2, 3>` of 2 to 5 numbers and nothing else: how many, and the numbers; most of a mesh's file
 };
 

@@ -193,6 +193,14 @@ void Parser::say_tallies() {
         warn(tally.first, tally.count > 1 ? fmt::format("{} ({} times)", tally.message, tally.count) : tally.message);
 }
 
+Value Parser::string(const Token& token) {
+    if (charset == Charset::system) fail(token.place(), "POV-Ray 3.7 refuses strings behind charset sys", "write charset utf8, or leave it out");
+    const std::string* blanked = charset == Charset::ascii ? stream.blanked(token) : nullptr;
+    if (!blanked) return Value::string(text(token));
+    warn(token.place(), "what is not ASCII in a string is blanks, as in POV-Ray", "write global_settings { charset utf8 } before it, or \\u and four hexadecimal digits");
+    return Value::string(*blanked);
+}
+
 void Parser::print(TextStream where, Place at, const std::string& text) {
     const bool warning = where == TextStream::warning;
     constexpr uint64_t kStepsOfPrinting = 64;   // a line of a console takes as long as so many tokens: endless loops end within seconds

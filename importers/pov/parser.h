@@ -15,6 +15,9 @@
 
 namespace alidade::pov {
 
+/// What the bytes of string literals above 127 are: blanks, UTF-8, or an error, since POV-Ray 3.7 knows no character set of the system.
+enum class Charset { ascii, utf8, system };
+
 /// An error that ends the statement which is being read; Program reading goes on behind it.
 struct Failure {
     Diagnostic diagnostic;
@@ -61,6 +64,8 @@ class Parser {
     std::string describe(const Token& token) const;
     const std::string& text(const Token& token) const { return stream.text(token); }
     Value vector(const Token& token) const;
+    /// What a string literal is in the scene's character set.
+    Value string(const Token& token);
 
     // ---- messages ----
     [[noreturn]] void fail(Place at, std::string message, std::string hint = {}) const;
@@ -109,7 +114,7 @@ class Parser {
     bool is_old() const { return !version_given || version < 3.7 - 1e-9; }
     /// Without assumed_gamma an old scene's numbers are what its files hold: no correction at all. But not where version 3.7 is told from outside (`+MV3.7`).
     bool lacks_gamma() const { return is_old() && !(options.version && *options.version >= 3.7 - 1e-9); }
-    bool charset_utf8 = false;        ///< as global_settings has said
+    Charset charset = Charset::ascii;  ///< as global_settings has said
     bool keep_names = false;          ///< in function{}: names that nobody declared are parameters
     uint64_t loop_turns = 0;
     Ref<Meter> elements{new Meter}, items{new Meter};   ///< of all arrays, of all blocks

@@ -92,8 +92,9 @@ class Reader {
 
     void take_charset(const Block& settings) {
         const std::span<const Item> items = settings.items();
+        const auto is_word = [&](size_t i, WordId word) { return items[i].kind == Item::Kind::word && items[i].word == word; };
         for (size_t i = 1; i < items.size(); ++i)
-            if (items[i - 1].kind == Item::Kind::word && items[i - 1].word == "charset"_w) p_.charset_utf8 = items[i].kind == Item::Kind::word && items[i].word == "utf8"_w;
+            if (is_word(i - 1, "charset"_w)) p_.charset = is_word(i, "utf8"_w) ? Charset::utf8 : is_word(i, "sys"_w) ? Charset::system : Charset::ascii;
     }
 
     /// Pictures that are read from here on become what it says.

@@ -37,6 +37,12 @@ class TokenStream {
     const Source& source(uint16_t number) const { return units_[number]->source; }
     size_t sources() const { return units_.size(); }
     const std::string& text(const Token& token) const { return units_[token.source]->list.texts[token.id]; }
+    /// The same with blanks for bytes above 127; null if there are none.
+    const std::string* blanked(const Token& token) const {
+        const auto& all = units_[token.source]->list.blanked;
+        const auto found = all.find(token.id);
+        return found == all.end() ? nullptr : &found->second;
+    }
     std::span<const double> vector(const Token& token) const {
         const double* count = &units_[token.source]->list.vectors[token.id];
         return {count + 1, size_t(*count)};

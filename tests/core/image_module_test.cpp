@@ -2,6 +2,7 @@
 /// Pictures that go through the OpenImageIO module. A program of its own: once the module is open, it stays so.
 #include "core/image.h"
 #include "tests/core/gif.h"
+#include "tests/core/jpeg.h"
 #include "tests/core/run_size.h"
 
 #include <gmock/gmock.h>
@@ -93,6 +94,9 @@ TEST_F(ModuleFiles, IsOpenedByTheFirstPictureThatNeedsIt) {
         ASSERT_TRUE(write_picture(path(ending), gradient(false)));
         ASSERT_TRUE(read_picture(path(ending), Encoding::automatic));
     }
+    ASSERT_TRUE(decode_picture(jpeg_file({}), Encoding::automatic));
+    const std::string gif = gif_file({1, 1}, std::string(12, '\1'), gif_frame({1, 1}, std::string(1, '\1')));
+    ASSERT_TRUE(decode_picture(std::as_bytes(std::span(gif)), Encoding::automatic));
     EXPECT_FALSE(write_picture(path(".xyz"), gradient(false)));
     EXPECT_FALSE(image_module_loaded());
     EXPECT_FALSE(maps_mention("libOpenImageIO")) << "the program itself must not link it";
@@ -209,7 +213,7 @@ StoredPicture decoded(const std::string& bytes) {
 const std::string kRows("\0\1\2\3\0\1\2\3\0\1\1\1\3\2\0", 15);
 const std::string kInterlacedRows = kRows.substr(0, 3) + kRows.substr(12, 3) + kRows.substr(6, 3) + kRows.substr(3, 3) + kRows.substr(9, 3);   // 0 4 2 1 3
 
-TEST(ModuleGif, GivesNumbersAndColorsOfTheFirstPicture) {
+TEST(GifPalette, GivesNumbersAndColorsOfTheFirstPicture) {
     const std::vector<uint8_t> numbers(kRows.begin(), kRows.end());
     const std::string other = frame_of(std::string(15, '\3'), false), local("\x10\2\3\x20\x50\x60\x30\xa0\xb0\x50\xe0\xd0", 12);
     const std::string told = std::string("\x21\xfe\3abc\0", 7) + gif_clear(2);   // a comment; number 2 is transparent
@@ -236,7 +240,7 @@ TEST(ModuleGif, GivesNumbersAndColorsOfTheFirstPicture) {
 }
 
 /// Equal numbers have equal colours, or there are none; nor are there any of a picture that is not whole.
-TEST(ModuleGif, DamagedHasAllNumbersOrNone) {
+TEST(GifPalette, DamagedHasAllNumbersOrNone) {
     std::mt19937 random(1);
     const std::string whole = gif_of(frame_of(kRows, false));
     const size_t last_number = whole.size() - 4;
@@ -260,7 +264,7 @@ TEST(ModuleGif, DamagedHasAllNumbersOrNone) {
 TEST(MissingModule, IsNamed) {
     const auto without_module = [] {
         setenv("ALIDADE_MODULES", "/no/such/folder", 1);
-        const auto picture = decode_picture(std::as_bytes(std::span("\xff\xd8\xff\xe0")), Encoding::automatic);
+        const auto picture = decode_picture(std::as_bytes(std::span("RIFF    WEBPVP8 ")), Encoding::automatic);
         std::fprintf(stderr, "%s\n", picture ? "read" : picture.error().c_str());
         std::exit(image_module_loaded() ? 1 : 0);
     };

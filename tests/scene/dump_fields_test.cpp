@@ -253,7 +253,7 @@ const Change kSurfaceChanges[] = {
     [](Scene& s) { s.interiors[0].ior = 1.5; },
     [](Scene& s) { s.interiors[0].dispersion = 2; },
     [](Scene& s) { s.interiors[0].dispersion_samples = 8; },
-    [](Scene& s) { s.interiors[0].caustics = 1; },
+    [](Scene& s) { s.interiors[0].caustics = 1; }, [](Scene& s) { s.interiors[0].refraction = 0.5; },
     [](Scene& s) { s.interiors[0].fade_distance = 1; },
     [](Scene& s) { s.interiors[0].fade_power = 1; },
     [](Scene& s) { s.interiors[0].fade_color = Color(1); },

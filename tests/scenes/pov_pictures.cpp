@@ -220,6 +220,7 @@ std::vector<PovPicture> other_pictures() {
         {"InteriorOfAFinishOverOne", old + sphere + clear + "finish { ior 1.5 caustics 9 } interior { ior 1.1 caustics .9 fade_distance 1 fade_power 1 } } plane { y, -1 pigment { checker rgb 1 rgb x } }"},
         {"FinishOfTheLayerOnTop", usual + sphere + "texture { " + clear + "finish { ior 1.5 caustics 20 refraction .2 } } texture { pigment { rgbf <1,.8,.9,.7> } finish { ior 1.2 } } } plane { y, -1 pigment { checker rgb 1 rgb x } }"},
         {"FinishOfAUnion", old + "union { sphere { <-.5,.5,0>, .8 interior { ior 1.8 } } sphere { <.6,.5,0>, .7 } texture { " + clear + "finish { ior 1.3 } } } plane { y, -1 pigment { checker rgb 1 rgb x } }"},
+        {"FinishesOfParts", old + "union { sphere { <-.9,.5,0>, .8 " + clear + "finish { ior 1.2 refraction .6 } } difference { sphere { <.6,.5,0>, .7 " + clear + "finish { ior 1.5 caustics 9 } } sphere { <.6,.8,-1>, .6 " + clear + "} } } plane { y, -1 pigment { checker rgb 1 rgb x } }"},
         {"FinishesInAMap", old + sphere + "texture { checker texture { " + clear + "finish { ior 1.5 } } texture { " + clear + "} scale .5 } } plane { y, -1 pigment { checker rgb 1 rgb x } }"},
         {"FadedGlass", usual + sphere + "pigment { rgbt <1,1,1,.9> } interior { ior 1.2 fade_distance 1 fade_power 2 fade_color <.8,.2,.1> } }"},
         {"Caustics", usual + "plane { y, -2 pigment { rgb .6 } } sphere { <0,1,0>, 1 texture { pigment { rgbf <1,.6,.3,.8> } } texture { pigment { rgbt <.9,.9,1,.6> } } interior { ior 1.3 caustics .4 } }"},

@@ -43,7 +43,8 @@ void apply_angle(Build& build, Place at, const CameraWords& words, Camera& c) {
 /// The window turns towards the point, upright as the sky says; its handedness stays.
 void apply_look_at(Build& build, Place at, const CameraWords& words, Camera& c) {
     const Vec3 towards = *words.look_at - c.location;
-    if (length(towards) == 0) build.p.fail(at, "look_at is the camera's location");
+    constexpr double kNearest = 1e-5;   // as POV-Ray has it
+    if (length(towards) < kNearest) build.p.fail(at, "look_at is the camera's location");
     const double along = length(c.direction), high = length(c.up), wide = length(c.right), hand = dot(cross(c.up, c.direction), c.right);
     c.direction = normalized(towards);
     const Vec3 side = cross(words.sky, c.direction);

@@ -66,7 +66,9 @@ double* plain_number(PovFinish& f, WordId word) {
 bool take_interior_word(Build& build, Cursor& at, PovFinish& f) {
     const Place place = at.place();
     if (at.accept("ior"_w)) {
-        f.ior = checked_ior(build, at.number("the index of refraction"), place);
+        const double ior = at.number("the index of refraction");
+        if (ior < 0) f.ior.reset();   // POV-Ray takes it for nothing
+        else f.ior = checked_ior(build, ior, place);
     } else if (at.accept("caustics"_w)) f.caustics = at.number("the caustics") / 45;
     else if (at.accept("refraction"_w)) f.refraction = at.number("the refraction");
     else return false;

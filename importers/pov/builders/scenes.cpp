@@ -4,6 +4,7 @@
 #include "importers/pov/builders/cameras.h"
 #include "importers/pov/builders/copies.h"
 #include "importers/pov/builders/atmosphere.h"
+#include "importers/pov/builders/finish_interiors.h"
 #include "importers/pov/builders/globals.h"
 #include "importers/pov/builders/misplaced.h"
 #include "importers/pov/builders/objects.h"
@@ -111,6 +112,7 @@ Scene build_scene(Parser& parser, const Program& program) {
         }
     }
     add_camera(build, camera);
+    fill_interiors_by_finishes(build.scene);
     if (parser.options.quality < kWholePigments) show_quick_colors(build);
     build.scene.files = program.files;
     if (!build.p.said.has_errors()) check_copies(build);

@@ -135,11 +135,12 @@ BuiltText build_text(Build& build, Cursor& at) {
     const std::vector<uint32_t> text = characters(take_string(build, at, "the letters of a text"));
     const double depth = at.number("the depth of a text");
     const Vec3 offset = at.vector("the offset of a text's letters");
+    const bool ascii = build.p.charset != Charset::utf8;
     Letters letters(build, font, depth, build.position(place));
     BuiltText out;
     double along = 0, left = 0;
     for (size_t i = 0; i < text.size(); ++i) {
-        const uint32_t index = font.glyph_of(text[i]);
+        const uint32_t index = font.glyph_of(text[i], ascii);
         const Glyph* glyph = letters.glyph(index);
         if (!glyph) {
             build.p.tally(place, "a letter whose outlines are not those of a TrueType font is left out");
@@ -155,7 +156,7 @@ BuiltText build_text(Build& build, Cursor& at) {
         }
         out.box.extend(turn_of_letters().bounds(Bounds{own.min + pen, own.max + pen}));
         along += glyph->advance;
-        if (i + 1 < text.size()) along += font.kerning(index, font.glyph_of(text[i + 1]));
+        if (i + 1 < text.size()) along += font.kerning(index, font.glyph_of(text[i + 1], ascii));
     }
     return out;
 }

@@ -21,19 +21,6 @@ constexpr int kMostDigits = 1000;
 /// What is longer in str() is written with an exponent, and what is longer even so is no number (by experiment).
 constexpr size_t kMostCharacters = 254;
 
-/// What strings are counted by: with `charset utf8` characters, else bytes.
-std::vector<uint32_t> characters(const Parser& p, const std::string& s) {
-    if (p.charset_utf8) return pov::characters(s);
-    std::vector<uint32_t> bytes;
-    for (const char c : s) bytes.push_back(static_cast<unsigned char>(c));
-    return bytes;
-}
-
-void append(const Parser& p, std::string& s, uint32_t code) {
-    if (p.charset_utf8) append_utf8(s, code);
-    else s += char(code);
-}
-
 /// A width or precision as a whole number that is no larger.
 int at_most(double asked) { return std::clamp(to_int(asked), -kMostDigits, kMostDigits); }
 
@@ -98,13 +85,13 @@ Value chr(Parser& p, Place at) {
     const int code = to_int(one_float(p));
     if (code < 0 || code > 0xFFFF) p.fail(at, fmt::format("there is no character {}", code));
     std::string s;
-    if (code != 0) append(p, s, uint32_t(code));
+    if (code != 0) append_utf8(s, uint32_t(code));
     return Value::string(std::move(s));
 }
 
 Value asc(Parser& p, Place) {
     const std::string s = one_string(p);
-    return Value::number(s.empty() ? 0 : double(characters(p, s)[0]));
+    return Value::number(s.empty() ? 0 : double(characters(s)[0]));
 }
 
 /// The number that a string begins with, decimal or after 0x hexadecimal, or 0.
@@ -120,13 +107,13 @@ Value val(Parser& p, Place) {
     return Value::number(negative ? -x : x);
 }
 
-Value strlen_(Parser& p, Place) { return Value::number(double(characters(p, one_string(p)).size())); }
+Value strlen_(Parser& p, Place) { return Value::number(double(characters(one_string(p)).size())); }
 
 Value strcmp_(Parser& p, Place) {
     p.expect('(', "behind strcmp");
-    const std::vector<uint32_t> a = characters(p, parse_string(p));
+    const std::vector<uint32_t> a = characters(parse_string(p));
     p.accept(',');
-    const std::vector<uint32_t> b = characters(p, parse_string(p));
+    const std::vector<uint32_t> b = characters(parse_string(p));
     p.expect(')', "behind the strings of strcmp");
     const auto [at_a, at_b] = std::mismatch(a.begin(), a.end(), b.begin(), b.end());
     return Value::number(double(at_a == a.end() ? 0 : *at_a) - double(at_b == b.end() ? 0 : *at_b));
@@ -135,14 +122,14 @@ Value strcmp_(Parser& p, Place) {
 /// substr(string, first, length), counted from 1. From 0 there is nothing, whatever the length (probed).
 Value substr(Parser& p, Place at) {
     p.expect('(', "behind substr");
-    const std::vector<uint32_t> s = characters(p, parse_string(p));
+    const std::vector<uint32_t> s = characters(parse_string(p));
     const int first = to_int(next_float(p)), length = to_int(next_float(p));
     p.expect(')', "behind the arguments of substr");
     if (first == 0 && length >= 0) return Value::string("");
     if (first < 1 || length < 0 || int64_t(first) + length - 1 > int64_t(s.size()))
         p.fail(at, fmt::format("the string has {} characters, there are no {} from number {}", s.size(), length, first));
     std::string part;
-    for (int i = 0; i < length; ++i) append(p, part, s[size_t(first - 1 + i)]);
+    for (int i = 0; i < length; ++i) append_utf8(part, s[size_t(first - 1 + i)]);
     return Value::string(std::move(part));
 }
 

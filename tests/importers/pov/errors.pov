@@ -82,3 +82,7 @@ sphere { 0, 1 }
 #declare B = A*2;
 sphere { 0, B }
 sphere { 0, Radios }    // expect error 4:13 Radios is not declared
+//---- strings in the character set of the system, which POV-Ray refuses, whatever is in them
+global_settings { charset sys }
+#declare A = chr(65);
+#declare B = "abc";   // expect error 3:14 POV-Ray 3.7 refuses strings behind charset sys

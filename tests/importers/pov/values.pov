@@ -40,6 +40,12 @@
 //---- with charset utf8, strings are counted by characters
 global_settings { charset utf8 }
 #debug concat(str(strlen("a\u00e9b"), 0, 0), str(asc("\u00e9"), 0, 0), substr("a\u00e9b", 3, 1), str(strlen(chr(233)), 0, 0), str(strlen("éa"), 0, 0), str(strcmp("é", "z"), 0, 0), "\n")   // expect 3233b12111
+//---- without it the bytes of a literal above 127 are blanks; escapes and chr() are characters
+#declare Before = "aéb"; #declare S = "a\u00e9éb";
+#debug concat(str(strlen(Before), 0, 0), " ", str(asc(substr(Before, 2, 1)), 0, 0), " ", str(strlen(S), 0, 0), " ", str(asc(substr(S, 2, 1)), 0, 0), " ", str(asc(substr(S, 3, 1)), 0, 0), "\n")   // expect 4 32 5 233 32
+#debug concat(str(asc(chr(1046)), 0, 0), " ", str(strlen(chr(1046)), 0, 0), " ", str(strcmp(Before, concat("a", chr(233), "b")), 0, 0), "\n")   // expect 1046 1 -201
+global_settings { charset utf8 }
+#debug concat(str(strlen(Before), 0, 0), " ", str(strlen("aéb"), 0, 0), "\n")   // expect 4 3
 //---- a second semicolon, which a macro brings
 #macro Three() 3; #end #declare A = Three(); #declare B = <1, 2>;; #debug concat(str(A, 0, 0), str(B.y, 0, 0), "\n")   // expect 32
 //---- strings

@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: Apache-2.0
+/// JPEG files of smooth colours with some noise.
+#pragma once
+
+#include <cstddef>
+#include <cstdio>
+#include <cstdlib>
+#include <jpeglib.h>
+#include <string>
+#include <vector>
+
+namespace alidade::test {
+
+struct JpegKind {
+    int width = 37, height = 29, components = 3;
+    bool progressive = false, subsampled = true;
+    int restart_rows = 0;
+    std::string exif = {};   ///< what stands behind "Exif\0\0"
+};
+
+inline std::vector<unsigned char> jpeg_row(const JpegKind& kind, int y) {
+    std::vector<unsigned char> row(size_t(kind.width) * size_t(kind.components));
+    for (size_t i = 0; i < row.size(); ++i) row[i] = static_cast<unsigned char>(i * 7 + size_t(y) * 5 + (i * i + size_t(y) * 31) % 23);
+    return row;
+}
+
+inline std::vector<std::byte> jpeg_file(const JpegKind& kind) {
+    jpeg_compress_struct out{};
+    jpeg_error_mgr errors{};
+    out.err = jpeg_std_error(&errors);
+    jpeg_create_compress(&out);
+    unsigned char* buffer = nullptr;
+    unsigned long size = 0;
+    jpeg_mem_dest(&out, &buffer, &size);
+    out.image_width = unsigned(kind.width), out.image_height = unsigned(kind.height), out.input_components = kind.components;
+    out.in_color_space = kind.components == 1 ? JCS_GRAYSCALE : kind.components == 3 ? JCS_RGB : JCS_CMYK;
+    jpeg_set_defaults(&out);
+    if (kind.components == 3 && !kind.subsampled) out.comp_info[0].h_samp_factor = out.comp_info[0].v_samp_factor = 1;
+    if (kind.progressive) jpeg_simple_progression(&out);
+    out.restart_in_rows = kind.restart_rows;
+    jpeg_start_compress(&out, TRUE);
+    const std::string exif = std::string("Exif\0\0", 6) + kind.exif;
+    if (!kind.exif.empty()) jpeg_write_marker(&out, JPEG_APP0 + 1, reinterpret_cast<const JOCTET*>(exif.data()), unsigned(exif.size()));
+    for (int y = 0; y < kind.height; ++y) {
+        std::vector<unsigned char> row = jpeg_row(kind, y);
+        JSAMPROW at = row.data();
+        jpeg_write_scanlines(&out, &at, 1);
+    }
+    jpeg_finish_compress(&out);
+    jpeg_destroy_compress(&out);
+    const auto* begin = reinterpret_cast<const std::byte*>(buffer);
+    std::vector<std::byte> bytes(begin, begin + size);
+    std::free(buffer);
+    return bytes;
+}
+
+}  // namespace alidade::test
