@@ -37,6 +37,7 @@ class NodeWriter {
     bool is_placement(const Node& node) const;
     /// Is it written as a union, or as an object that is one?
     bool places_union(const Node& node) const;
+    void turned_bounds(const Node& node);
     void cut(const char* word, const std::vector<NodeId>& by);
     std::string declared_name(NodeId id) const;
 
