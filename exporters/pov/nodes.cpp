@@ -217,7 +217,8 @@ void NodeWriter::cut(const char* word, const std::vector<NodeId>& by) {
 /// Spheres that bound the node, and what it places, are written as they are behind the matrix: POV-Ray keeps a larger box of one that a matrix turns than of one that `rotate` turned, and cuts by that.
 void NodeWriter::turned_bounds(const Node& node) {
     Transform to = node.to_parent;
-    for (const Node* at = &node; ; to = to * at->to_parent) {
+    const auto index = [&](const Node* at) { return size_t(at - c_.scene.nodes.data()); };
+    for (const Node* at = &node; places_bounds_[index(at)]; to = to * at->to_parent) {
         for (const NodeId id : at->bounds)
             if (const auto sphere = turned_sphere(c_.scene, id, to)) {
                 c_.sdl.begin("bounded_by");
@@ -258,7 +259,12 @@ bool NodeWriter::needs_own_default(const Node& root) const {
 
 void NodeWriter::write() {
     const std::vector<uint32_t>& order = facts_.order();
-    for (auto i = order.rbegin(); i != order.rend(); ++i) declare({*i});
+    places_bounds_.resize(c_.scene.nodes.size());
+    for (auto i = order.rbegin(); i != order.rend(); ++i) {
+        const Node& node = c_.scene.nodes[*i];
+        places_bounds_[*i] = !node.bounds.empty() || (is_placement(node) && places_bounds_[facts_.children(node).front().index]);
+        declare({*i});
+    }
     bool keeps_default = false;
     for (const NodeId root : facts_.roots()) {
         const Node& node = c_.scene.nodes[root.index];

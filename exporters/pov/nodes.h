@@ -44,6 +44,7 @@ class NodeWriter {
     const ShapeContext& c_;
     LightWriter& lights_;
     const NodeFacts& facts_;
+    std::vector<bool> places_bounds_;   ///< by node: does something bound it, or what it places?
     bool cuts_ = false;        ///< is what clips or bounds an object, which has no texture
     std::map<uint32_t, std::string> geometries_;                ///< shapes that were declared without materials
     std::map<NodeFacts::ShapeKey, std::string> shapes_;          ///< and with them
