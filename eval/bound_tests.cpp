@@ -53,41 +53,6 @@ bool holds(const SolidQuery& solid, const Transform& to_local, const Bounds& box
     return true;
 }
 
-double volume(const Bounds& box) {
-    const Vec3 extent = box.extent();
-    return extent.x * extent.y * extent.z;
-}
-
-/// A shape that stands alone, neither inverse nor clipped, and where it is.
-struct LoneShape {
-    const ShapeGeometry* shape = nullptr;      ///< null: there is more
-    Transform to_space;
-};
-
-LoneShape lone_shape(const Scene& scene, NodeId id, const Transform& placed) {
-    Transform to_space = placed;
-    for (std::optional<NodeId> at = id; at; at = lone_part(scene.nodes[at->index])) {
-        const Node& node = scene.nodes[at->index];
-        if (node.inverse || !node.clips.empty() || !node.bounds.empty()) break;
-        to_space = to_space * node.to_parent;
-        const auto* shape = std::get_if<ShapeId>(&node.what);
-        if (shape && node.children.empty()) return {&scene.shapes[shape->index].geometry, to_space};
-    }
-    return {};
-}
-
-/// Of the node in the space that `placed` leads to; of a sphere the smallest, as POV-Ray has it.
-Bounds box_around(const Scene& scene, NodeId id, const Transform& placed, MeshAccelerators& meshes) {
-    const LoneShape lone = lone_shape(scene, id, placed);
-    const auto* sphere = lone.shape ? std::get_if<Sphere>(lone.shape) : nullptr;
-    if (!sphere) return SolidQuery(scene, id, meshes, placed * scene.nodes[id.index].to_parent).bounds();
-    const Mat3& linear = lone.to_space.linear;
-    const Vec3 center = lone.to_space.point(sphere->center);
-    Vec3 reach;
-    for (int row = 0; row < 3; ++row) reach[row] = std::abs(sphere->radius) * length(Vec3(linear[0][row], linear[1][row], linear[2][row]));
-    return {center - reach, center + reach};
-}
-
 }  // namespace
 
 bool BoundTests::bounded(const Scene& scene, const std::vector<NodeId>& path) {
@@ -108,7 +73,7 @@ const std::vector<BoundTests::Bound>& BoundTests::bounds_of(NodeId node) {
 }
 
 void BoundTests::ask_shape(Bound& bound, NodeId node) const {
-    const LoneShape lone = lone_shape(scene_, node, Transform());
+    const LoneShape lone = lone_shape(scene_, node);
     const auto to_shape = inverse(lone.to_space);
     if (!lone.shape || !to_shape || std::holds_alternative<Mesh>(*lone.shape)) return;
     bound.ops = find_shape(*lone.shape), bound.shape = lone.shape, bound.to_shape = *to_shape;
@@ -146,21 +111,18 @@ uint32_t BoundTests::by_shapes(const std::vector<NodeId>& path, const Transform&
     return last;
 }
 
-std::optional<Bounds> BoundTests::smaller_box(const std::vector<NodeId>& path, const Transform& placed, const Bounds& own) {
-    Bounds around{Vec3(-kInf), Vec3(kInf)};
+Bounds BoundTests::kept_box(const std::vector<NodeId>& path, const Transform& placed) {
     follow(path, placed);
-    for (const Step& step : trail_)
-        for (const NodeId bound : scene_.nodes[step.node.index].bounds)
-            if (!scene_.nodes[bound.index].inverse) around = intersection(around, box_around(scene_, bound, step.to_world, meshes_));
-    if (own.empty() || around.empty() || !around.finite() || (own.finite() && volume(around) >= volume(own))) return std::nullopt;
-    return around;
+    size_t top = path.size() - 1;
+    while (top > 0 && lone_part(scene_.nodes[path[top - 1].index])) --top;
+    const bool moved = std::any_of(path.begin(), path.begin() + std::ptrdiff_t(top), [&](NodeId id) { return !scene_.nodes[id.index].to_parent.is_identity(); });
+    return moved ? boxes_.of_moved(path[top], scene_.nodes[path[top].index].to_parent, trail_[top - 1].to_world) : boxes_.of(path[top], trail_[top].to_world);
 }
 
-uint32_t BoundTests::by_boxes(const std::vector<NodeId>& path, const Transform& placed, const Bounds& surface) {
-    const std::optional<Bounds> around = smaller_box(path, placed, surface);
+uint32_t BoundTests::in_box(uint32_t before, const Bounds& kept, const Bounds& surface) {
     const Bounds box = shrunk(surface);
-    if (!around || (around->contains(box.min) && around->contains(box.max))) return kNoId;
-    tests_.push_back({nullptr, {}, *around, kNoId});
+    if (surface.empty() || !kept.finite() || (kept.contains(box.min) && kept.contains(box.max))) return before;
+    tests_.push_back({nullptr, {}, kept, before});
     return uint32_t(tests_.size() - 1);
 }
 

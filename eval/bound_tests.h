@@ -2,6 +2,7 @@
 /// What rays miss because they miss what bounds it (Node::bounds).
 #pragma once
 
+#include "eval/kept_boxes.h"
 #include "eval/solid_query.h"
 
 #include <vector>
@@ -14,18 +15,18 @@ namespace alidade {
 class BoundTests {
   public:
     /// The scene must outlive this, and the nodes may not change any more.
-    explicit BoundTests(const Scene& scene) : scene_(scene), meshes_(scene) {}
+    explicit BoundTests(const Scene& scene) : scene_(scene), meshes_(scene), boxes_(scene) {}
 
     /// Is a node on the path bounded?
     static bool bounded(const Scene& scene, const std::vector<NodeId>& path);
     /// The number of a test for what stands at the end of `path`, whose first node `placed` places, always the same way, and has its surface in the box `surface`. kNoId where it would surely be passed.
     /// Paths that begin with the same nodes should be asked for one after the other, so that they share tests.
     uint32_t by_shapes(const std::vector<NodeId>& path, const Transform& placed, const Bounds& surface);
-    /// The same where the box around what bounds it counts alone, and only if it is smaller than that of the surface: so it is with most shapes that stand alone.
-    uint32_t by_boxes(const std::vector<NodeId>& path, const Transform& placed, const Bounds& surface);
+    /// The box that POV-Ray keeps of the object at the end of `path`: with what clips and bounds it, where that is smaller.
+    Bounds kept_box(const std::vector<NodeId>& path, const Transform& placed);
+    /// The number of a test that passes what passes the test `before` and meets the box that is kept of an object. `before` itself where the box holds the surface.
+    uint32_t in_box(uint32_t before, const Bounds& kept, const Bounds& surface);
     bool passes(uint32_t test, const Ray& ray) const;
-    /// The box around what bounds the nodes of `path`, if it is smaller than `own`.
-    std::optional<Bounds> smaller_box(const std::vector<NodeId>& path, const Transform& placed, const Bounds& own);
 
   private:
     /// A shape that bounds a node, in the space of that.
@@ -60,6 +61,7 @@ class BoundTests {
 
     const Scene& scene_;
     MeshAccelerators meshes_;
+    KeptBoxes boxes_;
     std::map<uint32_t, std::vector<Bound>> bounds_;   ///< by node
     std::vector<Test> tests_;
     std::vector<Step> trail_;

@@ -105,6 +105,18 @@ std::optional<NodeId> lone_part(const Node& node) {
     return node.csg == CsgKind::none && node.children.size() == 1 ? std::optional(node.children[0]) : std::nullopt;
 }
 
+LoneShape lone_shape(const Scene& scene, NodeId id) {
+    Transform to_space;
+    for (std::optional<NodeId> at = id; at; at = lone_part(scene.nodes[at->index])) {
+        const Node& node = scene.nodes[at->index];
+        if (node.inverse || !node.clips.empty() || !node.bounds.empty()) break;
+        to_space = to_space * node.to_parent;
+        const auto* shape = std::get_if<ShapeId>(&node.what);
+        if (shape && node.children.empty()) return {&scene.shapes[shape->index].geometry, to_space};
+    }
+    return {};
+}
+
 Mask mask_of_path(const Scene& scene, std::vector<NodeId> path) {
     for (auto below = lone_part(scene.nodes[path.back().index]); below; below = lone_part(scene.nodes[below->index])) path.push_back(*below);
     Mask mask = kMaskAll;

@@ -20,6 +20,12 @@ Mask mask_of(const NodeFlags& flags);
 
 /// Of a node that places, inverts, clips or covers one thing alone, that thing.
 std::optional<NodeId> lone_part(const Node& node);
+/// A shape that stands alone, neither inverse nor clipped nor bounded.
+struct LoneShape {
+    const ShapeGeometry* shape = nullptr;      ///< null: there is more
+    Transform to_space;                        ///< to the parent of the node
+};
+LoneShape lone_shape(const Scene& scene, NodeId id);
 
 /// The rays that see what is at the end of a path through the scene, by the flags of all on it, and of what it places alone: in POV-Ray an object that is placed or clipped once more is the same object, with the flags
 /// that it had. A union that is clipped or `whole` is one object, whose parts' flags count for reflections alone.

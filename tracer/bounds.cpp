@@ -29,13 +29,6 @@ bool is_part(const Scene& scene, const std::vector<NodeId>& path) {
     return std::any_of(path.begin() + std::ptrdiff_t(above_object(scene, path)), path.end(), [&](NodeId id) { return scene.nodes[id.index].csg != CsgKind::none; });
 }
 
-/// Does a union that is taken apart move it? Its parts are moved then, and their boxes are their own again.
-bool moved_by_unions(const Scene& scene, const std::vector<NodeId>& path) {
-    const auto moves = [&](NodeId id) { return !scene.nodes[id.index].to_parent.is_identity(); };
-    const auto last = std::ranges::find_if(path.rbegin(), path.rend(), [&](NodeId id) { return scene.nodes[id.index].csg != CsgKind::none; });
-    return std::any_of(path.begin(), last.base(), moves);
-}
-
 /// Quadrics with products of two coordinates, hyperboloids of one sheet and cones: POV-Ray finds no box for them.
 bool is_boxless(const Quadric& q) {
     if (q.products != Vec3(0)) return true;
@@ -66,6 +59,27 @@ std::vector<Bounds> surfaces(const CompiledScene& scene) {
     return out;
 }
 
+const Transform& placed(const CompiledScene& scene, const std::vector<NodeId>& path) { return scene.scene.nodes[path.front().index].to_parent; }
+
+/// The boxes of objects, each found once.
+class KeptBox {
+  public:
+    explicit KeptBox(const CompiledScene& scene) : scene_(scene) {}
+
+    /// Of the set or union that the path leads to or into; of the shape at its end where there is none.
+    const Bounds& of_object(const std::vector<NodeId>& path) {
+        const size_t count = std::min(above_object(scene_.scene, path) + 1, path.size());
+        const std::vector<NodeId> object(path.begin(), path.begin() + std::ptrdiff_t(count));
+        if (object != object_) box_ = scene_.bound_tests->kept_box(object, placed(scene_, path)), object_ = object;
+        return box_;
+    }
+
+  private:
+    const CompiledScene& scene_;
+    std::vector<NodeId> object_;
+    Bounds box_;
+};
+
 }  // namespace
 
 void find_bounds(CompiledScene& scene, const BoundedPaths& bounded) {
@@ -73,25 +87,22 @@ void find_bounds(CompiledScene& scene, const BoundedPaths& bounded) {
     scene.bound_tests = std::make_unique<BoundTests>(scene.scene);
     const std::vector<Bounds> surface = surfaces(scene);
     const bool hierarchy = has_hierarchy(scene);
+    KeptBox kept(scene);
     bounded.for_each([&](uint32_t id, const std::vector<NodeId>& path) {
         Instance& instance = scene.instances[id];
-        const Transform& placed = scene.scene.nodes[path.front().index].to_parent;
         const ShapeGeometry& shape = *scene.geometries[instance.geometry].source;
-        if (is_bounded_as_it_is(shape) || is_part(scene.scene, path)) instance.bound_test = scene.bound_tests->by_shapes(path, placed, surface[id]);
-        else if ((hierarchy || keeps_its_box(shape)) && !moved_by_unions(scene.scene, path)) instance.bound_test = scene.bound_tests->by_boxes(path, placed, surface[id]);
+        const bool as_it_is = is_part(scene.scene, path) || is_bounded_as_it_is(shape);
+        if (as_it_is) instance.bound_test = scene.bound_tests->by_shapes(path, placed(scene, path), surface[id]);
+        if (as_it_is || hierarchy || keeps_its_box(shape)) instance.bound_test = scene.bound_tests->in_box(instance.bound_test, kept.of_object(path), surface[id]);
     });
     for (Solid& solid : scene.solids) solid.tree.find_bounded([&](uint32_t leaf) { return scene.instances[leaf].bound_test != kNoId; });
 }
 
 void bound_object_boxes(CompiledScene& scene, const BoundedPaths& bounded) {
-    const Scene& nodes = scene.scene;
-    bounded.for_each([&](uint32_t id, std::vector<NodeId> path) {
-        if (!is_part(nodes, path) && moved_by_unions(nodes, path)) return;
-        size_t count = above_object(nodes, path) + 1;      // of nodes down to the operation
-        while (count < path.size() && lone_part(nodes.nodes[path[count - 1].index])) ++count;
-        path.resize(std::min(count, path.size()));
-        Bounds& box = scene.object_boxes[scene.instances[id].object];
-        if (const auto smaller = scene.bound_tests->smaller_box(path, nodes.nodes[path.front().index].to_parent, box)) box = *smaller;
+    KeptBox kept(scene);
+    bounded.for_each([&](uint32_t id, const std::vector<NodeId>& path) {
+        const Bounds box = kept.of_object(path);
+        if (box.finite()) scene.object_boxes[scene.instances[id].object] = box;
     });
 }
 

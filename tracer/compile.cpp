@@ -62,7 +62,7 @@ struct PlacedSolid {
 /// Walks the graph once and fills a CompiledScene with instances, lights and cameras.
 class Placer : private CsgParts {
   public:
-    Placer(CompiledScene& out, Diagnostics& said) : out_(out), said_(said), geometry_of_(out.scene.shapes.size(), kNoId), materials_(out), groups_(out.scene), objects_(out.scene) {}
+    Placer(CompiledScene& out, Diagnostics& said) : out_(out), said_(said), geometry_of_(out.scene.shapes.size(), kNoId), materials_(out), groups_(out.scene), objects_(out.scene), beyond_its_box_(nodes_beyond_their_boxes(out.scene)) {}
 
     /// When all is placed.
     void finish() { groups_.finish(out_); }
@@ -150,7 +150,7 @@ class Placer : private CsgParts {
         const bool hollow = is_hollow(out_.scene, visit.path, carrier);
         materials_.add_slots(visit.path, slots, interior, hollow, instance);
         instance.uv_mapped = instance.uv_mapped && instance.inside_slot == kNoId;
-        if (BoundTests::bounded(out_.scene, visit.path)) bounded_.add(uint32_t(out_.instances.size()), visit.path);
+        if (std::ranges::any_of(visit.path, [this](NodeId id) { return beyond_its_box_[id.index]; })) bounded_.add(uint32_t(out_.instances.size()), visit.path);
         out_.instances.push_back(instance);
     }
 
@@ -206,6 +206,7 @@ class Placer : private CsgParts {
     MaterialTable materials_;
     LightGroups groups_;
     ObjectNumbers objects_;
+    std::vector<bool> beyond_its_box_;     // by node
 };
 
 void report_removed(const CompiledScene& scene, const Geometry& g, Diagnostics& said) {

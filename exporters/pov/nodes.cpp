@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "exporters/pov/nodes.h"
 
+#include "eval/csg_expression.h"
+#include "eval/kept_boxes.h"
+
 #include <fmt/format.h>
 #include <utility>
 
@@ -17,6 +20,16 @@ const char* word_of(CsgKind csg) {
         case CsgKind::union_: break;
     }
     return "union";
+}
+
+/// A sphere that is all there is in a node, moved by `to`, if that turns it and does not scale it before.
+std::optional<TurnedSphere> turned_sphere(const Scene& scene, NodeId id, const Transform& to) {
+    const LoneShape lone = lone_shape(scene, id);
+    const auto* sphere = lone.shape ? std::get_if<Sphere>(lone.shape) : nullptr;
+    if (!sphere) return std::nullopt;
+    const Transform all = to * lone.to_space;
+    const bool turns = all.linear != Mat3(all.linear[0].x, 0, 0, 0, all.linear[1].y, 0, 0, 0, all.linear[2].z);
+    return turns ? turned(*sphere, all) : std::nullopt;
 }
 
 /// What POV-Ray gives an object that has no texture.
@@ -201,7 +214,25 @@ void NodeWriter::cut(const char* word, const std::vector<NodeId>& by) {
     c_.sdl.end();
 }
 
-/// The transformation comes last: all before it lies in the node's own space.
+/// Spheres that bound the node, and what it places, are written as they are behind the matrix: POV-Ray keeps a larger box of one that a matrix turns than of one that `rotate` turned, and cuts by that.
+void NodeWriter::turned_bounds(const Node& node) {
+    Transform to = node.to_parent;
+    const auto index = [&](const Node* at) { return size_t(at - c_.scene.nodes.data()); };
+    for (const Node* at = &node; places_bounds_[index(at)]; to = to * at->to_parent) {
+        for (const NodeId id : at->bounds)
+            if (const auto sphere = turned_sphere(c_.scene, id, to)) {
+                c_.sdl.begin("bounded_by");
+                begin_shape(sphere->sphere, {std::nullopt}, c_);
+                c_.sdl.line(Transform::scale(sphere->scale));
+                c_.sdl.end();
+                c_.sdl.end();
+            }
+        if (!is_placement(*at)) return;
+        at = &c_.scene.nodes[facts_.children(*at).front().index];
+    }
+}
+
+/// The transformation comes before no more than bounds: all before it lies in the node's own space.
 void NodeWriter::modifiers(const Node& node, bool is_root, bool textured) {
     textured = textured && !cuts_;
     if (textured && node.flags.uv_mapping) c_.sdl.line("uv_mapping");   // before the texture, as POV-Ray has it
@@ -214,8 +245,11 @@ void NodeWriter::modifiers(const Node& node, bool is_root, bool textured) {
     c_.textures.interior(facts_.material_counts(node) ? node.materials[0] : std::nullopt, node.interior);
     flags(node);
     cut("clipped_by", node.clips);
-    cut("bounded_by", node.bounds);
+    std::vector<NodeId> bounds = node.bounds;
+    std::erase_if(bounds, [&](NodeId id) { return turned_sphere(c_.scene, id, node.to_parent).has_value(); });
+    cut("bounded_by", bounds);
     if (!node.to_parent.is_identity()) c_.sdl.line(node.to_parent);
+    turned_bounds(node);
 }
 
 /// A texture would be that of all parts, and faces that show what they lay open have none.
@@ -225,7 +259,12 @@ bool NodeWriter::needs_own_default(const Node& root) const {
 
 void NodeWriter::write() {
     const std::vector<uint32_t>& order = facts_.order();
-    for (auto i = order.rbegin(); i != order.rend(); ++i) declare({*i});
+    places_bounds_.resize(c_.scene.nodes.size());
+    for (auto i = order.rbegin(); i != order.rend(); ++i) {
+        const Node& node = c_.scene.nodes[*i];
+        places_bounds_[*i] = !node.bounds.empty() || (is_placement(node) && places_bounds_[facts_.children(node).front().index]);
+        declare({*i});
+    }
     bool keeps_default = false;
     for (const NodeId root : facts_.roots()) {
         const Node& node = c_.scene.nodes[root.index];

@@ -37,12 +37,14 @@ class NodeWriter {
     bool is_placement(const Node& node) const;
     /// Is it written as a union, or as an object that is one?
     bool places_union(const Node& node) const;
+    void turned_bounds(const Node& node);
     void cut(const char* word, const std::vector<NodeId>& by);
     std::string declared_name(NodeId id) const;
 
     const ShapeContext& c_;
     LightWriter& lights_;
     const NodeFacts& facts_;
+    std::vector<bool> places_bounds_;   ///< by node: does something bound it, or what it places?
     bool cuts_ = false;        ///< is what clips or bounds an object, which has no texture
     std::map<uint32_t, std::string> geometries_;                ///< shapes that were declared without materials
     std::map<NodeFacts::ShapeKey, std::string> shapes_;          ///< and with them

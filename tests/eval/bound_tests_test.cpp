@@ -97,7 +97,7 @@ TEST(BoundTests, WhatHoldsAllIsNotAskedFor) {
     const auto test = [&](const ShapeGeometry& shape, bool boxes = false) {
         scene.shapes[2].geometry = shape;
         BoundTests tests(scene);
-        return boxes ? tests.by_boxes({kBox}, Transform(), box) : tests.by_shapes({kBox}, Transform(), box);
+        return boxes ? tests.in_box(kNoId, tests.kept_box({kBox}, Transform()), box) : tests.by_shapes({kBox}, Transform(), box);
     };
     EXPECT_EQ(test(Box()), kNoId);
     EXPECT_EQ(test(Sphere{Vec3(0), 1.733}), kNoId);
@@ -116,7 +116,7 @@ TEST(BoundTests, ABoxIsMetAheadAlone) {
     BoundedScene bounded;
     bounded.scene.nodes[1].bounds = {kBall};
     BoundTests tests(bounded.scene);
-    const uint32_t test = tests.by_boxes({kBox}, Transform(), {Vec3(-2), Vec3(2)});
+    const uint32_t test = tests.in_box(kNoId, tests.kept_box({kBox}, Transform()), {Vec3(-2), Vec3(2)});
     ASSERT_NE(test, kNoId);
     EXPECT_TRUE(tests.passes(test, {{0.9, 1.0, -5}, {0, 0, 1}}));
     EXPECT_FALSE(tests.passes(test, {{1.1, 1.0, -5}, {0, 0, 1}}));

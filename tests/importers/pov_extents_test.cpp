@@ -186,6 +186,17 @@ const Declared kDeclared[] = {
     {'A', "text{ttf \"timrom.ttf\" \"j\" 1,0}"},
     {'A', "text{ttf \"timrom.ttf\" \"To gj\" 1,.1*x}"},
     {'A', "cone{<1,1,1>,.5,<1.5,.2,.7>,.50000001}"},
+    {'A', "cylinder{-x,x,.7 bounded_by{sphere{0,.9 bounded_by{sphere{<.2,.2,-.1>,.4}}}}}"},
+    {'A', "cylinder{-x,x,.7 bounded_by{sphere{0,.9 bounded_by{sphere{<.2,.2,-.1>,.4}}}} translate y}"},
+    {'A', "cylinder{-x,x,2 bounded_by{torus{.5,.3 bounded_by{sphere{<.2,.2,-.1>,.4}}}} translate y}"},
+    {'A', "cylinder{-x,x,2 bounded_by{quadric{<1,1,1>,0,0,-.81 bounded_by{sphere{<.2,.2,-.1>,.4}}}} translate y}"},
+    {'A', "cylinder{-x,x,2 bounded_by{intersection{sphere{0,.9} box{-.8,.8} bounded_by{sphere{<.2,.2,-.1>,.4}}}} rotate 45*z}"},
+    {'A', "cylinder{-x,x,2 bounded_by{sphere{0,.9 bounded_by{sphere{<.2,.2,-.1>,.4}}} translate y}}"},
+    {'A', "cylinder{-x,x,2 clipped_by{sphere{0,.9 clipped_by{sphere{<.2,.2,-.1>,.4}}}} translate y}"},
+    {'A', "cylinder{-x,x,2 bounded_by{plane{y,0 bounded_by{sphere{<.2,.2,-.1>,.4}}}} translate y}"},
+    {'A', "cylinder{-x,x,2 bounded_by{quadric{<1,-1,1>,0,0,-.2 bounded_by{sphere{<.2,.2,-.1>,.4}}}} translate y}"},
+    {'A', "cylinder{-x,x,2 bounded_by{plane{y,0 clipped_by{sphere{<.2,.2,-.1>,.4}}}} translate y}"},
+    {'B', "object{A translate y}"},
 };
 
 std::string program() {

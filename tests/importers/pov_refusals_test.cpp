@@ -167,6 +167,13 @@ TEST_F(PovBuilders, WhatClipsOrBoundsHasNoTextureAndNoPatches) {
         EXPECT_THAT(limited("S no_shadow"), HasSubstr("2:30: error: no_shadow cannot stand in " + word));
         EXPECT_THAT(limited("S inverse"), HasSubstr("inverse cannot stand in " + word));
         EXPECT_THAT(limited(""), HasSubstr("2:15: error: an object is expected in " + word));
+        EXPECT_THAT(limited("scale 2"), HasSubstr("2:15: error: an object is expected in " + word));
+        EXPECT_THAT(limited(word), HasSubstr("2:28: error: " + word + " cannot stand in " + word));
+        EXPECT_THAT(limited("S scale 2 object { S }"), HasSubstr("object cannot stand behind what moves the objects in " + word));
+        const std::string other = word == "clipped_by" ? "bounded_by" : "clipped_by";
+        EXPECT_EQ(limited(other), "");
+        EXPECT_THAT(limited(other + " scale 2"), HasSubstr("2:39: error: what " + word + " names stands alone in it"));
+        EXPECT_THAT(limited("S " + other), HasSubstr("2:30: error: " + other + " cannot stand in " + word));
     }
 }
 

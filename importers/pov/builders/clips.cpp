@@ -49,14 +49,24 @@ Transform moves_of_limits(Build& build, const Block& block) {
 
 }  // namespace
 
+bool names_other_limits(Build& build, const Block& block) {
+    Cursor at(build, block);
+    if (!at.accept(block.word == "clipped_by"_w ? "bounded_by"_w : "clipped_by"_w)) return false;
+    if (!at.done()) build.p.fail(at.place(), fmt::format("what {} names stands alone in it", kWords[block.word]));
+    return true;
+}
+
 void take_limits(Build& build, std::vector<Bound>& bounds, std::vector<NodeId>& limits, const Block& block, const Transform& moved) {
+    if (names_other_limits(build, block)) return take_last_bound(build, bounds, limits);
     if (const Cursor first(build, block); first.done() || first.at_transform()) build.p.fail(block.place, fmt::format("an object is expected in {}", kWords[block.word]));
     const Transform own = moves_of_limits(build, block);
+    bool moves = false;
     for (Cursor at(build, block); !at.done(); ) {
         const Block* limit = at.any_block();
-        if (limit && is_object(limit->word)) at.next(), add_limit(build, limits, *limit, moved, own);
-        else if (at.at_transform()) at.transform();
-        else if (at.at_word("bounded_by"_w)) at.next(), take_last_bound(build, bounds, limits);
+        const bool object = limit && is_object(limit->word);
+        if (object && moves) build.p.fail(limit->place, fmt::format("{} cannot stand behind what moves the objects in {}", kWords[limit->word], kWords[block.word]), "put it before the transformations, which move it too");
+        if (object) at.next(), add_limit(build, limits, *limit, moved, own);
+        else if (at.at_transform()) at.transform(), moves = true;
         else refuse_in_limits(build, at);
     }
 }

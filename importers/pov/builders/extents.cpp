@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "importers/pov/builders/extents.h"
 
+#include "eval/kept_boxes.h"
+#include "eval/quadric_reach.h"
 #include "importers/pov/builders/objects.h"
-#include "importers/pov/builders/quadric_reach.h"
 #include "importers/pov/builders/shapes.h"
 #include "importers/pov/builders/texts.h"
 
@@ -37,13 +38,8 @@ struct Extent {
     std::optional<Plane> plane;          ///< moved by `transform`
     std::optional<Quadric> quadric;      ///< moved already
     std::vector<Limit> clips, bounds;
-    double limits = 0;                   ///< how many there are, with those of limits: each is moved as the object is
+    double limits = 0;                   ///< how many there are: each is moved as the object is
 };
-
-double volume(const Bounds& b) {
-    const Vec3 e = b.extent();
-    return e.x * e.y * e.z;
-}
 
 Bounds own_box(const Extent& e) {
     switch (e.rule) {
@@ -64,7 +60,7 @@ void replace_by_smaller(Bounds& box, const std::vector<Limit>& others) {
     if (others.empty()) return;
     Bounds common = kAllSpace;
     for (const Limit& other : others) common = intersection(common, other.box);
-    if (common.finite() && !common.empty() && (!box.finite() || volume(common) < volume(box))) box = common;
+    box = smaller_box(box, common);
 }
 
 Bounds box_of(const Extent& e) {
@@ -88,9 +84,18 @@ bool keeps_spheres(const Item& item, const Transform& t) {
 
 void move(Extent& e, const Item& item, const Transform& t);
 
+/// What is moved with the object that it limits is finished. Sets, meshes and quadrics move the box that they had; another shape makes its box anew, without what limits itself, but for what clips one that has no end.
+void finish(Extent& e) {
+    if (e.rule == Extent::Rule::step_by_step) e.box = box_of(e);
+    if (e.rule == Extent::Rule::step_by_step || own_box(e).finite()) e.clips.clear();
+    e.bounds.clear();
+    e.limits = double(e.clips.size());
+}
+
 void move(std::vector<Limit>& limits, const Item& item, const Transform& t) {
     for (Limit& limit : limits) {
         Extent e = *limit.what;
+        finish(e);
         move(e, item, t);
         limit = limit_of(std::move(e));
     }
@@ -116,33 +121,11 @@ void move(Extent& e, const Item& item, const Transform& t) {
     move(e.bounds, item, t);
 }
 
-/// Across `axis`, without turning more than it takes: z goes to the axis.
-Transform along(const Vec3& from, const Vec3& axis) {
-    const Vec3 d = normalized(axis);
-    if (d.z < -1 + 1e-12) return {Mat3(1, 0, 0, 0, -1, 0, 0, 0, -1), from};
-    const double k = 1 / (1 + d.z);
-    return {Mat3(1 - d.x * d.x * k, -d.x * d.y * k, -d.x, -d.x * d.y * k, 1 - d.y * d.y * k, -d.y, d.x, d.y, d.z), from};
-}
-
-void set_round(Extent& e, const Vec3& from, const Vec3& axis, double radius, double bottom, double top) {
-    e.rule = Extent::Rule::at_once;
-    e.transform = along(from, axis);
-    e.box = {Vec3(-radius, -radius, bottom), Vec3(radius, radius, top)};
-}
-
 Extent of_shape(const ShapeGeometry& geometry) {
     Extent e;
     e.rule = Extent::Rule::at_once;
     if (const auto* s = std::get_if<Sphere>(&geometry)) {
         e.rule = Extent::Rule::sphere, e.sphere = *s;
-    } else if (const auto* c = std::get_if<Cylinder>(&geometry)) {
-        set_round(e, c->b, c->a - c->b, std::abs(c->radius), 0, length(c->a - c->b));
-    } else if (const auto* k = std::get_if<Cone>(&geometry)) {
-        const bool grows = k->radius_a < k->radius_b;                  // the axis goes to the end with the larger radius, if that is not negative
-        const Vec3 axis = grows ? k->b - k->a : k->a - k->b;
-        set_round(e, grows ? k->a : k->b, axis, std::abs(std::max(k->radius_a, k->radius_b)), 0, length(axis));
-    } else if (const auto* d = std::get_if<Disc>(&geometry)) {
-        set_round(e, d->center, d->normal, std::abs(d->radius), -0.001, 0.001);
     } else if (const auto* p = std::get_if<Polygon>(&geometry)) {
         e.rule = Extent::Rule::points, e.flat = true;
         for (const auto& loop : p->loops) e.points.insert(e.points.end(), loop.begin(), loop.end());
@@ -152,7 +135,8 @@ Extent of_shape(const ShapeGeometry& geometry) {
         e.rule = Extent::Rule::step_by_step, e.box = bounds(geometry);
     } else {
         if (const auto* plane = std::get_if<Plane>(&geometry)) e.plane = *plane;
-        e.box = bounds(geometry);
+        const FramedBox framed = framed_box(geometry);
+        e.box = framed.box, e.transform = framed.frame;
     }
     return e;
 }
@@ -165,28 +149,13 @@ void set_corners(Extent& e, const ShapeGeometry& geometry) {
     for (size_t i = 0; i < mesh->positions.size(); ++i) e.points.push_back(mesh->exact_positions.empty() ? Vec3(mesh->positions[i]) : mesh->exact_positions[i]);
 }
 
-/// Cuts the box where a plane along an axis bounds what is inside.
-void cut(Bounds& box, const Extent& e, bool inverse) {
-    const auto back = alidade::inverse(e.transform);
-    if (!back) return;
-    Vec3 normal = back->transposed(normalized(e.plane->normal));
-    double distance = e.plane->distance + dot(normal, e.transform.translation);
-    if (inverse) normal = -normal, distance = -distance;
-    for (int i = 0; i < 3; ++i) {
-        const double rest = std::max(std::abs(normal[(i + 1) % 3]), std::abs(normal[(i + 2) % 3]));
-        if (rest > 1e-10 * std::abs(normal[i])) continue;
-        if (normal[i] > 0) box.max[i] = std::min(box.max[i], distance / normal[i]);
-        else box.min[i] = std::max(box.min[i], distance / normal[i]);
-    }
-}
-
 Bounds common_box(const std::vector<Extent>& parts, bool difference) {
     Bounds box = kAllSpace;
     const auto inverted = [&](const Extent& part) { return part.inverse != (difference && &part != &parts.front()); };
     for (const Extent& part : parts)
         if (!inverted(part)) box = intersection(box, box_of(part));
     for (const Extent& part : parts)
-        if (part.plane) cut(box, part, inverted(part));
+        if (part.plane) cut_by_plane(box, *part.plane, part.transform, inverted(part));
     for (const Extent& part : parts)
         if (part.quadric && !inverted(part)) box = intersection(box, reach(*part.quadric, box));
     return box.finite() && !box.empty() ? box : kAllSpace;
@@ -270,7 +239,7 @@ class Extents::Reader {
     void moved(Extent& e, const Item& item, const Transform& t) {
         copies_ += e.limits;
         const uint64_t most = build_.p.options.limits.copies;
-        if (copies_ > double(most)) build_.p.fail_limit(item.place, &Limits::copies, fmt::format("what clips and bounds objects is itself clipped or bounded: more than {} copies are moved for their extents", most));
+        if (copies_ > double(most)) build_.p.fail_limit(item.place, &Limits::copies, fmt::format("more than {} copies of what clips and bounds objects are moved for their extents", most));
         move(e, item, t);
     }
 
@@ -285,10 +254,10 @@ class Extents::Reader {
                 continue;
             }
             const Transform t = at.transform();
-            for (Extent& limit : all) moved(limit, item, t);
+            for (Extent& limit : all) finish(limit), moved(limit, item, t);
         }
         for (Extent& limit : all) {
-            e.limits += limit.limits + 1;
+            e.limits += 1;
             limits.push_back(limit_of(std::move(limit)));
         }
     }

@@ -144,10 +144,9 @@ void gather_lights(const Scene& scene, NodeId id, std::vector<LightId>& out) {
 }
 
 /// What bounds an object may clip it as well; `bounded_by { clipped_by }` says nothing new.
-void take_bound(Draft& d, const Block& block) {
+void take_bound(Build& build, Draft& d, const Block& block) {
     d.bounded = true;
-    const bool names_clips = !block.items().empty() && block.items()[0].kind == Item::Kind::word;
-    if (!names_clips) d.bounds.push_back({&block, d.transform * d.before});
+    if (!names_other_limits(build, block)) d.bounds.push_back({&block, d.transform * d.before});
 }
 
 /// As POV-Ray has it, only what cuts can show what it cuts.
@@ -166,7 +165,7 @@ void take_modifiers(Build& build, Draft& d, Cursor& at) {
         if (at.at_transform()) d.transform = at.transform() * d.transform;
         else if (take_surface(build, d, at) || take_flag(d, at)) continue;
         else if (const Block* clip = at.block_at("clipped_by"_w)) at.next(), take_limits(build, d.bounds, d.node.clips, *clip, d.transform * d.before);
-        else if (const Block* bound = at.block_at("bounded_by"_w)) at.next(), take_bound(d, *bound);
+        else if (const Block* bound = at.block_at("bounded_by"_w)) at.next(), take_bound(build, d, *bound);
         else if (at.at_word("cutaway_textures"_w)) take_cutaway(build, d, at.place()), at.next();
         else if (at.accept("split_union"_w)) d.split = at.flag();
         else if (is_hint(at)) at.skip();

@@ -4,7 +4,7 @@
 #include "core/transform.h"
 #include "scene/shape.h"
 
-namespace alidade::pov {
+namespace alidade {
 
 /// The box of a quadric that is an ellipsoid along the axes; all space for others.
 Bounds box_of_ellipsoid(Quadric q);
@@ -13,4 +13,4 @@ Bounds reach(const Quadric& q, const Bounds& box);
 /// The quadric moved by `t`; as it is where `t` has no inverse.
 Quadric moved(const Quadric& q, const Transform& t);
 
-}  // namespace alidade::pov
+}  // namespace alidade

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "importers/pov/builders/quadric_reach.h"
+#include "eval/quadric_reach.h"
 
 #include <algorithm>
 
-namespace alidade::pov {
+namespace alidade {
 
 namespace {
 
@@ -75,4 +75,4 @@ Quadric moved(const Quadric& q, const Transform& t) {
     return out;
 }
 
-}  // namespace alidade::pov
+}  // namespace alidade
