@@ -51,7 +51,7 @@ const Fault kFaults[] = {
     {"FunctionThatAsksNoPattern", [](Scene& s) { s.functions[0].steps[3] = {FunctionOp::pattern, 0}; }, Severity::error, "function 0 asks signal 0 for a number, which is no pattern"},
     {"FunctionThatAsksARelief", [](Scene& s) { s.functions[0].steps[3] = {FunctionOp::pigment, 6}; }, Severity::error, "function 0 asks signal 6 for a colour, which is a relief"},
     {"FunctionThatAsksTheSignalThatAsksIt", [](Scene& s) { s.functions[0].steps[3] = {FunctionOp::pattern, 5}; }, Severity::error, "signal 5 reads itself"},
-    {"FunctionThatAsksForASixthComponent", [](Scene& s) { s.functions[0].steps[3].b = 6; }, Severity::error, "function 0 asks for component 6"},
+    {"FunctionThatAsksForNoComponent", [](Scene& s) { s.functions[0].steps[3].b = 7; }, Severity::error, "function 0 asks for component 7"},
     {"FunctionOfASplineOfSixComponents", [](Scene& s) { s.functions[0].splines[0].terms = 6; }, Severity::error, "function 0 has a spline of 6 components"},
     {"FunctionOfAnUnsortedSpline", [](Scene& s) { s.functions[0].splines[0].knots.insert(s.functions[0].splines[0].knots.begin(), {1, {}}); }, Severity::error, "function 0 has a spline whose knots are not in order"},
     {"FunctionOutOfRange", [](Scene& s) { std::get<PatternSignal>(s.signals[5].what).function = FunctionId{1}; }, Severity::error, "signal 5 refers to function 1"},
