@@ -90,6 +90,17 @@ TEST_F(PovBuilders, WhatCannotStandBehindTheFunctionOfAPicture) {
         EXPECT_EQ(said(fmt::format("sphere {{ 0, 1 {} }}", fine)), "") << fine;
 }
 
+/// A function of a number makes one channel, which is a third of three that are the same.
+TEST_F(PovBuilders, ThePictureOfANumberIsGrey) {
+    constexpr size_t kBits = 24, kColourType = 25;       // in a PNG file
+    for (const auto& [function, type] : {std::pair("function 9,5 { x*y }", 0), {"function 9,5 { pattern { bozo } }", 0}, {"function 9,5 { pigment { bozo } }", 6}}) {
+        const Scene s = scene(fmt::format("sphere {{ 0, 1 pigment {{ image_map {{ {} }} }} }}", function));
+        ASSERT_GT(s.images.at(0).bytes.size(), kColourType);
+        EXPECT_EQ(int(s.images[0].bytes[kBits]), 16) << function;
+        EXPECT_EQ(int(s.images[0].bytes[kColourType]), type) << function;
+    }
+}
+
 /// One warning for each call of what is not modelled, and it says what functions.inc calls it.
 TEST_F(PovBuilders, FunctionsThatAreNotModelledAreNamedOnce) {
     const std::string text = said("#declare S = function { internal(63) }\nsphere { 0, 1 pigment { function { S(x, y, z) } } }");
