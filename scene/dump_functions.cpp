@@ -17,7 +17,7 @@ void dump_function(std::string& out, size_t i, const FunctionProgram& f) {
     for (const FunctionStep& s : f.steps) Line(out, " ").word(kOps[size_t(s.op)]).field("a", s.a).field("b", s.b).field("value", s.value);
     for (const Transform& t : f.transforms) Line(out, "  transform").always("to", t);
     for (const SplineCurve& s : f.splines) {
-        Line(out, "  spline").word(kSplines[size_t(s.type)]);
+        Line(out, "  spline").word(kSplines[size_t(s.type)]).field("terms", unsigned(s.terms), 5u);
         for (const auto& [t, c] : s.knots) Line(out, "    knot").always("at", t).always("value", std::vector<double>(c.begin(), c.end()));
     }
 }

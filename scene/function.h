@@ -20,6 +20,7 @@ struct SplineCurve {
     enum class Type { linear, quadratic, cubic, natural };
     Type type = Type::linear;
     std::vector<std::pair<double, Components>> knots;
+    uint8_t terms = 5;                              ///< how many components its knots have; the others are 0
 };
 
 /// What a step takes from the top of the stack, and leaves there: always one number.
@@ -31,13 +32,13 @@ enum class FunctionOp : uint8_t {
     built_in,                                       ///< takes `b` arguments of row `a` of float_functions() (eval/functions/float_functions.h)
     internal,                                       ///< takes x, y, z and `b` - 3 more arguments of POV-Ray's `internal(a)` (eval/functions/internal.h)
     call,                                           ///< takes `b` arguments of function `a`, which stands before this one in the scene
-    transform, spline,                              ///< takes a point or a parameter; component `b` of where transforms[a] moves the point, or of splines[a] there
+    transform, spline,                              ///< takes a point or a parameter; component `b` of where transforms[a] moves the point, or of splines[a] there; beyond their own are the arguments
     pattern, pigment,                               ///< takes a point; the number of the pattern that signal `a` is, or component `b` of its colour
     sum, product,                                   ///< takes first and last; the sum or product of what the next `a` steps leave, for all numbers from the first by ones that are not beyond the last
 };
 
-/// Components of colours: red, green, blue, filter, transmit, and this one.
-inline constexpr uint32_t kGreyComponent = 5;
+/// Components of colours: red, green, blue, filter, transmit, and these: the grey, and POV-Ray's number of a height field whose fine part is green.
+inline constexpr uint32_t kGreyComponent = 5, kHeightComponent = 6;
 
 struct FunctionStep {
     FunctionOp op = FunctionOp::number;

@@ -42,10 +42,12 @@ void check_functions(Validation& v) {
         const FunctionProgram& f = v.scene.functions[i];
         for (const FunctionStep& step : f.steps) {
             check_step(v, f, i, step);
-            if (has_component(step) && step.b > kGreyComponent) v.error({}, fmt::format("{} asks for component {}", label("function", i).text(), step.b));
+            if (has_component(step) && step.b > kHeightComponent) v.error({}, fmt::format("{} asks for component {}", label("function", i).text(), step.b));
         }
         for (const SplineCurve& s : f.splines)
             if (!in_order(s)) v.error({}, fmt::format("{} has a spline whose knots are not in order, or which has none", label("function", i).text()));
+        for (const SplineCurve& s : f.splines)
+            if (s.terms < 1 || s.terms > std::tuple_size_v<SplineCurve::Components>) v.error({}, fmt::format("{} has a spline of {} components", label("function", i).text(), s.terms));
         if (!stack_height(f)) v.error({}, fmt::format("{} has steps that do not fit together", label("function", i).text()));
     }
 }

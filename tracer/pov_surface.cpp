@@ -105,6 +105,16 @@ PovSurface::PovSurface(const CompiledScene& scene, const ShadePoint& point, cons
         PatternFrame frame = pattern_frame(own);
         add(scene, own, material_at(scene, own), share, frame);
     });
+    if (std::any_of(layers_.begin(), layers_.end(), [](const PovLayer& l) { return std::isnan(l.normal.x); })) become_black();
+}
+
+/// Where the normal of any layer is no number, POV-Ray's colour is none, either, which its pictures have as black (probed).
+void PovSurface::become_black() {
+    static const PovFinish kBlack;
+    layers_ = {}, textures_ = {};
+    layers_.push_back({&kBlack, Color(0), 1, Color(1), normal_});
+    textures_.push_back({1, 0, 1, Color(0)});
+    sends_on_ = false;
 }
 
 void PovSurface::add(const CompiledScene& scene, const ShadePoint& point, const Material& material, double share, PatternFrame& frame) {
@@ -317,6 +327,7 @@ double caustics(const CompiledScene& scene, const PovFinish& finish, const Shade
     if (power == 0) return 1;
     const Vec3 facing = point.shading_normal * (dot(point.shading_normal, dir) < 0 ? 1.0 : -1.0);
     const Vec3 normal = finish.normal ? scene.textures->bent(*finish.normal, frame, facing) : facing;
+    if (std::isnan(normal.x)) return 1;
     return 1 + std::pow(std::abs(dot(normal, dir)), 45 * power);
 }
 

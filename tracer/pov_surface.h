@@ -46,6 +46,7 @@ class PovSurface {
 
   private:
     struct Passage;
+    void become_black();
     void add(const CompiledScene& scene, const ShadePoint& point, const Material& material, double share, PatternFrame& frame);
     void add_layers(const CompiledScene& scene, const ShadePoint& point, const Material& material, double share, const PatternFrame& frame);
     Color lit(const PovLayer& layer, const Vec3& wi, double nl, bool highlights) const;

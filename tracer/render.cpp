@@ -81,7 +81,10 @@ SampleKey sample_key(const Job& job, int x, int y, uint32_t sample, uint32_t cou
 
 /// A camera's normal bends its rays as one of a surface would bend that surface's, at a point of the picture.
 /// Source   POV-Ray 3.7 reference, 3.4.2.3.6 "Camera Ray Perturbation"; verified by probing.
-void bend(const Job& job, const Vec2& at, Ray& ray) { ray.dir = normalized(job.scene.textures->bent(*job.normal, PatternFrame{Vec3(at.x, at.y, 0)}, normalized(ray.dir))); }
+void bend(const Job& job, const Vec2& at, Ray& ray) {
+    const Vec3 dir = normalized(ray.dir), bent = job.scene.textures->bent(*job.normal, PatternFrame{Vec3(at.x, at.y, 0)}, dir);
+    ray.dir = std::isnan(bent.x) ? dir : normalized(bent);
+}
 
 /// One camera ray through the point (x, y) of the picture, and what it brings.
 Color take_ray(const Job& job, Tracing& tracing, const SampleKey& key, double x, double y, PixelSamples& pixel) {

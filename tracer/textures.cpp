@@ -6,6 +6,7 @@
 #include "eval/texture_reads.h"
 
 #include <fmt/format.h>
+#include <limits>
 #include <map>
 
 namespace alidade {
@@ -197,6 +198,7 @@ Vec3 Textures::bent(SignalId relief, const PatternFrame& outer, const Vec3& n) c
     const PatternFrame frame = outer.under(signal.pattern);
     const Vec3 there = frame.normal_in * n;
     const Vec3 bent = bent_there(relief, frame.at, frame.mapped || reliefs_[resource_of_[relief.index]].scaled() ? normalized(there) : there);
+    if (!std::isfinite(bent.x + bent.y + bent.z)) return Vec3(std::numeric_limits<double>::quiet_NaN());
     const Vec3 unit = normalized(frame.normal_out * bent);
     return std::abs(dot(unit, unit) - 1) < 1e-6 ? unit : n;   // a relief that cancels the normal leaves it as it is
 }

@@ -51,7 +51,7 @@ class Textures {
     /// A pigment that stands nowhere but in space.
     PigmentColor pigment(SignalId signal, const Vec3& at) const;
 
-    /// The unit normal `n`, in world space, bent by a ReliefSignal.
+    /// The unit normal `n`, in world space, bent by a ReliefSignal; no number where the relief is none.
     Vec3 bent(SignalId relief, const PatternFrame& frame, const Vec3& n) const;
 
     /// Calls f(entry, share) for the entries of a PatternSignal's map that count at a point: their shares add up to 1. `frame` is theirs meanwhile, and its normals stay so.

@@ -229,8 +229,8 @@ static std::vector<uint16_t> codes_of(const Picture& picture) {
 }
 
 tl::expected<std::vector<std::byte>, std::string> encode_number_png(const Picture& picture) {
-    if (picture.channels != 3 && picture.channels != 4) return tl::unexpected(std::string("a PNG file of numbers has channels R, G, B, or R, G, B, A"));
-    return image::deep_written(picture, PNG_COLOR_MASK_COLOR | (picture.channels == 4 ? PNG_COLOR_MASK_ALPHA : 0), false, codes_of(picture));
+    if (picture.channels != 1 && picture.channels != 3 && picture.channels != 4) return tl::unexpected(std::string("a PNG file of numbers has channel Y, channels R, G, B, or R, G, B, A"));
+    return image::deep_written(picture, (picture.channels > 1 ? PNG_COLOR_MASK_COLOR : 0) | (picture.channels == 4 ? PNG_COLOR_MASK_ALPHA : 0), false, codes_of(picture));
 }
 
 tl::expected<std::vector<std::byte>, std::string> encode_linear_png(const Picture& picture) {

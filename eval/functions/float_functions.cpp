@@ -37,10 +37,10 @@ constexpr FloatFunction kFloatFunctions[] = {
     {"int", 1, 1, of_one<std::trunc>},
     {"ln", 1, 1, of_one<std::log>},
     {"log", 1, 1, of_one<std::log10>},
-    {"max", 1, kAny, [](Arguments a) { return *std::max_element(a.begin(), a.end()); }},
-    {"min", 1, kAny, [](Arguments a) { return *std::min_element(a.begin(), a.end()); }},
+    {"max", 2, kAny, [](Arguments a) { return *std::max_element(a.begin(), a.end()); }},
+    {"min", 2, kAny, [](Arguments a) { return *std::min_element(a.begin(), a.end()); }},
     {"mod", 2, 2, [](Arguments a) { return std::fmod(a[0], a[1]); }},
-    {"pow", 2, 2, [](Arguments a) { return std::pow(a[0], a[1]); }},
+    {"pow", 1, 2, [](Arguments a) { return a.size() == 1 ? a[0] : std::pow(a[0], a[1]); }},   // POV-Ray takes one
     {"radians", 1, 1, of_one<radians>},
     {"select", 3, 4, select_sign},
     {"sin", 1, 1, of_one<std::sin>},

@@ -5,6 +5,7 @@
 #include "eval/noise/noise.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace alidade {
 
@@ -103,7 +104,24 @@ constexpr InternalFunction kInternalFunctions[] = {
     {76, "f_noise3d", 0, noise3d}, {78, "f_noise_generator", 1, noise_generator},
 };
 
+/// By number. None has number 77.
+constexpr std::string_view kNames[] = {
+    "f_algbr_cyl1", "f_algbr_cyl2", "f_algbr_cyl3", "f_algbr_cyl4", "f_bicorn", "f_bifolia", "f_blob", "f_blob2", "f_boy_surface", "f_comma", "f_cross_ellipsoids",
+    "f_crossed_trough", "f_cubic_saddle", "f_cushion", "f_devils_curve", "f_devils_curve_2d", "f_dupin_cyclid", "f_ellipsoid", "f_enneper", "f_flange_cover",
+    "f_folium_surface", "f_folium_surface_2d", "f_glob", "f_heart", "f_helical_torus", "f_helix1", "f_helix2", "f_hex_x", "f_hex_y", "f_hetero_mf", "f_hunt_surface",
+    "f_hyperbolic_torus", "f_isect_ellipsoids", "f_kampyle_of_eudoxus", "f_kampyle_of_eudoxus_2d", "f_klein_bottle", "f_kummer_surface_v1", "f_kummer_surface_v2",
+    "f_lemniscate_of_gerono", "f_lemniscate_of_gerono_2d", "f_mesh1", "f_mitre", "f_nodal_cubic", "f_odd", "f_ovals_of_cassini", "f_paraboloid", "f_parabolic_torus",
+    "f_ph", "f_pillow", "f_piriform", "f_piriform_2d", "f_poly4", "f_polytubes", "f_quantum", "f_quartic_paraboloid", "f_quartic_saddle", "f_quartic_cylinder", "f_r",
+    "f_ridge", "f_ridged_mf", "f_rounded_box", "f_sphere", "f_spikes", "f_spikes_2d", "f_spiral", "f_steiners_roman", "f_strophoid", "f_strophoid_2d", "f_superellipsoid",
+    "f_th", "f_torus", "f_torus2", "f_torus_gumdrop", "f_umbrella", "f_witch_of_agnesi", "f_witch_of_agnesi_2d", "f_noise3d", "", "f_noise_generator",
+};
+
 }  // namespace
+
+std::string_view internal_function_name(double number) {
+    const bool is_one = number >= 0 && number < double(std::size(kNames)) && number == std::floor(number);
+    return is_one ? kNames[size_t(number)] : "";
+}
 
 std::span<const InternalFunction> internal_functions() { return kInternalFunctions; }
 

@@ -6,6 +6,7 @@
 #include "scene/material.h"
 
 #include <span>
+#include <string_view>
 
 namespace alidade {
 
@@ -17,6 +18,8 @@ struct InternalFunction {
     double (*value)(const Vec3& p, std::span<const double> more, NoiseGenerator noise);
 };
 
+/// What functions.inc calls `internal(number)`, known or not; "" if there is no such function.
+std::string_view internal_function_name(double number);
 /// Those that are known, one row each.
 std::span<const InternalFunction> internal_functions();
 /// The row of `internal(number)`, or null.

@@ -59,6 +59,13 @@ std::vector<uint32_t> with_callees(const Scene& scene, FunctionId function) {
     return out;
 }
 
+/// Behind what a function gives, POV-Ray has what was given to it.
+/// Source   experiments with POV-Ray 3.7
+SplineCurve::Components with_arguments(SplineCurve::Components given, size_t terms, std::span<const double> arguments) {
+    for (size_t i = terms; i < given.size() && i < terms + arguments.size(); ++i) given[i] = arguments[i - terms];
+    return given;
+}
+
 }  // namespace
 
 struct FunctionRunner::Frame {
@@ -158,16 +165,20 @@ double FunctionRunner::asked(const FunctionStep& step, const double* a) const {
     switch (step.op) {
         case FunctionOp::built_in: return float_functions()[step.a].value({a, step.b});
         case FunctionOp::internal: return find_internal_function(step.a)->value({a[0], a[1], a[2]}, {a + 3, step.b - 3}, noise_);
-        case FunctionOp::spline: return component_of(splines_[step.a].value(a[0]), step.b);
+        case FunctionOp::spline: return component_of(with_arguments(splines_[step.a].value(a[0]), splines_[step.a].terms(), {a, 1}), step.b);
         case FunctionOp::pattern: return sources_.number({step.a}, {a[0], a[1], a[2]});
         case FunctionOp::pigment: return component_of(sources_.color({step.a}, {a[0], a[1], a[2]}), step.b);
         default: break;
     }
     const Vec3 moved = transforms_[step.a].point({a[0], a[1], a[2]});
-    return component_of({moved.x, moved.y, moved.z}, step.b);
+    return component_of(with_arguments({moved.x, moved.y, moved.z}, 3, {a, 3}), step.b);
 }
 
-double component_of(const SplineCurve::Components& c, uint32_t component) { return component == kGreyComponent ? pov_grey({c[0], c[1], c[2]}) : c[component]; }
+double component_of(const SplineCurve::Components& c, uint32_t component) {
+    constexpr double kCoarse = 0.996093, kFine = kCoarse / 255;   // POV-Ray's digits
+    if (component == kHeightComponent) return kCoarse * c[0] + kFine * c[1];
+    return component == kGreyComponent ? pov_grey({c[0], c[1], c[2]}) : c[component];
+}
 
 std::function<double(const Vec3&)> pattern_of_function(FunctionRunner runner) {
     const auto shared = std::make_shared<const FunctionRunner>(std::move(runner));

@@ -12,6 +12,7 @@ class SplineEvaluator {
     /// `curve` has knots.
     explicit SplineEvaluator(SplineCurve curve);
     SplineCurve::Components value(double t) const;
+    size_t terms() const { return curve_.terms; }
 
   private:
     SplineCurve curve_;

@@ -57,8 +57,8 @@ std::string part_name(uint32_t function, const FunctionStep& step) {
 
 /// What stands behind a call that gives more than one number.
 std::string component_name(const FunctionStep& step) {
-    static constexpr const char* kOfPoints[] = {".x", ".y", ".z", ".t", ".transmit", ".gray"};
-    static constexpr const char* kOfColours[] = {".red", ".green", ".blue", ".filter", ".transmit", ".gray"};
+    static constexpr const char* kOfPoints[] = {".x", ".y", ".z", ".t", ".transmit", ".gray", ".hf"};
+    static constexpr const char* kOfColours[] = {".red", ".green", ".blue", ".filter", ".transmit", ".gray", ".hf"};
     if (step.op == FunctionOp::pigment) return kOfColours[step.b];
     return step.op == FunctionOp::transform || step.op == FunctionOp::spline ? kOfPoints[step.b] : "";
 }
@@ -160,7 +160,7 @@ void FunctionWriter::declare_spline(uint32_t function, uint32_t i) {
     const SplineCurve& curve = scene_.functions[function].splines[i];
     sdl_.begin("#declare", fmt::format("Spline_{}_{} = function {{ spline", function, i));
     sdl_.line(kTypes[size_t(curve.type)]);
-    for (const auto& [t, c] : curve.knots) sdl_.line(t, ", <", c[0], ",", c[1], ",", c[2], ",", c[3], ",", c[4], ">");
+    for (const auto& [t, c] : curve.knots) sdl_.line(t, ",", std::span(c.data(), curve.terms), ",");   // without a comma, a time below 0 would be taken from the vector before it
     sdl_.end();
     sdl_.line("}");
 }

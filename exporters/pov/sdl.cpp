@@ -11,7 +11,7 @@ void Sdl::number(double x) {
     append_number(text_, x);
 }
 
-void Sdl::vector(std::initializer_list<double> values) {
+void Sdl::vector(std::span<const double> values) {
     char before = '<';
     for (const double x : values) text_ += before, number(x), before = ',';
     text_ += "> ";

@@ -4,6 +4,7 @@
 
 #include "core/transform.h"
 
+#include <span>
 #include <string>
 #include <string_view>
 
@@ -76,6 +77,7 @@ class Sdl {
     void put(int x) { text_ += std::to_string(x), text_ += ' '; }
     void put(size_t x) { text_ += std::to_string(x), text_ += ' '; }
     void put(uint32_t x) { text_ += std::to_string(x), text_ += ' '; }
+    void put(std::span<const double> v) { vector(v); }
     void put(const Vec2& v) { vector({v.x, v.y}); }
     void put(const Vec3& v) { vector({v.x, v.y, v.z}); }
     void put(const Index3& v);
@@ -84,7 +86,8 @@ class Sdl {
     void put(const Expression& e);
     void put(const Transform& t);
     void number(double x);
-    void vector(std::initializer_list<double> values);
+    void vector(std::span<const double> values);
+    void vector(std::initializer_list<double> values) { vector(std::span(values.begin(), values.size())); }
 
     std::string text_;
     int depth_ = 0;

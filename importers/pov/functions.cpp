@@ -14,12 +14,23 @@ namespace alidade::pov {
 
 namespace {
 
+bool is_coordinate(WordId id) { return id == "x"_w || id == "y"_w || id == "z"_w || id == "u"_w || id == "v"_w; }
+
+/// Of a parameter, or of what a series counts with. As in POV-Ray, it means nothing yet; t is ours.
+WordId new_name(const Parser& p, const Token& token, const char* what) {
+    const bool is_word = token.kind == TokenKind::word && (is_coordinate(token.id) || token.id == "t"_w);
+    if (!is_word && token.kind != TokenKind::name) p.fail(token.place(), fmt::format("the name of {} is expected, not {}", what, p.describe(token)));
+    const Slot* slot = is_word ? nullptr : p.symbols.find(token.id);
+    if (slot && slot->value.kind != Kind::nothing) p.fail(token.place(), fmt::format("{} is declared: {} has another name", p.names.text(token.id), what));
+    return token.id;
+}
+
 void read_parameters(Parser& p, Function& function) {
     if (!p.accept('(')) return;
-    for (Token token = p.raw_token(); !token.is(')'); token = p.raw_token()) {
-        if (token.is(',')) continue;
-        if (token.kind != TokenKind::name && token.kind != TokenKind::word) p.fail(token.place(), fmt::format("the name of a parameter is expected, not {}", p.describe(token)));
-        function.parameters.push_back(token.id);
+    for (Token token = p.raw_token();; token = p.raw_token()) {
+        function.parameters.push_back(new_name(p, token, "a parameter"));
+        if (p.accept(')')) return;
+        p.accept(',');
     }
 }
 
@@ -29,17 +40,18 @@ bool is_parameter(const Function& function, const Token& token) {
 }
 
 /// The name behind `sum(` and `prod(` is a counter of its own.
-void note_counter(Function& function, const Token& token) {
+void note_counter(const Parser& p, Function& function, const Token& token) {
     const size_t n = function.parts.size();
-    if (token.kind != TokenKind::name || n < 2 || !function.parts[n - 1].token.is('(')) return;
+    if (n < 2 || !function.parts[n - 1].token.is('(') || is_parameter(function, token)) return;
     const Token& word = function.parts[n - 2].token;
-    if ((word.is_word("sum"_w) || word.is_word("prod"_w)) && !is_parameter(function, token)) function.counters.push_back(token.id);
+    if (word.is_word("sum"_w) || word.is_word("prod"_w)) function.counters.push_back(new_name(p, token, "what a series counts with"));
 }
 
-/// What an identifier is worth now. Array elements become their values.
+/// What an identifier is worth now. Array elements become their values; what stands behind a dot is a component.
 void resolve(Parser& p, Function& function, Function::Part& part) {
     const Token& token = part.token;
-    if (token.kind == TokenKind::name && !is_parameter(function, token)) {
+    const bool is_component = !function.parts.empty() && function.parts.back().token.is('.');
+    if (token.kind == TokenKind::name && !is_component && !is_parameter(function, token)) {
         const Ref<Slot> slot = parse_reference(p, token, false);
         if (!slot) p.fail(token.place(), "this array element has no value yet");
         part.value = slot->value;
@@ -85,8 +97,10 @@ Value parse_function(Parser& p, Place at) {
     }
     if (function->parameters.empty()) function->parameters = {"x"_w, "y"_w, "z"_w};
     p.expect('{', "before the body of a function");
-    if (p.peek().is_word("spline"_w)) {                            // such a function is a spline by another name
+    if (p.peek().is_word("spline"_w)) {                            // such a function is a spline that functions can call
         Value spline = parse_spline(p, p.next().place());
+        if (function->named) p.fail(at, "the function of a spline has no parameters of its own", "write function { spline { ... } }, and call it with one argument");
+        spline.as<Spline>().is_function = true;
         p.expect('}', "behind the spline");
         return spline;
     }
@@ -101,10 +115,12 @@ Value parse_function(Parser& p, Place at) {
             add_apart(p, *function, part.token);
             continue;
         }
-        note_counter(*function, part.token);
+        note_counter(p, *function, part.token);
         resolve(p, *function, part);
         function->parts.push_back(std::move(part));
     }
+    const bool of_block = function->parts.size() == 1 && function->parts[0].value.kind == Kind::block;
+    if (function->named && of_block) p.fail(at, "the function of a pattern, a pigment or a transformation has no parameters of its own", "write function { ... }, and call it with a point's x, y and z");
     return Value::of(Kind::function, function);
 }
 
@@ -118,10 +134,9 @@ Value call_function(Parser& p, const Function& function, Place at) {
     const Ref<Function> hold(const_cast<Function*>(&function));
     p.expect('(', "before the arguments of a function");
     std::vector<double> arguments;
-    while (!p.accept(')')) {
-        arguments.push_back(parse_float(p));
-        p.accept(',');
-    }
+    do arguments.push_back(parse_float(p));
+    while (p.accept(',') || !p.peek().is(')'));          // commas may be missing
+    p.take();
     if (const auto moved = function_point(p, function, arguments, at)) return Value::vector(3, {moved->x, moved->y, moved->z});
     if (const auto colour = function_colour(p, function, arguments, at)) return Value::colour(*colour);
     return Value::number(function_value(p, function, arguments, at));

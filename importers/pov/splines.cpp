@@ -27,11 +27,12 @@ std::optional<Type> type_of(const Token& token) {
 Value parse_spline(Parser& p, Place at) {
     const Nested nested(p, at);
     Ref<Spline> spline(new Spline);
+    spline->curve.terms = 2;                                                   // a float is two
     p.expect('{', "behind spline");
     if (const Token token = p.peek(); token.kind == TokenKind::name) {
         const Value base = parse_expression(p);
         if (base.kind != Kind::spline && !base.numeric()) p.fail(token.place(), fmt::format("a spline is expected, not {}", kind_name(base)));
-        if (base.kind == Kind::spline) *spline = base.as<Spline>();
+        if (base.kind == Kind::spline) spline->curve = base.as<Spline>().curve;
         else p.fail(token.place(), "a type of spline or a number is expected first");
     }
     if (const std::optional<Type> type = type_of(p.peek())) spline->curve.type = *type, p.next();
@@ -45,7 +46,7 @@ Value parse_spline(Parser& p, Place at) {
         const Value value = parse_expression(p);
         if (!value.numeric()) p.fail(here, fmt::format("a vector is expected, not {}", kind_name(value)));
         p.accept(',');
-        spline->terms = std::max(spline->terms, std::max<uint8_t>(value.terms, 2));
+        spline->curve.terms = std::max(spline->curve.terms, value.terms);
         const auto place = std::lower_bound(spline->curve.knots.begin(), spline->curve.knots.end(), t, [](const auto& knot, double x) { return knot.first < x; });
         const size_t given = std::max<size_t>(value.terms, 2);
         const Components all = promoted(value, uint8_t(given));
@@ -70,7 +71,7 @@ Value call_spline(Parser& p, const Spline& spline, Place) {
         asked.type = *type;
     }
     p.expect(')', "behind the argument of a spline");
-    Value value = Value::vector(std::max<uint8_t>(spline.terms, 2), SplineEvaluator(std::move(asked)).value(t));
+    Value value = Value::vector(spline.curve.terms, SplineEvaluator(std::move(asked)).value(t));
     std::fill(value.c.begin() + value.terms, value.c.end(), 0.0);
     return value;
 }

@@ -249,10 +249,10 @@ struct Macro : Shared {
     std::vector<WordId> parameters;
 };
 
-/// `spline { ... }`, whose knots have `terms` components at the most.
+/// `spline { ... }`, or `function { spline { ... } }`: functions can call that one alone.
 struct Spline : Shared {
     SplineCurve curve;
-    uint8_t terms = 1;
+    bool is_function = false;
 };
 
 /// `function(parameters) { tokens }`, `function W, H { tokens }`: what stood in the braces, with macros expanded and identifiers resolved; compiled when it is first asked.

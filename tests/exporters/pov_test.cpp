@@ -94,6 +94,25 @@ TEST_F(PovFile, ASceneOfEverythingIsRead) {
     again();
 }
 
+/// Times and components below 0 are no subtractions from what stands before them, and a spline keeps how many components it has.
+TEST_F(PovFile, FunctionsAndTheirSplinesComeBack) {
+    const std::string declared = "#declare S = function { spline { natural_spline -3, <-1,-2,-3>, -2, <-4,5,-6>, -1, <1,0,2>, 2, <-1,1,1> } } #declare Flat = function { spline { linear_spline -2, <1,-2>, -1, <-4,5> } } #declare G = function { pigment { bozo } }\n"
+                                 "#declare T = function { transform { scale 2 } } #declare F = function(a, b) { sum(i, 1, 3, -i*a) + pow(b) - -a + S(a).t + S(b).y + Flat(a).z + G(a, b, a).hf + T(a, b, a).transmit }\n";
+    put("first.pov", declared + "sphere { 0, 1 pigment { function { F(x, y) + min(-x, -1) } color_map { [0 rgb <-1,0,0>] [.5 rgb 1] } translate <-1,-2,-3> } normal { function { F(y, x) } .5 slope_map { [0 <-1,-1>] [1 <-2,1>] } } }");
+    const auto first = import_scene(at("first.pov"));
+    ASSERT_TRUE(first) << first.error().text();
+    const std::string written = exported(first->scene);
+    Scene wanted, read;
+    wanted.functions = first->scene.functions, read.functions = again().functions;
+    ASSERT_GE(wanted.functions.size(), 3u);
+    ASSERT_EQ(wanted.functions[0].splines.size(), 3u);
+    for (Scene* s : {&read, &wanted})
+        for (FunctionProgram& f : s->functions)
+            for (FunctionStep& step : f.steps)
+                if (step.op == FunctionOp::pigment) step.a = 0;       // signals have other numbers
+    EXPECT_EQ(dump(read), dump(wanted)) << written;
+}
+
 TEST_F(PovFile, WhatIsShownOftenIsWrittenOnce) {
     Scene scene = triangle_scene();
     for (uint32_t i = 1; i < 100; ++i) {

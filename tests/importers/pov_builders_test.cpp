@@ -276,7 +276,7 @@ TEST_F(PovBuilders, WhatIsWrongWithAPictureIsAnErrorAtItsPlace) {
         {"pigment { image_map { function 8, 8 { x } gamma 2 } }", "1:57: error: gamma cannot stand behind a function"},
         {"pigment { image_map { function 8, 8 { sin(x, y) } } }", "1:53: error: sin does not take 2 arguments"},
         {"normal { bump_map { function 8, 8 { transform { scale 2 } } } }", "1:35: error: the function of a picture gives a number or a colour"},
-        {"pigment { image_map { function 8, 8 { pattern { slope y } } } }", "warning: slope in the pattern of a function is not modelled: middle grey stands for the picture of a function"},
+        {"pigment { image_map { function 8, 8 { pattern { object { sphere { 0, 1 } } } } } }", "warning: object in the pattern of a function is not modelled yet: middle grey stands for the picture of a function"},
         {"pigment { image_map { png \"a.png\" map_type 3 } }", "1:58: error: there is no map_type 3"},
         {"pigment { image_map { png \"a.png\" gamma 0 } }", "1:55: error: the gamma of a picture must be greater than 0"},
         {"normal { bump_map { png \"a.png\" bump_size x } }", "error: a number is expected as the depth of a normal"},

@@ -65,7 +65,7 @@ std::vector<Hostile> cases() {
         {"DeepSubscripts", {"#declare A = array[1] { 0 } #declare B = ", "A[", 100000}, "nested too deeply"},
         {"DeepCallsOfFunctions", {"#declare F = function(x) { x } #declare A = ", "F(", 100000}, "nested too deeply"},
         {"DeepFunctions", {"#declare F = function(x) { ", "(", 100000, "x } #declare A = F(1);"}, "of a function are nested too deeply"},
-        {"DeepSigns", {"#declare F = function(x) { ", "-", 100000, "x } #declare A = F(1);"}, "of a function are nested too deeply"},
+        {"DeepSigns", {"#declare F = function(x) { ", "-", 100000, "x } #declare A = F(1);"}, "- is not expected in a function"},
         {"PrintingForEver", {"#for (i, 0, 1e300, 1) #debug \"x\" #end"}, "never end"},
         {"DeepUnary", {"#declare A = ", "-", 1000000, "1;"}, "nested too deeply"},
         {"DeepBlocks", {"", "union {", 1000000}, "nested too deeply"},

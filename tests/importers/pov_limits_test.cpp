@@ -119,5 +119,16 @@ TEST(PovLimits, WhatIsAskedInOneAnother) {
     EXPECT_EQ(said_of(loop("texture { pigment { rgb 1 } }", "texture { checker texture { A } texture { A scale 2 } }", 30) + "sphere { 0, 1 texture { A } }", {}), "");
 }
 
+/// Functions of pigments of functions: shown, asked while the scene is read, in maps, and in the pictures of one another.
+TEST(PovLimits, FunctionsOfPigmentsOfFunctions) {
+    const auto loop = [](const std::string& step, int times) { return "#declare A = function { pigment { gradient x } };\n#for(I, 1, " + std::to_string(times) + ")\n#declare A = function { pigment { " + step + " } } #end\n"; };
+    for (const char* step : {"function { A(x, y, z).red }", "average pigment_map { [1 function { A(x, y, z).hf }] [1 rgb 1] }", "image_map { function 2,2 { A(x, y, z).red } }", "image_pattern { function 2,2 { pigment { function { A(x, y, z).red } } } }", "pigment_pattern { function { A(x, y, z).red } }"})
+        for (const char* asked : {"sphere { 0, 1 pigment { function { A(x, y, z).red } } }", "sphere { 0, 1 normal { function { A(x, y, z).gray } } }", "#declare Value = A(1, 2, 3).red; sphere { 0, 1 }", "sphere { 0, 1 pigment { image_map { function 2,2 { A(x, y, z).red } } } }"}) {
+            EXPECT_EQ(said_of(loop(step, 20) + asked, {}), "") << step << "  " << asked;
+            said_of(loop(step, 480) + asked, {});   // as deep as it may be taken
+            EXPECT_THAT(said_of(loop(step, 3000) + asked, {}), HasSubstr(": error: ")) << step << "  " << asked;
+        }
+}
+
 }  // namespace
 }  // namespace alidade::pov

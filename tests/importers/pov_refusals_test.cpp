@@ -81,6 +81,33 @@ TEST_F(PovBuilders, WhatIsNoFunctionOfAPatternIsAnErrorAtItsPlace) {
     EXPECT_EQ(said(declared + "sphere { 0, 1 texture { function { F(x, y) } texture_map { [0 pigment { rgb 1 }] [1 pigment { rgb 0 }] } } }"), "");
 }
 
+/// Pictures of functions have neither a palette nor an alpha that is not told (probed).
+TEST_F(PovBuilders, WhatCannotStandBehindTheFunctionOfAPicture) {
+    for (const char* look : {"pigment { image_map { function 4,4 { x } filter 0, .3 } }", "pigment { image_map { function 4,4 { x } transmit 0 .3 } }", "pigment { image_map { function 4,4 { x } use_alpha } }", "normal { bump_map { function 4,4 { x } use_alpha } }",
+                             "normal { bump_map { function 4,4 { x } filter all .2 } }", "texture { material_map { function 4,4 { x } use_alpha texture { } } }", "pigment { image_map { function 4,4 { x } gamma 2 } }"})
+        EXPECT_THAT(said(fmt::format("sphere {{ 0, 1 {} }}", look)), testing::ContainsRegex("1:[0-9]+: error: ")) << look;
+    for (const char* fine : {"pigment { image_map { function 4,4 { x } filter all .1 transmit all .2 } }", "pigment { image_map { function 4,4 { x } use_index } }", "pigment { image_pattern { function 4,4 { x } use_alpha } }", "normal { bump_map { function 4,4 { x } use_index } }"})
+        EXPECT_EQ(said(fmt::format("sphere {{ 0, 1 {} }}", fine)), "") << fine;
+}
+
+/// A function of a number makes one channel, which is a third of three that are the same.
+TEST_F(PovBuilders, ThePictureOfANumberIsGrey) {
+    constexpr size_t kBits = 24, kColourType = 25;       // in a PNG file
+    for (const auto& [function, type] : {std::pair("function 9,5 { x*y }", 0), {"function 9,5 { pattern { bozo } }", 0}, {"function 9,5 { pigment { bozo } }", 6}}) {
+        const Scene s = scene(fmt::format("sphere {{ 0, 1 pigment {{ image_map {{ {} }} }} }}", function));
+        ASSERT_GT(s.images.at(0).bytes.size(), kColourType);
+        EXPECT_EQ(int(s.images[0].bytes[kBits]), 16) << function;
+        EXPECT_EQ(int(s.images[0].bytes[kColourType]), type) << function;
+    }
+}
+
+/// One warning for each call of what is not modelled, and it says what functions.inc calls it.
+TEST_F(PovBuilders, FunctionsThatAreNotModelledAreNamedOnce) {
+    const std::string text = said("#declare S = function { internal(63) }\nsphere { 0, 1 pigment { function { S(x, y, z) } } }");
+    EXPECT_THAT(text, HasSubstr("warning: f_spikes_2d, which is internal(63), is not modelled yet"));
+    EXPECT_EQ(text.find("warning"), text.rfind("warning")) << text;
+}
+
 TEST_F(PovBuilders, IndicesOfAMesh2FitItsTriangles) {
     const std::string mesh = "mesh2 { vertex_vectors { 4, 0, x, y, x+y } ", faces = "face_indices { 2, <0,1,2>, <1,3,2> } ";
     for (const Refusal& r : {Refusal{"normal_vectors { 1, z } FACES normal_indices { 3, 0, 0, 0 } }", "there are 3 normal_indices for 2 triangles"}, {"uv_vectors { 1, <1,0> } FACES uv_indices { 1, 0 } }", "there are 1 uv_indices for 2 triangles"},
@@ -94,7 +121,7 @@ TEST_F(PovBuilders, IndicesOfAMesh2FitItsTriangles) {
 
 /// What is not modelled is left out with all its values, and a warning.
 TEST_F(PovBuilders, PatternsThatAreNotModelledAreNoErrors) {
-    for (const char* text : {"#declare S = function { internal(63) } sphere { 0, 1 pigment { rgb 1 } normal { function { S(x, y, z) } .5 } }", "#declare S = function { pattern { slope y } } sphere { 0, 1 normal { function { x*S(x, y, z) } } }", "sphere { 0, 1 normal { slope { y } .5 } }", "sphere { 0, 1 normal { object { sphere { 0, 1 } }, .5 } }",
+    for (const char* text : {"#declare S = function { internal(63) } sphere { 0, 1 pigment { rgb 1 } normal { function { S(x, y, z) } .5 } }", "#declare S = function { pattern { object { sphere { 0, 1 } } } } sphere { 0, 1 normal { function { x*S(x, y, z) } } }", "sphere { 0, 1 normal { slope { y } .5 } }", "sphere { 0, 1 normal { object { sphere { 0, 1 } }, .5 } }",
                              "#declare S = function { internal(63) } sphere { 0, 1 normal { bumps normal_map { [0 function { S(x, y, z) } .3] [1 bumps] } } }", "#declare S = function { internal(63) } sphere { 0, 1 texture { function { S(x, y, z) } texture_map { [0 pigment { rgb 1 }] [1 pigment { rgb 0 }] } } }",
                              "#declare S = function { internal(63) } #default { normal { function { S(x, y, z) } .4 } } sphere { 0, 1 }", "#declare S = function { internal(63) } #declare P = function { pigment { function { S(x, y, z) } } } sphere { 0, 1 pigment { function { P(x, y, z).red } } }"}) {
         EXPECT_THAT(said(text), HasSubstr("is not modelled yet")) << text;

@@ -171,13 +171,13 @@ TEST(PovSpaceFunctions, WhatCannotBeCalledIsAnErrorWithItsPlace) {
         {"#declare K = F(1, 2);", "scene.pov:4:14: error: the function takes 3 arguments, and 2 are given"},
         {"#declare K = P(1, 2);", "4:14: error: the function takes 3 arguments, and 2 are given"},
         {"#declare K = N(1, 2, 3, 4);", "4:14: error: the function takes 3 arguments, and 4 are given"},
-        {"#declare M = function { internal(12) } #declare K = M(1, 2, 3);", "4:14: error: internal(12) is not modelled yet"},
+        {"#declare M = function { internal(12) } #declare K = M(1, 2, 3);", "4:14: error: f_cubic_saddle, which is internal(12), is not modelled yet"},
         {"#declare M = function { P(x, y, z) } #declare K = M(1, 2, 3);", "4:25: error: this function gives a colour, and a component of it is expected"},
         {"#declare M = function { P(x, y, z) + 1 } #declare K = M(1, 2, 3);", "4:25: error: this function gives a colour"},
         {"#declare M = function { P(x, y).red } #declare K = M(1, 2, 3);", "4:25: error: the function takes 3 arguments"},
-        {"#declare M = function { pattern { slope y } } #declare K = M(1, 2, 3);", "4:35: error: slope in the pattern of a function is not modelled"},
-        {"#declare M = function { pattern { bozo color_map { [0 rgb 1] } } } #declare K = M(1, 2, 3);", "4:40: error: color_map in the pattern of a function is not modelled"},
-        {"#declare M = function { pattern { average } } #declare K = M(1, 2, 3);", "4:25: error: the pattern average has no number"},
+        {"#declare M = function { pattern { slope y } } #declare K = M(1, 2, 3);", "4:35: error: slope cannot stand in the pattern of a function"},
+        {"#declare M = function { pattern { bozo color_map { [0 rgb 1] } } } #declare K = M(1, 2, 3);", "4:40: error: color_map cannot stand in the pattern of a function"},
+        {"#declare M = function { pattern { average } } #declare K = M(1, 2, 3);", "4:25: error: the pattern average cannot stand in a function"},
         {"#declare M = function { pattern { } } #declare K = M(1, 2, 3);", "4:25: error: the name of a pattern is expected"},
         {"#declare M = function { pattern { bozo turbulence } } #declare K = M(1, 2, 3);", "error: a vector is expected as"},
         {"#declare M = function { pigment { wood scale <1,2,3> warp { repeat 0 } } } #declare K = M(1, 2, 3);", "error:"},
@@ -206,4 +206,55 @@ TEST(PovSpaceFunctions, FunctionsThatAreGoneAreNotKept) {
     read_program_text("scene.pov", "#declare K = 0; #for (I, 1, 5000) #declare F = function { pigment { checker rgb 0, rgb I translate I*x } } #declare K = K + F(.5, .5, .5).red/I; #undef F #end #debug str(K, 0, 3)", options, said);
     EXPECT_EQ(said.text(), "");
     EXPECT_EQ(printed, "2500.000");
+}
+
+namespace {
+
+/// Functions of x, y, z as formulas, with what they need: components, names, signs, and few arguments.
+struct Formula {
+    const char *declared, *text;
+};
+constexpr Formula kComponents[] = {
+    {"spline { 0, <1,2,3> 1, <4,5,7> }", "G(x).x + 10*G(x).y + 100*G(x).z"}, {"spline { 0, <1,2,3> 1, <4,5,7> }", "G(y).t"}, {"spline { 0, <1,2,3> 1, <4,5,7> }", "z + G(2*x + y).t*G(x).filter"},
+    {"spline { 0, <1,2> 1, <4,5> }", "G(x).z*10 + G(x).v"}, {"spline { 0, <1,2,3,4> 1, <4,5,6,7> }", "G(x).t + G(x).transmit*100"}, {"spline { 0, <1,2,3,4,5> 1, <4,5,6,7,8> }", "G(x).red*G(y).green*G(z).blue*G(x).filter*G(y).transmit"}, {"spline { 0, <1,2,3> 1, <4,5,7> }", "G(x).gray + G(y).grey*10"},
+    {"spline { 0, <1,2,3> 1, <4,5,7> }", "G(x).hf + G(x).u"}, {"transform { rotate <10,20,30> translate y }", "G(x, y, z).hf"}, {"transform { rotate <10,20,30> translate y }", "G(x, y, z).t + 10*G(x, y, z).transmit"}, {"transform { rotate <10,20,30> translate y }", "G(x, y, z).grey + G(y, z, x).u*10 + G(x, y, z).v*100 + G(z, x, y).filter"},
+    {"pigment { rgbft <.1,.2,.3,.4,.5> }", "G(x, y, z).x + 10*G(x, y, z).y + 100*G(x, y, z).z + 1000*G(x, y, z).t"}, {"pigment { rgbft <.1,.2,.3,.4,.5> }", "G(x, y, z).u + 10*G(x, y, z).v"}, {"pigment { rgbft <.1,.2,.3,.4,.5> }", "G(x, y, z).grey + 10*G(x, y, z).hf"}, {"pigment { gradient x }", "G(x, y, z).hf"},
+    {"pattern { bozo no_bump_scale scale 2 }", "G(x, y, z)"}, {"pattern { cubic }", "G(x, y, z)"}, {"pattern { image_pattern { function 4,4 { x } use_alpha } }", "G(x, y, z)"},
+    {"x", "+x"}, {"x", "x - -y"}, {"x", "x*-y*z"}, {"x", "2--x*3"}, {"x", "-(-x) + -sin(x)*-1"}, {"x", "x < -y"}, {"x", "-x = -y & +1"}, {"x", "pow(x)"}, {"x", "pow(pow(abs(x)), y)"}, {"x", "1/(x - x) > 2"},
+    {"x", "sum(x, 1, 3, x) + x"}, {"x", "sum(u, 1, 3, x) + u"}, {"x", "sum(x, 1, 3, v)"}, {"x", "sum(i, 1, 3, i + sum(i, 1, 2, i) + i)"}, {"x", "Under(x) + Swapped(x, y) + Twice(x, y, z)"}, {"x", "Of_macro(x) + Of_loop[0](x) + Of_loop[2](x)"}, {"x", "Hidden(x, y)"}, {"x", "Height(x, y) + hf_"},
+    {"x", "pi + clock + clock_delta + frame_number + (image_width > 0) + final_frame + initial_clock"}, {"x", "Row[1]*x + Row[Count - 3]"}, {"x", "#if (Count = 3) x #else y #end"}, {"x", "0 #for (I, 1, 3) + x*I #end"}, {"x", "Sum_of() + x"},
+};
+
+}  // namespace
+
+/// What stands behind a function's components are its arguments; coordinates are no counters; a body means what its names meant where it stood.
+TEST(PovSpaceFunctions, ComponentsAndNamesMeanWhatTheyDoInPovRay) {
+    if (!povray_is_installed()) GTEST_SKIP() << "povray is not installed";
+    std::string scene = kPrelude + "#declare Count = 0; #declare Of_loop = array[3] #while (Count < 3) #declare Of_loop[Count] = function(a) { a*10 + Count } #declare Count = Count + 1; #end #declare Row = array[2] {4, 5} #declare hf_ = 2;\n"
+                        "#declare Under = function(a) { sum(a, 1, 3, a) + sum(x, 1, 3, x) + a } #declare Swapped = function(y, x) { u + 10*v } #declare Twice = function(a, b, a) { a + 10*b } #declare Height = function(hf, a) { hf*a }\n"
+                        "#macro Make(Factor) #local Inner = function(a) { a*Factor } function(b) { Inner(b) + Factor } #end #declare Of_macro = Make(3) #declare Hidden = function(u, x) { u + 100*x } #macro Sum_of() x + y #end\n";
+    size_t number = 0;
+    for (const Formula& f : kComponents)
+        scene += fmt::format("Say(\"formula {}\") #local G = function {{ {} }} #local F = function {{ {} }} #for (I, 1, {}) #local P = Place(); Put(F(P.x, P.y, P.z)) #end #undef F #undef G\n", number++, f.declared, f.text, kPoints);
+    expect_same(scene, 1e-6, std::size(kComponents) * (kPoints + 1));
+}
+
+/// All of them POV-Ray refuses (probed).
+TEST(PovSpaceFunctions, WhatPovRayRefusesInFunctionsIsAnError) {
+    const std::string s = "#declare V = <1,2,3>; #declare C = rgb 1; #declare S = spline { 0, x 1, y } #declare A = array[1] {<1,2>} #declare P = function { pigment { bozo } } #declare W = function { spline { S } } #declare K = 1;\n";
+    for (const char* body : {"true", "yes", "on", "off", "now", "version", "clock_on", "t", "V.y", "C.green", "V", "S(x).x", "A[0].x", "x;", "+-+x", "--x", "-+x", "x - - -y", "!x", "min(x)", "max(x)", "min(x, y,)", "sin(x,)", "min()", "P(x, y, z,).red", "P(x, y, z)", "W(x)", "W(x, y).x", "pow(x, y, z)",
+                             "sum(K, 1, 2, K)", "sum(clock, 1, 2, 1)", "sum(1, 1, 2, 1)", "sum(i, 1, 2)", "sum(i, 1, 2, i, 3)", "internal(76);", "internal(76) + 1", "internal(77)", "internal(1000)", "internal(K)", "x.y", "atan2(x)", "select(x, y)", "vdot(x, y)", "bitwise_and(1, 1)", "x ? y : z", "x y", "(x)(y)",
+                             "pattern { square }", "pattern { triangular }", "pattern { slope y }", "pattern { aoi }", "pattern { uv_mapping bozo }", "pattern { bozo uv_mapping }", "pattern { bozo bump_size 2 }", "pattern { bozo wood }", "pattern { checker rgb 1, rgb 0 }", "pattern { bozo 2 }", "pattern { scale 2 bozo }",
+                             "pattern { bozo slope_map { [0 <0,1>] [1 <1,1>] } }", "pattern { image_pattern { function 4,4 { x } filter all .2 } }", "pattern { image_map { function 4,4 { x } } }", "pattern { bozo } + x", "x + pattern { bozo }"}) {
+        Diagnostics said;
+        printed_by_us(s + "#declare F = function { " + body + " }\n#declare Value = F(1, 2, 3);", said);
+        EXPECT_THAT(said.text(), testing::ContainsRegex("scene.pov:[23]:[0-9]+: error")) << body << said.text();
+        EXPECT_THAT(said.text(), testing::Not(HasSubstr("not modelled"))) << body;
+    }
+    for (const char* whole : {"function() { 1 }", "function(a,) { a }", "function(, a) { a }", "function(a,, b) { a }", "function(K) { K }", "function(S) { 1 }", "function(P) { 1 }", "function(pi) { 1 }", "function(red) { 1 }", "function(clock) { 1 }", "function(sphere) { 1 }", "function(image_width) { 1 }",
+                              "function(a, b, c) { pattern { bozo } }", "function(a) { pigment { bozo } }", "function(a) { transform { scale 2 } }", "function(a) { spline { S } }"}) {
+        Diagnostics said;
+        printed_by_us(s + "#declare F = " + whole, said);
+        EXPECT_THAT(said.text(), HasSubstr("scene.pov:2:")) << whole << said.text();
+    }
 }

@@ -200,7 +200,7 @@ const Change kSurfaceChanges[] = {
     [](Scene& s) { pattern(s).warps[0].parameters = {1}; },
     [](Scene& s) { s.functions[0].parameters = 2; }, [](Scene& s) { s.functions[0].steps[0].op = FunctionOp::negate; }, [](Scene& s) { s.functions[0].steps[2].a = 1; },
     [](Scene& s) { s.functions[0].steps[3].b = 2; }, [](Scene& s) { s.functions[0].steps[0].value = 3; }, [](Scene& s) { s.functions[0].transforms[0].translation.x = 1; },
-    [](Scene& s) { s.functions[0].splines[0].type = SplineCurve::Type::cubic; }, [](Scene& s) { s.functions[0].splines[0].knots[0].first = 1; }, [](Scene& s) { s.functions[0].splines[0].knots[0].second[4] = 1; },
+    [](Scene& s) { s.functions[0].splines[0].type = SplineCurve::Type::cubic; }, [](Scene& s) { s.functions[0].splines[0].knots[0].first = 1; }, [](Scene& s) { s.functions[0].splines[0].knots[0].second[4] = 1; }, [](Scene& s) { s.functions[0].splines[0].terms = 3; },
     [](Scene& s) { s.materials[0].name = "x"; },
     [](Scene& s) { s.materials[0].from.line = 4; },
     [](Scene& s) { s.materials[1].layers.pop_back(); },

@@ -119,7 +119,7 @@ class Cursor {
     /// Skips what comes next, a word with its values, and tallies it as not modelled.
     /// Fails as `refuse_misplaced`.
     void skip_unmodelled();
-    /// The same of a pattern, which may be a function, with the values behind it.
+    /// The same of a pattern, with the values behind it; it may be a function of what is not modelled, which has been told.
     void skip_unmodelled_pattern();
     /// Skips a colour beside an object or a declared light, which POV-Ray takes from old scenes and ignores, as it says.
     void skip_quick_colour();

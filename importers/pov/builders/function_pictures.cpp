@@ -33,7 +33,7 @@ void fill(Build& build, const Function& function, Place place, Picture& picture)
     if (!block || block->word == "pattern"_w) {
         for_each_pixel(picture, [&](float* pixel, const Vec3& at) {
             const double xyz[] = {at.x, at.y, at.z};
-            std::fill_n(pixel, picture.channels, in_16_bits(functions.number(function, xyz, place) * kLevels));
+            *pixel = in_16_bits(functions.number(function, xyz, place) * kLevels);
         });
         return;
     }
@@ -54,7 +54,7 @@ Picture picture_of(Build& build, const Function& function, Place place) {
     const Block* block = block_of(function);
     if (block && block->word == "transform"_w) build.p.fail(place, "the function of a picture gives a number or a colour");
     Picture picture;
-    picture.width = int(columns), picture.height = int(rows), picture.channels = block && block->word == "pigment"_w ? 4 : 3;
+    picture.width = int(columns), picture.height = int(rows), picture.channels = block && block->word == "pigment"_w ? 4 : 1;
     picture.values.assign(size_t(columns * rows) * size_t(picture.channels), 0.5f);
     try {
         fill(build, function, place, picture);

@@ -44,15 +44,15 @@ class FunctionCompiler {
         FunctionCompiler& of;
     };
 
-    bool at_end() const { return at_ >= f_.parts.size() || token().is(';'); }
+    bool at_end() const { return at_ >= f_.parts.size(); }
     const Token& token() const { return f_.parts[at_].token; }
     bool take(char mark) {
-        const bool there = at_ < f_.parts.size() && token().is(mark);
+        const bool there = !at_end() && token().is(mark);
         at_ += there;
         return there;
     }
     [[noreturn]] void not_expected() const {
-        if (at_ >= f_.parts.size()) p_.fail(f_.place, "the function ends in the middle of its expression");
+        if (at_end()) p_.fail(f_.place, "the function ends in the middle of its expression");
         p_.fail(token().place(), fmt::format("{} is not expected in a function", p_.describe(token())));
     }
     void need(char mark) { if (!take(mark)) not_expected(); }
@@ -96,10 +96,14 @@ class FunctionCompiler {
         operators(kFactors, &FunctionCompiler::operand);
     }
 
+    /// With one sign at the most, as POV-Ray has it.
     void operand() {
+        if (take('-')) return unsigned_operand(), add({FunctionOp::negate});
+        take('+');
+        unsigned_operand();
+    }
+    void unsigned_operand() {
         const Level level(*this);
-        if (take('-')) return operand(), add({FunctionOp::negate});
-        if (take('+')) return operand();
         if (at_end()) not_expected();
         if (take('(')) return logical(), need(')');
         if (token().kind == TokenKind::number) return add_number(f_.parts[at_++].token.number);
@@ -110,22 +114,31 @@ class FunctionCompiler {
     /// In functions u is x, and v is y, whatever the parameters are called.
     static uint32_t coordinate(uint32_t name) { return name == "u"_w ? "x"_w : name == "v"_w ? "y"_w : name; }
 
+    static bool is_coordinate(const Token& token) { return token.is_word("x"_w) || token.is_word("y"_w) || token.is_word("z"_w) || token.is_word("u"_w) || token.is_word("v"_w); }
+
+    /// Of two with one name the first, but of coordinates the last, as POV-Ray has it.
+    std::optional<uint32_t> parameter() const {
+        std::optional<uint32_t> found;
+        for (uint32_t i = 0; i < f_.parameters.size(); ++i)
+            if (coordinate(f_.parameters[i]) == coordinate(token().id) && (!found || is_coordinate(token()))) found = i;
+        return found;
+    }
+
+    /// Coordinates are those of the function, even if a series counts with one of them.
     void word() {
-        for (auto counter = counters_.rbegin(); counter != counters_.rend(); ++counter)      // the innermost hides all others
+        for (auto counter = counters_.rbegin(); counter != counters_.rend() && !is_coordinate(token()); ++counter)      // the innermost hides all others
             if (counter->first == token().id) return ++at_, add({FunctionOp::counter, counter->second});
-        for (size_t i = f_.parameters.size(); i-- > 0;)                                     // of two with one name the last
-            if (coordinate(f_.parameters[i]) == coordinate(token().id)) return ++at_, add({FunctionOp::argument, uint32_t(i)});
-        if (token().is_word("x"_w) || token().is_word("y"_w) || token().is_word("z"_w) || token().is_word("u"_w) || token().is_word("v"_w)) return ++at_, add_number(0);
+        if (const std::optional<uint32_t> i = parameter()) return ++at_, add({FunctionOp::argument, *i});
+        if (is_coordinate(token())) return ++at_, add_number(0);
         if (token().kind == TokenKind::name) return identifier();
         if (token().is_word("sum"_w) || token().is_word("prod"_w)) return series(token().is_word("sum"_w) ? FunctionOp::sum : FunctionOp::product);
         built_in();
     }
 
-    /// Of one number.
+    /// Those that POV-Ray takes here. The number of the frame and its like are names.
     void constant() {
         for (const BuiltinEntry& entry : constants())
-            if (token().is_word(entry.word))
-                if (const Value value = entry.evaluate(p_, token().place()); value.kind == Kind::number) return ++at_, add_number(value.c[0]);
+            if (token().is_word(entry.word) && (entry.word == "pi"_w || entry.word == "clock"_w)) return ++at_, add_number(entry.evaluate(p_, token().place()).c[0]);
         p_.fail(token().place(), fmt::format("{} cannot stand in a function, in POV-Ray either: there are functions of floats, operators, and what a scene has declared", p_.describe(token())));
     }
 
@@ -163,13 +176,11 @@ class FunctionCompiler {
     }
 
     uint32_t arguments() {
-        uint32_t count = 0;
         need('(');
-        while (!take(')')) {
-            logical();
-            ++count;
-            if (!take(',') && !(at_ < f_.parts.size() && token().is(')'))) not_expected();
-        }
+        uint32_t count = 0;
+        do logical(), ++count;
+        while (take(','));
+        need(')');
         return count;
     }
 
@@ -177,13 +188,10 @@ class FunctionCompiler {
         const Function::Part& it = f_.parts[at_++];
         if (it.value.kind == Kind::number) return add_number(it.value.c[0]);
         if (it.value.kind == Kind::function) return inner_call(it.value.as<Function>(), it.token.place());
-        if (it.value.kind == Kind::vector || it.value.kind == Kind::colour) {
-            need('.');
-            return add_number(alidade::component_of(it.value.c, component()));
-        }
-        if (it.value.kind != Kind::spline) p_.fail(it.token.place(), fmt::format("{} cannot stand in a function", kind_name(it.value)));
+        if (it.value.kind != Kind::spline) p_.fail(it.token.place(), fmt::format("{} cannot stand in a function", kind_name(it.value)), it.value.numeric() ? "declare a float of a component of it, and write that" : "");
+        if (!it.value.as<Spline>().is_function) p_.fail(it.token.place(), "a spline cannot stand in a function", "declare a function of it, and call that: function { spline { NAME } }");
         if (arguments() != 1) p_.fail(it.token.place(), "a spline takes one argument");
-        need('.');
+        if (!take('.')) p_.fail(it.token.place(), "this function gives a vector, and a component of it is expected", "write .x, .y or .z behind it");
         out_.splines.push_back(it.value.as<Spline>().curve);
         add({FunctionOp::spline, uint32_t(out_.splines.size() - 1), component()});
     }
@@ -221,9 +229,12 @@ class FunctionCompiler {
     uint32_t component() {
         static constexpr std::pair<WordId, uint32_t> kComponents[] = {{"x"_w, 0}, {"y"_w, 1}, {"z"_w, 2}, {"t"_w, 3}, {"u"_w, 0}, {"v"_w, 1}, {"red"_w, 0},
                                                                       {"green"_w, 1}, {"blue"_w, 2}, {"filter"_w, 3}, {"transmit"_w, 4}, {"gray"_w, kGreyComponent}};
+        static constexpr std::pair<std::string_view, uint32_t> kMore[] = {{"grey", kGreyComponent}, {"hf", kHeightComponent}};   // no words elsewhere
         if (at_end()) not_expected();
         for (const auto& [word, index] : kComponents)
             if (token().is_word(word)) return ++at_, index;
+        for (const auto& [name, index] : kMore)
+            if (token().kind == TokenKind::name && p_.names.text(token().id) == name) return ++at_, index;
         not_expected();
     }
 
@@ -258,10 +269,20 @@ FunctionProgram program_of(Build& build, const Function& function, uint32_t& cal
     return program;
 }
 
-/// Has the pattern a value at a point of space?
+/// Has the pattern a value at a point of space? Two have one that POV-Ray does not give to functions.
 bool has_number(const PatternSignal& signal) {
     const PatternOps* row = find_pattern(signal.pattern);
+    if (signal.pattern == "square" || signal.pattern == "triangular") return false;
     return row->value || row->source == SourceKind::pigment || row->source == SourceKind::function || signal.pattern == "image_pattern";
+}
+
+/// What is no pattern, and no modifier of one.
+[[noreturn]] void fail_in_number_pattern(const Build& build, const Cursor& at, bool begun) {
+    const Item& item = at.peek();
+    const bool named = item.kind == Item::Kind::word || at.any_block();
+    const std::string_view name = named ? std::string_view(kWords[at.any_block() ? at.any_block()->word : item.word]) : "a value";
+    if (!begun && (name == "object" || name == "density_file")) build.p.fail_unmodelled(item.place, fmt::format("{} in the pattern of a function is not modelled yet", name));
+    build.p.fail(item.place, fmt::format("{} cannot stand in the pattern of a function", name), "the name of a pattern stands there, and behind it what moves or waves it");
 }
 
 }  // namespace
@@ -277,9 +298,11 @@ const InternalFunction* internal_of(const Parser& p, const Function& function) {
     const double number = parts[2].token.number;
     const InternalFunction* row = find_internal_function(number);
     if (row) return row;
+    const std::string_view name = internal_function_name(number);
+    if (name.empty()) p.fail(function.place, fmt::format("there is no internal({})", number));
     std::string known;
     for (const InternalFunction& other : internal_functions()) known += fmt::format("{}{}", known.empty() ? "" : ", ", other.name);
-    p.fail_unmodelled(function.place, fmt::format("internal({}) is not modelled yet", number), "those of functions.inc that are: " + known);
+    p.fail_unmodelled(function.place, fmt::format("{}, which is internal({}), is not modelled yet", name, number), "those of functions.inc that are: " + known);
 }
 
 FunctionId build_function(Build& build, const Function& function) {
@@ -301,13 +324,12 @@ SignalId build_number_pattern(Build& build, const Block& block) {
     const Nested nested(build.p, block.place);
     PatternSignal signal;
     for (Cursor at(build, block); !at.done();) {
-        if (take_pattern(build, at, signal) || (!signal.pattern.empty() && take_pattern_modifier(build, at, signal))) continue;
-        const Item& item = at.peek();
-        const bool named = item.kind == Item::Kind::word || at.any_block();
-        build.p.fail_unmodelled(item.place, fmt::format("{} in the pattern of a function is not modelled", named ? kWords[at.any_block() ? at.any_block()->word : item.word] : "a value"));
+        const bool begun = !signal.pattern.empty();
+        if (begun ? take_pattern_modifier(build, at, signal) || at.accept("no_bump_scale"_w) : take_pattern(build, at, signal)) continue;
+        fail_in_number_pattern(build, at, begun);
     }
     if (signal.pattern.empty()) build.p.fail(block.place, "the name of a pattern is expected in pattern { }");
-    if (!has_number(signal)) build.p.fail(block.place, fmt::format("the pattern {} has no number", signal.pattern));
+    if (!has_number(signal)) build.p.fail(block.place, fmt::format("the pattern {} cannot stand in a function", signal.pattern));
     const SignalId id = build.add_signal(std::move(signal), block.place);
     build.number_patterns.emplace(&block, id);
     return id;

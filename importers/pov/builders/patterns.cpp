@@ -120,7 +120,7 @@ void begin_pattern(PatternSignal& s, std::string name) {
     s.pattern = std::move(name), s.parameters.clear(), s.source.reset(), s.picture.reset(), s.function.reset();
 }
 
-/// `function { }`. False where a part of it is not modelled, which is told.
+/// `function { }`. False where a part of it is not modelled, which is told here.
 bool take_function(Build& build, Cursor& at, PatternSignal& s) {
     const Function& function = at.peek().value().as<Function>();
     check_pattern_function(build.p, function, at.place());
@@ -131,7 +131,7 @@ bool take_function(Build& build, Cursor& at, PatternSignal& s) {
         s.function = id;
     } catch (const Failure& failure) {
         if (!failure.unmodelled) throw;
-        build.p.tally(at.place(), failure.diagnostic.message);
+        build.p.tally(at.place(), failure.diagnostic.message + ": a pattern that calls it is left out, and middle grey stands for its colours");
         return false;
     }
     at.next();

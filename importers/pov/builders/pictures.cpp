@@ -121,8 +121,13 @@ PatternPicture take_function_picture(Build& build, Cursor& at, double* depth) {
     out.image = build_function_picture(build, function, place);
     out.scene_gamma = false;
     while (!at.done()) {
-        if (at.at_word("gamma"_w) || at.at_word("premultiplied"_w)) build.p.fail(at.place(), fmt::format("{} cannot stand behind a function", kWords[at.peek().word]));
+        const Place here = at.place();
+        const WordId kind = at.block().word;
+        const bool clears = at.at_word("filter"_w) || at.at_word("transmit"_w);
+        const bool elsewhere = (clears && kind != "image_map"_w) || (at.at_word("use_alpha"_w) && kind != "image_pattern"_w);
+        if (at.at_word("gamma"_w) || at.at_word("premultiplied"_w) || elsewhere) build.p.fail(here, fmt::format("{} cannot stand behind a function", kWords[at.peek().word]));
         if (!take_modifier(build, at, out, depth)) break;
+        if (clears && out.clearings.back().color) build.p.fail(here, "the picture of a function has no palette: filter and transmit are of all its colours", "write filter all F");
     }
     return out;
 }

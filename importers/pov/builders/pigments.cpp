@@ -162,9 +162,10 @@ void read_pigment(Build& build, Cursor& at, PigmentDraft& d) {
 }  // namespace
 
 void tally_pattern(Build& build, const Item& item, const char* what) {
-    constexpr std::string_view kPatterns[] = {"a function", "object", "slope", "aoi", "pavement", "tiling", "density_file"};
+    if (item.value_kind() == Kind::function) return;     // what it calls was told
+    constexpr std::string_view kPatterns[] = {"object", "slope", "aoi", "pavement", "tiling", "density_file"};
     const bool block = item.value_kind() == Kind::block;
-    const std::string_view word = block || item.kind == Item::Kind::word ? kWords[block ? item.block().word : item.word] : "a function";
+    const std::string_view word = block || item.kind == Item::Kind::word ? kWords[block ? item.block().word : item.word] : "a value";
     if (std::find(std::begin(kPatterns), std::end(kPatterns), word) == std::end(kPatterns)) build.p.fail(item.place, fmt::format("{} cannot stand in this {}", word, what));
     build.p.tally(item.place, fmt::format("{} as the pattern of a {} is not modelled yet: middle grey stands for it", word, what));
 }
