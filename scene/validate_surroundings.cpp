@@ -71,7 +71,7 @@ void check_atmosphere(Validation& v) {
     if ((a.environment && !is_finite(*a.environment)) || !std::isfinite(a.environment_strength))
         v.error({}, "the environment has a number that is not finite");
     for (const Fog& fog : a.fogs) {
-        const Turbulence& t = fog.turbulence;
+        const Turbulence t = fog.turbulence.value_or(Turbulence());
         if (!is_finite(fog.color) || !is_finite(Vec3(fog.filter, fog.transmit, fog.turbulence_depth)) || !is_finite(fog.up) || !is_finite(Vec3(fog.distance, fog.offset, fog.altitude)) ||
             !is_finite(t.amount) || !std::isfinite(t.omega) || !std::isfinite(t.lambda))
             v.error({}, "a fog has a number that is not finite");

@@ -58,6 +58,13 @@ TEST_F(PovBuilders, LevelsAndFogsOfOldScenes) {
     }
 }
 
+TEST_F(PovBuilders, AFogThatSpeaksOfTurbulenceHasIt) {
+    const auto has = [&](const std::string& words) { return scene("fog { distance 9 " + words + " }").atmosphere.fogs.at(0).turbulence.has_value(); };
+    for (const char* words : {"turbulence 0", "turbulence .2", "octaves 6", "omega .5", "lambda 2"}) EXPECT_TRUE(has(words)) << words;
+    for (const char* words : {"", "turb_depth 1", "up x fog_type 2"}) EXPECT_FALSE(has(words)) << words;
+    EXPECT_TRUE(scene("#declare F = fog { distance 9 octaves 3 } fog { F rgb x }").atmosphere.fogs.at(0).turbulence.has_value());
+}
+
 /// For each layer of the last material that has several, from the bottom up: is it marked as uncoloured?
 std::string marks(const Scene& scene) {
     std::string out;
