@@ -73,7 +73,7 @@ void dump_settings(std::string& out, const RenderSettings& r) {
     const RenderSettings usual;
     Line(out, "settings").field("max_depth", r.max_depth).field("adc_bailout", r.adc_bailout, usual.adc_bailout)
         .field("ambient_light", r.ambient_light, usual.ambient_light).field("noise", r.noise, usual.noise).field("irid_wavelength", r.irid_wavelength, usual.irid_wavelength).field("assumed_gamma", r.assumed_gamma, usual.assumed_gamma)
-        .field("srgb_coded", r.srgb_coded).field("filter_dims_by_colour", r.filter_dims_by_colour).field("see_through", r.see_through).field("follows_mirrors", r.follows_mirrors, true).field("first_box_shows", r.first_box_shows).field("default_light", r.default_light, true)
+        .field("srgb_coded", r.srgb_coded).field("filter_dims_by_colour", r.filter_dims_by_colour).field("see_through", r.see_through).field("follows_mirrors", r.follows_mirrors, true).field("first_box_shows", r.first_box_shows).field("shadow_clearance", r.shadow_clearance).field("default_light", r.default_light, true)
         .field("light_units", r.light_units).field("why_light_units", r.why_light_units).field("default_spp", r.default_spp, usual.default_spp)
         .field("generator", r.generator);
     if (r.lens_noise) Line(out, "lens_noise").always("variance", r.lens_noise->variance).always("confidence", r.lens_noise->confidence).always("fewest", r.lens_noise->fewest);

@@ -131,6 +131,7 @@ struct RenderSettings {
     SeeThrough see_through = SeeThrough::all;
     bool follows_mirrors = true;              ///< of POV scenes: what mirrors show is seen. What they take of the light behind them is lost in any case
     bool first_box_shows = false;             ///< POV scenes: of surfaces that coincide, that of the object whose box a ray enters first is seen, of one without an end before all; but of two objects without a light the first
+    double shadow_clearance = 0;              ///< what is nearer than this, along a shadow ray, behind its beginning or the last surface that let light through, is not met (POV-Ray: 0.001); world units
     bool default_light = true;                ///< a scene without light gets a sky and a sun
     LightUnits light_units = LightUnits::radiometric;
     std::string why_light_units;

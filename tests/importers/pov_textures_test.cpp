@@ -39,6 +39,7 @@ TEST_F(PovBuilders, SettingsDependOnTheVersion) {
     EXPECT_EQ(now.assumed_gamma, 1);
     EXPECT_EQ(now.max_depth, 8);
     EXPECT_EQ(now.adc_bailout, 0.1);
+    EXPECT_EQ(now.shadow_clearance, 0.001);
     EXPECT_EQ(now.ambient_light.y, 2);
     EXPECT_EQ(scene("#version 3.6; global_settings { assumed_gamma 2.2 }").settings.assumed_gamma, 2.2);
     const std::string twice = "#version 3.6; global_settings { assumed_gamma 2.2 } global_settings { assumed_gamma 1 }";

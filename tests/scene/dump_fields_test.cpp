@@ -366,7 +366,7 @@ const Change kOtherChanges[] = {
     [](Scene& s) { s.settings.srgb_coded = true; },
     [](Scene& s) { s.settings.filter_dims_by_colour = true; },
     [](Scene& s) { s.settings.default_light = false; },
-    [](Scene& s) { s.settings.first_box_shows = true; }, [](Scene& s) { s.settings.follows_mirrors = false; }, [](Scene& s) { s.settings.see_through = SeeThrough::opaque; },
+    [](Scene& s) { s.settings.first_box_shows = true; }, [](Scene& s) { s.settings.shadow_clearance = 0.001; }, [](Scene& s) { s.settings.follows_mirrors = false; }, [](Scene& s) { s.settings.see_through = SeeThrough::opaque; },
     [](Scene& s) { s.lights[0].parallel = true; },
     [](Scene& s) { s.lights[0].kind = ConeLight{0.1, 0.2, 0}; },
     [](Scene& s) { s.settings.light_units = LightUnits::photometric; },

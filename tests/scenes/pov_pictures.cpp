@@ -315,7 +315,7 @@ std::vector<PovPicture> other_pictures() {
 
 std::vector<PovPicture> pov_pictures() {
     std::vector<PovPicture> all;
-    for (const auto& list : {patterned_pictures(), light_pictures(), sampled_pictures(), fog_pictures(), effect_pictures(), cutaway_pictures(), default_pictures(), inside_pictures(), flag_pictures(), function_pictures(), bound_pictures(), old_cameras(), other_pictures(), image_pictures()}) all.insert(all.end(), list.begin(), list.end());
+    for (const auto& list : {patterned_pictures(), light_pictures(), sampled_pictures(), fog_pictures(), effect_pictures(), cutaway_pictures(), default_pictures(), inside_pictures(), flag_pictures(), function_pictures(), bound_pictures(), shadow_pictures(), old_cameras(), other_pictures(), image_pictures()}) all.insert(all.end(), list.begin(), list.end());
     return all;
 }
 
