@@ -61,7 +61,7 @@ HWY_INLINE HWY_ATTR bool local_ray_lanes(const Ray& ray, const RayBounds& bounds
     const V e = hn::Add(hn::Mul(hn::Abs(origin), hn::Set(d, 4 * kUnitRoundoff<double>)), hn::Set(d, kOriginPad<double>));
     const V a = hn::Mul(hn::Sub(hn::Load(d, bounds.low), hn::Add(origin, e)), inverse), b = hn::Mul(hn::Sub(hn::Load(d, bounds.high), hn::Sub(origin, e)), inverse);
     const V enter = hn::Min(a, b), leave = hn::Max(a, b), first = hn::MaxOfLanes(d, enter), last = hn::MinOfLanes(d, leave);
-    if (near && !entry.clips && ray.tmin == 0) {
+    if (near && !entry.clips && ray.tmin >= 0) {
         local.leave_unclipped(ray, hn::GetLane(first) * to_local, hn::GetLane(last) * to_local);
     } else {
         local.set_interval(hn::GetLane(first) * to_local, hn::GetLane(last) * to_local);

@@ -46,7 +46,7 @@ void set_interval(const Ray& ray, const RayBounds& bounds, RayEntry entry, bool 
         if (leave <= far) far_blur = leave < far ? blur : std::max(far_blur, blur), far = leave;
     }
     const bool begins_near = is_near(local.origin, bounds, entry.far);
-    if (begins_near && !entry.clips && ray.tmin == 0 && local.is_plain()) return local.leave_unclipped(ray, near, far);
+    if (begins_near && !entry.clips && ray.tmin >= 0 && local.is_plain()) return local.leave_unclipped(ray, near, far);
     local.set_interval(near, far);
     if (!begins_near && entry.moves && local.enters_box() && (local.tmin > 0 || local.tmax < 0)) {
         local.move(near_blur, far_blur);

@@ -53,10 +53,10 @@ struct alignas(32) LocalRay {
     double lower(double caller) const { return padded_down((-above(-caller) - shift * to_caller) * to_local, kHitPad); }
     /// The part of the interval that is the caller's.
     void narrow(const Ray& ray) { tmin = std::max(tmin, lower(ray.tmin)), tmax = std::min(tmax, upper(ray.tmax)); }
-    /// The caller's interval, from 0 on; empty if a ray with these ends misses the bounds.
+    /// The caller's interval, which does not begin before 0; empty if a ray with these ends misses the bounds.
     [[gnu::always_inline]] inline void leave_unclipped(const Ray& ray, double near, double far) {
         far = SlabRay<double>::padded(far);
-        tmin = 0, tmax = !(near <= far && far >= 0) ? -1 : ray.tmax == std::numeric_limits<double>::infinity() ? ray.tmax : upper(ray.tmax);
+        tmin = ray.tmin == 0 ? 0 : std::max(0.0, lower(ray.tmin)), tmax = !(near <= far && far >= 0) ? -1 : ray.tmax == std::numeric_limits<double>::infinity() ? ray.tmax : upper(ray.tmax);
     }
 
   private:
@@ -84,7 +84,7 @@ inline bool can_hit(const Ray& ray, double largest) {
 struct RayEntry {
     bool moves;          ///< far: to where it enters the bounds. Custom primitives answer in the caller's t, so for them the ray stays where it is
     double far;
-    bool clips = true;   ///< near: its interval is that in which it is in the bounds. Else, from 0 on, it is the caller's, or empty where the ray misses them: nothing waits for the ends to be known
+    bool clips = true;   ///< near: its interval is that in which it is in the bounds. Else, where that does not begin before 0, it is the caller's, or empty where the ray misses them: nothing waits for the ends to be known
 };
 /// Pads grow with the distance: from as far away they are about a hundred thousandth of a mesh in float.
 inline constexpr double kFar = 64;

@@ -27,7 +27,7 @@ class Toy {
         Node root;
         if (!baked) root.to_parent = Transform::translate(offset) * Transform::scale(Vec3(scale));
         scene_.nodes.push_back(root), scene_.roots.push_back({0});
-        scene_.settings.max_depth = 5;
+        scene_.settings.max_depth = 5, scene_.settings.shadow_clearance = 0.001 * scale;
     }
 
     void surroundings() {

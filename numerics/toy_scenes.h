@@ -11,7 +11,7 @@ namespace alidade::numerics {
 /// A row for each closed form in the table of shapes, a mesh and a solid, times the surfaces.
 size_t toy_scene_count();
 
-/// Everything below one root that is scaled by `scale` and moved by `offset`; what is in world units (light, its fading and clearance, fog, the falling off of what is clear) is scaled to match.
+/// Everything below one root that is scaled by `scale` and moved by `offset`; what is in world units (light, its fading, clearances, fog, the falling off of what is clear) is scaled to match.
 Scene toy_scene(size_t number, double scale = 1, const Vec3& offset = Vec3(0));
 /// The same without a transform: vertices, the numbers of closed forms, the lights, the camera and the patterns are scaled themselves.
 Scene baked_toy_scene(size_t number, double scale);

@@ -48,15 +48,19 @@ void dump_animation(std::string& out, size_t i, const Animation& animation) {
             .field("width", c.width, Channel().width).always("times", c.times).always("values", c.values);
 }
 
-void dump_atmosphere(std::string& out, const Atmosphere& a) {
+void dump_fog(std::string& out, const Fog& f) {
     const Fog usual;
+    const Turbulence plain;
+    Line line(out, "  fog");
+    line.field("ground", f.ground).field("distance", f.distance).field("offset", f.offset).field("altitude", f.altitude);
+    if (const auto& t = f.turbulence) line.always("turbulence", t->amount).field("octaves", t->octaves, plain.octaves).field("omega", t->omega, plain.omega).field("lambda", t->lambda, plain.lambda);
+    line.field("turbulence_depth", f.turbulence_depth, usual.turbulence_depth).field("color", f.color).field("filter", f.filter).field("transmit", f.transmit).field("up", f.up, usual.up);
+}
+
+void dump_atmosphere(std::string& out, const Atmosphere& a) {
     Line(out, "atmosphere").field("background", a.background).field("background_mirrored", a.background_mirrored).field("background_over", a.background_over).field("background_shows", a.background_shows, 1.0).field("environment", a.environment).field("environment_image", a.environment_image)
         .field("environment_strength", a.environment_strength, Atmosphere().environment_strength);
-    for (const Fog& f : a.fogs)
-        Line(out, "  fog").field("ground", f.ground).field("distance", f.distance).field("offset", f.offset).field("altitude", f.altitude)
-            .field("turbulence", f.turbulence.amount).field("octaves", f.turbulence.octaves, usual.turbulence.octaves).field("omega", f.turbulence.omega, usual.turbulence.omega)
-            .field("lambda", f.turbulence.lambda, usual.turbulence.lambda).field("turbulence_depth", f.turbulence_depth, usual.turbulence_depth)
-            .field("color", f.color).field("filter", f.filter).field("transmit", f.transmit).field("up", f.up, usual.up);
+    for (const Fog& f : a.fogs) dump_fog(out, f);
     const Rainbow none;
     for (const Rainbow& r : a.rainbows)
         Line(out, "  rainbow").field("direction", r.direction, none.direction).field("up", r.up, none.up).field("angle", r.angle).field("width", r.width).field("distance", r.distance)
@@ -69,7 +73,7 @@ void dump_settings(std::string& out, const RenderSettings& r) {
     const RenderSettings usual;
     Line(out, "settings").field("max_depth", r.max_depth).field("adc_bailout", r.adc_bailout, usual.adc_bailout)
         .field("ambient_light", r.ambient_light, usual.ambient_light).field("noise", r.noise, usual.noise).field("irid_wavelength", r.irid_wavelength, usual.irid_wavelength).field("assumed_gamma", r.assumed_gamma, usual.assumed_gamma)
-        .field("srgb_coded", r.srgb_coded).field("filter_dims_by_colour", r.filter_dims_by_colour).field("see_through", r.see_through).field("follows_mirrors", r.follows_mirrors, true).field("first_box_shows", r.first_box_shows).field("default_light", r.default_light, true)
+        .field("srgb_coded", r.srgb_coded).field("filter_dims_by_colour", r.filter_dims_by_colour).field("see_through", r.see_through).field("follows_mirrors", r.follows_mirrors, true).field("first_box_shows", r.first_box_shows).field("shadow_clearance", r.shadow_clearance).field("default_light", r.default_light, true)
         .field("light_units", r.light_units).field("why_light_units", r.why_light_units).field("default_spp", r.default_spp, usual.default_spp)
         .field("generator", r.generator);
     if (r.lens_noise) Line(out, "lens_noise").always("variance", r.lens_noise->variance).always("confidence", r.lens_noise->confidence).always("fewest", r.lens_noise->fewest);

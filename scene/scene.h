@@ -58,7 +58,7 @@ struct Node {
 struct Fog {
     bool ground = false;
     double distance = 0, offset = 0, altitude = 0;
-    Turbulence turbulence{Vec3(0)};
+    std::optional<Turbulence> turbulence;     ///< also one of 0 makes way shorter: it shifts nothing, but the noise is not 0
     double turbulence_depth = 0.5;
     Color color{0};
     double filter = 0, transmit = 0;
@@ -130,7 +130,8 @@ struct RenderSettings {
     bool filter_dims_by_colour = false;       ///< POV before 3.7: a filter f of a colour c takes f max(c) of the opacity, not f
     SeeThrough see_through = SeeThrough::all;
     bool follows_mirrors = true;              ///< of POV scenes: what mirrors show is seen. What they take of the light behind them is lost in any case
-    bool first_box_shows = false;             ///< POV scenes: of surfaces that coincide, that of the object whose box a ray enters first is seen, of one without an end before all
+    bool first_box_shows = false;             ///< POV scenes: of surfaces that coincide, that of the object whose box a ray enters first is seen, of one without an end before all; but of two objects without a light the first
+    double shadow_clearance = 0;              ///< what is nearer than this, along a shadow ray, behind its beginning or the last surface that let light through, is not met (POV-Ray: 0.001); world units
     bool default_light = true;                ///< a scene without light gets a sky and a sun
     LightUnits light_units = LightUnits::radiometric;
     std::string why_light_units;

@@ -71,7 +71,7 @@ void check_atmosphere(Validation& v) {
     if ((a.environment && !is_finite(*a.environment)) || !std::isfinite(a.environment_strength))
         v.error({}, "the environment has a number that is not finite");
     for (const Fog& fog : a.fogs) {
-        const Turbulence& t = fog.turbulence;
+        const Turbulence t = fog.turbulence.value_or(Turbulence());
         if (!is_finite(fog.color) || !is_finite(Vec3(fog.filter, fog.transmit, fog.turbulence_depth)) || !is_finite(fog.up) || !is_finite(Vec3(fog.distance, fog.offset, fog.altitude)) ||
             !is_finite(t.amount) || !std::isfinite(t.omega) || !std::isfinite(t.lambda))
             v.error({}, "a fog has a number that is not finite");
@@ -82,7 +82,7 @@ void check_atmosphere(Validation& v) {
     if (a.sky && (!a.sky->transform.is_finite() || !is_finite(a.sky->emission))) v.error({}, "the sky has a number that is not finite");
     check_media(v, a.media, {}, label("the atmosphere"));
     const RenderSettings& r = v.scene.settings;
-    if (!std::isfinite(r.adc_bailout) || !std::isfinite(r.assumed_gamma) || !is_finite(r.ambient_light) || !is_finite(r.irid_wavelength))
+    if (!std::isfinite(r.adc_bailout) || !std::isfinite(r.shadow_clearance) || !std::isfinite(r.assumed_gamma) || !is_finite(r.ambient_light) || !is_finite(r.irid_wavelength))
         v.error({}, "the render settings have a number that is not finite");
     if (const auto& lens = r.lens_noise; lens && !(std::isfinite(lens->variance) && lens->confidence > 0 && lens->confidence < 1))
         v.error({}, "the noise of a lens has a variance that is not finite, or a confidence that is not between 0 and 1");

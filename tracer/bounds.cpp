@@ -10,15 +10,6 @@
 namespace alidade {
 namespace {
 
-/// Does POV-Ray look for objects by their boxes? Where it has three, with the lights.
-bool has_hierarchy(const CompiledScene& scene) {
-    constexpr size_t kLeastObjects = 3;
-    std::set<uint32_t> objects;
-    for (const Instance& instance : scene.instances)
-        if (objects.insert(instance.object).second && objects.size() + scene.lights.size() >= kLeastObjects) return true;
-    return false;
-}
-
 /// How many nodes of the path stand above the set or union that POV-Ray does not take apart.
 size_t above_object(const Scene& scene, const std::vector<NodeId>& path) {
     return size_t(std::ranges::find_if(path, [&](NodeId id) { return scene.nodes[id.index].whole || is_solid(scene.nodes[id.index]); }) - path.begin());
@@ -81,6 +72,14 @@ class KeptBox {
 };
 
 }  // namespace
+
+bool has_hierarchy(const CompiledScene& scene) {
+    constexpr size_t kLeastObjects = 3;
+    std::set<uint32_t> objects;
+    for (const Instance& instance : scene.instances)
+        if (objects.insert(instance.object).second && objects.size() + scene.lights.size() >= kLeastObjects) return true;
+    return false;
+}
 
 void find_bounds(CompiledScene& scene, const BoundedPaths& bounded) {
     if (bounded.empty()) return;

@@ -268,6 +268,7 @@ void build_structures(CompiledScene& out, const AcceleratorEntry& accel, std::ve
     build_solids(out, std::move(solids), said);
     find_bounds(out, bounded);
     if (out.scene.settings.first_box_shows) {
+        out.first_box_shows = has_hierarchy(out);
         out.object_boxes = object_boxes(out);
         bound_object_boxes(out, bounded);
     }

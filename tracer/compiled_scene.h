@@ -118,7 +118,8 @@ struct CompiledScene {
     std::vector<Geometry> geometries;
     std::vector<Instance> instances;
     std::vector<Solid> solids;
-    std::vector<Bounds> object_boxes;      ///< by Instance::object: of surfaces that coincide, that of the object whose box a ray enters first is seen. Empty: that of the first instance
+    std::vector<Bounds> object_boxes;      ///< by Instance::object; empty unless RenderSettings::first_box_shows
+    bool first_box_shows = false;          ///< of surfaces that coincide, that of the object whose box a ray enters first is seen. Else that of the first instance
     std::unique_ptr<BoundTests> bound_tests;   ///< null if nothing is bounded
     std::vector<std::vector<CutawayNode>> cutaways;   ///< operations whose parts are looked up at points of faces that show them
     std::vector<SlotMaterial> slots;

@@ -51,7 +51,7 @@ bool looked_for(const CompiledScene& scene, const Instance& instance, const Ray&
 
 bool InstanceSet::is_seen_before(const Ray& ray, double t, uint32_t instance, uint32_t primitive, const Hit& hit) const {
     const std::vector<Bounds>& boxes = scene_.object_boxes;
-    if (t != hit.t || !hit.valid() || boxes.empty()) return comes_before(t, instance, primitive, hit);
+    if (t != hit.t || !hit.valid() || !scene_.first_box_shows) return comes_before(t, instance, primitive, hit);
     const double entry = entry_of(ray, boxes[scene_.instances[instance].object]), other = entry_of(ray, boxes[scene_.instances[hit.instance].object]);
     return entry != other ? entry < other : comes_before(t, instance, primitive, hit);
 }

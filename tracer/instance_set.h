@@ -24,14 +24,14 @@ class InstanceSet final : public PrimitiveSet {
     /// The first surface of a solid before `hit`. `known`: the sides of its nodes where the ray goes, or nothing.
     bool intersect_solid(uint32_t id, const Ray& ray, Hit& hit, WorkCounters& work, std::span<const CsgSide> known = {}) const;
 
+    /// Is a crossing of the instance seen, and not `hit`? The nearer one, and of those that coincide what CompiledScene::first_box_shows says.
+    bool is_seen_before(const Ray& ray, double t, uint32_t instance, uint32_t primitive, const Hit& hit) const;
+
     bool is_solid(uint32_t id) const { return id >= scene_.instances.size(); }
     const Solid& solid(uint32_t id) const { return scene_.solids[id - scene_.instances.size()]; }
     Mask mask(uint32_t id) const { return is_solid(id) ? solid(id).mask : scene_.instances[id].mask; }
 
   private:
-    /// Is a crossing of the instance seen, and not `hit`? The nearer one, and of those that coincide what CompiledScene::object_boxes says.
-    bool is_seen_before(const Ray& ray, double t, uint32_t instance, uint32_t primitive, const Hit& hit) const;
-
     const CompiledScene& scene_;
     Mask seen_by_;
 };

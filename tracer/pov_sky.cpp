@@ -48,9 +48,9 @@ double ground_density(double start, double end) {
 /// The distance as it counts for a fog: turbulence makes it shorter, its density changes with the height.
 double optical_distance(const Fog& fog, NoiseGenerator noise, const Vec3& origin, const Vec3& direction, double distance) {
     double length = distance;
-    if (fog.turbulence.amount != Vec3(0)) {
-        const Vec3 middle = (origin + direction * (distance / 2)) * fog.turbulence.amount;
-        length *= 1 - std::exp(-distance / fog.distance) * std::min(1.0, turbulence(middle, fog.turbulence, noise) * fog.turbulence_depth);
+    if (const auto& t = fog.turbulence) {
+        const Vec3 middle = (origin + direction * (distance / 2)) * t->amount;
+        length *= 1 - std::exp(-distance / fog.distance) * std::min(1.0, turbulence(middle, *t, noise) * fog.turbulence_depth);
     }
     if (!fog.ground) return length;
     const Vec3 up = normalized(fog.up);

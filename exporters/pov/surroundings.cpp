@@ -22,8 +22,11 @@ void write_fog(const Fog& fog, Sdl& sdl) {
     sdl.line("fog_type", fog.ground ? 2 : 1, "distance", fog.distance);
     sdl.line(Rgbft{fog.color, fog.filter, fog.transmit});
     if (fog.ground) sdl.line("fog_offset", fog.offset, "fog_alt", fog.altitude, "up", fog.up);
-    write_turbulence(sdl, fog.turbulence);
-    if (fog.turbulence.amount != Vec3(0)) sdl.line("turb_depth", fog.turbulence_depth);
+    if (fog.turbulence) {
+        if (fog.turbulence->amount == Vec3(0)) sdl.line("turbulence 0");
+        write_turbulence(sdl, *fog.turbulence);
+        sdl.line("turb_depth", fog.turbulence_depth);
+    }
     sdl.end();
 }
 

@@ -39,6 +39,7 @@ TEST_F(PovBuilders, SettingsDependOnTheVersion) {
     EXPECT_EQ(now.assumed_gamma, 1);
     EXPECT_EQ(now.max_depth, 8);
     EXPECT_EQ(now.adc_bailout, 0.1);
+    EXPECT_EQ(now.shadow_clearance, 0.001);
     EXPECT_EQ(now.ambient_light.y, 2);
     EXPECT_EQ(scene("#version 3.6; global_settings { assumed_gamma 2.2 }").settings.assumed_gamma, 2.2);
     const std::string twice = "#version 3.6; global_settings { assumed_gamma 2.2 } global_settings { assumed_gamma 1 }";
@@ -56,6 +57,13 @@ TEST_F(PovBuilders, LevelsAndFogsOfOldScenes) {
         EXPECT_EQ(read.atmosphere.fogs[0].distance, 12) << fog;
         EXPECT_EQ(read.atmosphere.fogs[0].color.x, .5) << fog;
     }
+}
+
+TEST_F(PovBuilders, AFogThatSpeaksOfTurbulenceHasIt) {
+    const auto has = [&](const std::string& words) { return scene("fog { distance 9 " + words + " }").atmosphere.fogs.at(0).turbulence.has_value(); };
+    for (const char* words : {"turbulence 0", "turbulence .2", "octaves 6", "omega .5", "lambda 2"}) EXPECT_TRUE(has(words)) << words;
+    for (const char* words : {"", "turb_depth 1", "up x fog_type 2"}) EXPECT_FALSE(has(words)) << words;
+    EXPECT_TRUE(scene("#declare F = fog { distance 9 octaves 3 } fog { F rgb x }").atmosphere.fogs.at(0).turbulence.has_value());
 }
 
 /// For each layer of the last material that has several, from the bottom up: is it marked as uncoloured?

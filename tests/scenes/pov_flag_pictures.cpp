@@ -4,6 +4,16 @@
 
 namespace alidade::test {
 
+namespace {
+
+const std::string kTriangle = "triangle { <-2,0,-1>, <0,0,2>, <2,0,-1> pigment { rgb x } } ", kPlane = "plane { y, 0 pigment { checker rgb z rgb <.4,.6,1> } } ";
+
+std::string in_one_plane(const std::string& objects) {
+    return "#version 3.7; global_settings { assumed_gamma 1 } camera { location <4.5,2.5,-3> look_at 0 angle 50 } #default { finish { ambient 1 diffuse 0 } } " + objects;
+}
+
+}  // namespace
+
 std::vector<PovPicture> flag_pictures() {
     const std::string usual = "#version 3.7; global_settings { assumed_gamma 1 } background { rgb <.1,.2,.3> } camera { location <0,2,-6> look_at <0,.5,0> angle 50 } light_source { <10,20,-15> rgb <1,.9,.8> } "
                               "plane { y, -1 pigment { rgb .6 } finish { reflection .4 } } ";
@@ -35,6 +45,7 @@ std::vector<PovPicture> flag_pictures() {
         {"GlassOnTables", "#version 3.7; global_settings { assumed_gamma 1 } camera { location <0,4,-7> look_at <0,.2,0> angle 45 } light_source { <3,8,-3> 1 } background { rgb <.3,.4,.6> } #default { pigment { rgbf <1,.5,.5,.8> } }\n"
                           "box { <-3,-.2,-2>, <0,0,2> pigment { checker rgb 1 rgb .6 scale .3 } } box { <-2.4,0,-1>, <-1.2,.5,1> } box { <-1,0,-1>, <-.2,.5,1> interior { ior 1.3 } } box { <.3,0,-1>, <1.2,.3,1> } box { <.1,-.2,-2>, <2,0,2> pigment { checker rgb 1 rgb .6 scale .3 } }\n"
                           "box { <-3.2,-.3,-2.2>, <2.2,-.2,2.2> pigment { rgb y } }"},
+        {"TwoInOnePlaneAndNothingElse", in_one_plane(kTriangle + kPlane)}, {"TheSecondOfTwoInOnePlane", in_one_plane(kPlane + kTriangle)}, {"TwoInOnePlaneAndALight", in_one_plane(kTriangle + kPlane + "light_source { 9*y rgb 1 }")},
         {"CoincidentParts", "#version 3.7; global_settings { assumed_gamma 1 } camera { orthographic location -9*z look_at 0 right 8*x up 6*y } #default { finish { ambient 1 diffuse 0 } } #macro P(X,Y) translate <X*1.3-2.6,Y*1.3-1.3,0> #end "
          "#macro R() box { -.5, .5 pigment { rgb x } } #end #macro G() box { -.5, .5 pigment { rgb y } } #end #macro B() box { -.5, .5 pigment { rgb z } } #end #macro W() box { -3, 3 } #end #declare C = union { R() G() B() clipped_by { W() } } "
          "union { R() G() B() bounded_by { W() } P(0,0) } union { R() union { G() B() } split_union off P(1,0) } union { R() union { B() G() bounded_by { W() } } bounded_by { W() } P(2,0) } intersection { R() G() B() P(3,0) } intersection { union { R() G() B() } W() P(4,0) } "

@@ -31,6 +31,11 @@ std::string in_fog(const std::string& things, const std::string& camera = "locat
     return kHead + "camera { " + camera + " } fog { distance 8 rgb <.8,.8,.9> } " + kSun + "plane { y, -1 pigment { checker rgb 1 rgb <1,0,0> scale .7 } hollow }\n" + things;
 }
 
+/// A wall in a fog with these words.
+std::string unlit_wall(const std::string& words) {
+    return kHead + "camera { location 0 look_at <0,.2,1> angle 60 } plane { -z, -20 hollow pigment { checker rgb 1 rgb <.2,.5,1> scale 3 } finish { ambient 1 diffuse 0 } } fog { distance 30 rgb <.4,.2,.1> " + words + " }";
+}
+
 /// Twelve things in three rows, seen from the front: `thing` with the I-th of the declared list T.
 std::string twelve(const std::string& type, const std::string& list, const std::string& thing) {
     return kHead + "camera { orthographic location -10*z look_at 0 right 8*x up 6*y } light_source { <10,20,-30> rgb 1 }\n#declare T = array[12] { " + list + " }\n#for (I, 0, 11) " + thing +
@@ -168,6 +173,10 @@ std::vector<PovPicture> fog_pictures() {
         {"FogAndAnOrthographicCamera", in_fog("sphere { <0,2,-6>, 1 " + air + "}", "orthographic location <0,2,-6> look_at <0,.5,0> right 4*x up 3*y")},
         {"FogAndAnInverseSphere", in_fog("sphere { <0,2,-6>, 40 inverse pigment { rgb <.3,.2,.6> } } sphere { 0, 1 pigment { rgb 1 } }")},
         {"FogBehindHollowGlass", in_fog("sphere { 0, 1 pigment { rgbf <.9,1,.8,.8> } hollow interior { ior 1.4 } } sphere { <2,0,1>, 1 pigment { rgbf <.9,1,.8,.8> } interior { ior 1.4 } } merge { sphere { <-2,0,0>, .8 } sphere { <-2,1,0>, .6 } " + air + "}")},
+        {"FogWithTurbulenceOfNothing", unlit_wall("turbulence 0")},
+        {"FogWithOctavesAlone", unlit_wall("octaves 3 turb_depth .8")},
+        {"FogWithADepthOfTurbulenceAlone", unlit_wall("turb_depth .8")},
+        {"GroundFogWithOmegaAlone", unlit_wall("fog_type 2 fog_offset -3 fog_alt 2 omega .7")},
     };
 }
 
@@ -306,7 +315,7 @@ std::vector<PovPicture> other_pictures() {
 
 std::vector<PovPicture> pov_pictures() {
     std::vector<PovPicture> all;
-    for (const auto& list : {patterned_pictures(), light_pictures(), sampled_pictures(), fog_pictures(), effect_pictures(), cutaway_pictures(), default_pictures(), inside_pictures(), flag_pictures(), function_pictures(), bound_pictures(), old_cameras(), other_pictures(), image_pictures()}) all.insert(all.end(), list.begin(), list.end());
+    for (const auto& list : {patterned_pictures(), light_pictures(), sampled_pictures(), fog_pictures(), effect_pictures(), cutaway_pictures(), default_pictures(), inside_pictures(), flag_pictures(), function_pictures(), bound_pictures(), shadow_pictures(), old_cameras(), other_pictures(), image_pictures()}) all.insert(all.end(), list.begin(), list.end());
     return all;
 }
 

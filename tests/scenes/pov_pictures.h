@@ -42,6 +42,8 @@ std::vector<PovPicture> inside_pictures();
 std::vector<PovPicture> flag_pictures();
 /// Of functions as patterns.
 std::vector<PovPicture> function_pictures();
+/// Of shadows of what is near to each other.
+std::vector<PovPicture> shadow_pictures();
 std::vector<PovPicture> other_pictures();
 /// All of them.
 std::vector<PovPicture> pov_pictures();

@@ -151,6 +151,7 @@ INSTANTIATE_TEST_SUITE_P(Cutaways, PovPictures, testing::ValuesIn(cutaway_pictur
 INSTANTIATE_TEST_SUITE_P(Defaults, PovPictures, testing::ValuesIn(default_pictures()), [](const auto& info) { return std::string(info.param.name); });
 INSTANTIATE_TEST_SUITE_P(Insides, PovPictures, testing::ValuesIn(inside_pictures()), [](const auto& info) { return std::string(info.param.name); });
 INSTANTIATE_TEST_SUITE_P(Bounds, PovPictures, testing::ValuesIn(bound_pictures()), [](const auto& info) { return std::string(info.param.name); });
+INSTANTIATE_TEST_SUITE_P(Shadows, PovPictures, testing::ValuesIn(shadow_pictures()), [](const auto& info) { return std::string(info.param.name); });
 INSTANTIATE_TEST_SUITE_P(Functions, PovPictures, testing::ValuesIn(function_pictures()), [](const auto& info) { return std::string(info.param.name); });
 INSTANTIATE_TEST_SUITE_P(Flags, PovPictures, testing::ValuesIn(flag_pictures()), [](const auto& info) { return std::string(info.param.name); });
 INSTANTIATE_TEST_SUITE_P(Qualities, PovPictures, testing::ValuesIn(quality_pictures()), [](const auto& info) { return std::string(info.param.name); });

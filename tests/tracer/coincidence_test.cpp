@@ -35,6 +35,7 @@ SceneBuilder pair(const ShapeGeometry& first, const ShapeGeometry& second, bool 
     const MaterialId grey = b.material(b.lambert(Color(0.5)));
     b.object(first, grey), b.object(second, grey);
     b.camera({0, 0, -5}, Vec3(0));
+    b.light(PointLight(), Color(1));   // the third that POV-Ray wants for a hierarchy of boxes
     b.scene.settings.first_box_shows = by_boxes;
     return b;
 }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 /// Shadows, alpha, cameras, transforms: who sees what.
+#include "accel/accelerator.h"
 #include "tests/tracer/scene_builder.h"
 #include "tracer/cameras.h"
 #include "tracer/sampler.h"
@@ -186,6 +187,49 @@ TEST(Alpha, ShadowRaysMultiplyFilters) {
     EXPECT_NEAR(brightness(1, false) / open, 0.75, 1e-6);
     EXPECT_NEAR(brightness(2, false) / open, 0.5625, 1e-6);
     EXPECT_NEAR(brightness(2, true) / open, 0.5625, 1e-6);
+}
+
+/// What comes of the light above to a floor, through panes that leave 3/4 of it and past opaque squares, at these heights.
+struct Stack {
+    std::vector<double> panes, opaque;
+    double brightness(double clearance, const char* accel, bool with_extent) const {
+        SceneBuilder b;
+        b.object(Plane{{0, 1, 0}, 0}, b.material(b.lambert(Color(1))));
+        GltfPbr pane = b.lambert(Color(1));
+        pane.base_color = b.constant({1, 1, 1, 0.25});
+        pane.alpha_mode = AlphaMode::blend;
+        const MaterialId clear = b.material(pane), grey = b.material(b.lambert(Color(0.5)));
+        const Transform flat = Transform::rotate({1, 0, 0}, -kPi / 2);
+        const auto add = [&](double height, MaterialId material) {
+            b.object(square(), material, Transform::translate({0.3, height, 0.1}) * flat);
+            b.scene.nodes.back().flags.image = false;
+        };
+        for (const double height : panes) add(height, clear);
+        for (const double height : opaque) add(height, grey);
+        b.light(PointLight(), Color(40), Transform::translate({0, 5, 0}));
+        if (with_extent) b.scene.lights[0].shadow_grid = ShadowGrid{{0.01, 0, 0}, {0, 0, 0.01}, 2, 2};
+        b.camera({4, 1, 0}, {0, 0, 0}, 1);
+        b.scene.settings.shadow_clearance = clearance;
+        CompileOptions options;
+        options.accel = accel;
+        return value(rendered(b.scene, centre_rays(1), options).picture, 0, 0, "R");
+    }
+};
+
+/// Surfaces in the clearance behind the beginning of a ray, or behind the last one that counted, let all light through; those that do not count have none.
+TEST(Shadows, SurfacesCountThatAreApart) {
+    const struct { Stack stack; double apart, all; } cases[] = {
+        {{{1, 1.05}, {}}, 0.75, 0.5625}, {{{1, 1.2}, {}}, 0.5625, 0.5625}, {{{1, 1.06, 1.12}, {}}, 0.5625, 0.421875}, {{{1}, {1.05}}, 0.75, 0}, {{{1}, {1.2}}, 0, 0}, {{{1, 1.06}, {1.12}}, 0, 0},
+        {{{1, 1.12}, {1.06, 1.2}}, 0.5625, 0}, {{{0.55}, {0.5}}, 0, 0}, {{{}, {0.05}}, 1, 0}, {{{}, {0.2}}, 0, 0}, {{{0.05}, {0.12}}, 0, 0}, {{{0.05, 2}, {0.06}}, 0.75, 0}};
+    for (const AcceleratorEntry& accel : accelerators())
+        for (const bool with_extent : {false, true}) {
+            const double open = Stack().brightness(0, accel.name, with_extent);
+            EXPECT_GT(open, 0.1);
+            for (size_t i = 0; i < std::size(cases); ++i) {
+                EXPECT_NEAR(cases[i].stack.brightness(0.1, accel.name, with_extent) / open, cases[i].apart, 1e-6) << accel.name << " case " << i << " extent " << with_extent;
+                EXPECT_NEAR(cases[i].stack.brightness(0, accel.name, with_extent) / open, cases[i].all, 1e-6) << accel.name << " case " << i << " extent " << with_extent;
+            }
+        }
 }
 
 /// A sphere scaled to an ellipsoid: the normal is the gradient, not the scaled normal.

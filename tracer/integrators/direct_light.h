@@ -21,6 +21,7 @@ template <bool kFilters> [[gnu::always_inline]] inline Color visible(Tracing& tr
     Ray ray = spawn_ray(point, direction, distance);
     ray.mask = kMaskShadow;
     ray.time = state.time;
+    ray.tmin = tracing.scene.scene.settings.shadow_clearance;
     if constexpr (kFilters) {
         if (tracing.scene.filters_light) return filtered_light(tracing, ray, state.inside, among);
     }

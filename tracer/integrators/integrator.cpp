@@ -1,21 +1,73 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "tracer/instance_set.h"
 #include "tracer/integrators/direct_light.h"
 #include "tracer/pov_sky.h"
 #include "tracer/segment.h"
 
 namespace alidade {
 
-/// Filters are multiplied in the order of hits, so the product is the same, bit for bit, whatever structure found them.
-/// What is opaque is asked for first: it needs no list of hits.
-Color filtered_light(Tracing& tracing, Ray ray, const InteriorStack& start, Occluders* among) {
-    const auto& scene = tracing.scene;
+namespace {
+
+/// Leaves of the hits on filters those that count (RenderSettings::shadow_clearance); of those in one place the one that is seen.
+void keep_apart(const CompiledScene& scene, Ray ray, std::vector<Hit>& hits) {
+    const double clearance = scene.scene.settings.shadow_clearance;
+    size_t kept = 0;
+    for (const Hit& hit : hits) {
+        if (kept && hit.t == hits[kept - 1].t && scene.set->is_seen_before(ray, hit.t, hit.instance, hit.primitive, hits[kept - 1])) hits[kept - 1] = hit;
+        if (kept && hit.t < hits[kept - 1].t + clearance) continue;
+        if (kept) ray.tmin = hits[kept - 1].t + clearance;
+        hits[kept++] = hit;
+    }
+    hits.resize(kept);
+}
+
+/// May a filter keep the nearest opaque surface from counting? Rays that meet one seldom meet filters, and hardly ever one so close before it.
+bool in_a_clearance(Tracing& tracing, Ray ray, Occluders* among) {
+    const CompiledScene& scene = tracing.scene;
     WorkCounters& work = tracing.stats.work;
-    ray.mask = kMaskOpaque;
-    if (among ? among->occluded(scene, ray, work) : scene.top->occluded(ray, work)) return Color(0);
     ray.mask = kMaskFilter;
+    if (!(among ? among->occluded(scene, ray, work) : scene.filters->occluded(ray, work))) return false;
+    ray.mask = kMaskOpaque;
+    Hit opaque;
+    if (!scene.top->intersect(ray, opaque, work)) return true;
+    ray.mask = kMaskFilter;
+    ray.tmin = std::max(ray.tmin, opaque.t - scene.scene.settings.shadow_clearance), ray.tmax = opaque.t;
+    return scene.filters->occluded(ray, work);
+}
+
+/// Goes from hit to hit that counts, for rays that meet something opaque in the clearance behind a filter. False where an opaque one counts.
+bool surface_by_surface(const CompiledScene& scene, Ray ray, std::vector<Hit>& hits, WorkCounters& work) {
+    ray.mask = kMaskOpaque | kMaskFilter;
+    for (Hit hit; scene.top->intersect(ray, hit, work); hit = Hit()) {
+        const bool advances = hits.empty() || hit.t > hits.back().t;   // so far away the clearance may be lost in rounding
+        if (!advances || (scene.instances[hit.instance].mask & kMaskOpaque)) return false;
+        hits.push_back(hit);
+        ray.tmin = hit.t + scene.scene.settings.shadow_clearance;
+    }
+    return true;
+}
+
+/// All hits that count, in order, as tracing.passed; false if one of them is opaque. What is opaque is asked for first: it needs no list of hits.
+bool find_surfaces(Tracing& tracing, Ray ray, Occluders* among) {
+    const CompiledScene& scene = tracing.scene;
+    WorkCounters& work = tracing.stats.work;
+    const bool spaced = scene.scene.settings.shadow_clearance > 0;
     tracing.passed.clear();
+    ray.mask = kMaskOpaque;
+    const bool blocked = among ? among->occluded(scene, ray, work) : scene.top->occluded(ray, work);
+    if (blocked) return spaced && in_a_clearance(tracing, ray, among) && surface_by_surface(scene, ray, tracing.passed, work);
+    ray.mask = kMaskFilter;
     if (among) among->all_hits(scene, ray, tracing.passed, work);
     else scene.filters->all_hits(ray, tracing.passed, work);
+    if (spaced) keep_apart(scene, ray, tracing.passed);
+    return true;
+}
+
+}  // namespace
+
+/// Filters are multiplied in the order of hits, so the product is the same, bit for bit, whatever structure found them.
+Color filtered_light(Tracing& tracing, Ray ray, const InteriorStack& start, Occluders* among) {
+    if (!find_surfaces(tracing, ray, among)) return Color(0);
     InteriorStack inside = start;
     Color through(1);
     double t = 0;

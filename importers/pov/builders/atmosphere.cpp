@@ -28,7 +28,7 @@ void take_fog(Build& build, const Block& block, Fog& fog) {
         else if (at.accept("turb_depth"_w)) fog.turbulence_depth = at.number("the depth of turbulence");
         else if (at.accept("up"_w)) fog.up = at.vector("the direction of up");
         else if (at.at_transform()) fog.up = at.transform().vector(fog.up);
-        else if (take_turbulence(at, fog.turbulence)) continue;
+        else if (Turbulence t = fog.turbulence.value_or(Turbulence()); take_turbulence(at, t)) fog.turbulence = t;
         else if (at.at_number()) fog.distance = at.number("the distance of a fog");   // as version 1 had it: `fog { color White 200 }`
         else if (at.at_numeric()) {
             const std::array<double, 5> c = at.colour("the colour of a fog");

@@ -30,7 +30,7 @@ bool is_silent(const Cursor& at) {
 void begin_settings(Build& build) {
     RenderSettings& s = build.scene.settings;
     s.default_spp = 1;
-    s.default_light = false, s.first_box_shows = true;
+    s.default_light = false, s.first_box_shows = true, s.shadow_clearance = 0.001;
     s.max_depth = 4;
     s.adc_bailout = 1.0 / 255;
     s.srgb_coded = build.p.lacks_gamma();
