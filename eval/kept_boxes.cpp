@@ -121,13 +121,13 @@ Bounds KeptBoxes::own(const Chain& chain) {
     return box_of_shape(scene_.shapes[shape->index].geometry, to);
 }
 
-/// What bounds can itself be bounded, and by the same object twice: from some number on they bound nothing.
+/// What bounds can itself be bounded, and by the same object twice, again and again: from a number on that no other scene comes near they bound nothing.
 Bounds KeptBoxes::limited(const Chain& chain, Bounds box, std::vector<NodeId> Node::*limits) {
-    constexpr uint64_t kMost = 1'000'000;
+    const uint64_t most = 1'000'000 + 16 * scene_.nodes.size();
     Bounds common = kEverywhere;
     for (const auto& [id, to] : chain.nodes)
         for (const NodeId limit : scene_.nodes[id.index].*limits)
-            if (++asked_ < kMost && !this->chain(limit, to).inverse) common = intersection(common, of_limit(limit, to));
+            if (++asked_ < most && !this->chain(limit, to).inverse) common = intersection(common, of_limit(limit, to));
     return smaller_box(box, common);
 }
 
@@ -178,8 +178,9 @@ Bounds KeptBoxes::common(const Node& set) {
         const auto& [id, to] = part.nodes.back();
         const auto* shape = std::get_if<ShapeId>(&scene_.nodes[id.index].what);
         const ShapeGeometry* geometry = shape ? &scene_.shapes[shape->index].geometry : nullptr;
-        if (!inverse) box = intersection(box, of(set.children[i], placed));
-        if (const auto* plane = geometry ? std::get_if<Plane>(geometry) : nullptr) cut_by_plane(box, *plane, to, inverse);
+        const auto* plane = geometry ? std::get_if<Plane>(geometry) : nullptr;
+        if (plane) cut_by_plane(box, *plane, to, inverse);               // what limits the plane itself does not count
+        else if (!inverse) box = intersection(box, of(set.children[i], placed));
         if (const auto* quadric = geometry ? std::get_if<Quadric>(geometry) : nullptr; quadric && !inverse) quadrics.emplace_back(quadric, to);
     }
     for (const auto& [quadric, to] : quadrics) box = intersection(box, reach(moved(*quadric, to), box));

@@ -104,7 +104,7 @@ constexpr InternalFunction kInternalFunctions[] = {
     {76, "f_noise3d", 0, noise3d}, {78, "f_noise_generator", 1, noise_generator},
 };
 
-/// By number. None has number 77.
+/// By number. POV-Ray takes number 77, too, which its includes give no name.
 constexpr std::string_view kNames[] = {
     "f_algbr_cyl1", "f_algbr_cyl2", "f_algbr_cyl3", "f_algbr_cyl4", "f_bicorn", "f_bifolia", "f_blob", "f_blob2", "f_boy_surface", "f_comma", "f_cross_ellipsoids",
     "f_crossed_trough", "f_cubic_saddle", "f_cushion", "f_devils_curve", "f_devils_curve_2d", "f_dupin_cyclid", "f_ellipsoid", "f_enneper", "f_flange_cover",
@@ -113,7 +113,7 @@ constexpr std::string_view kNames[] = {
     "f_lemniscate_of_gerono", "f_lemniscate_of_gerono_2d", "f_mesh1", "f_mitre", "f_nodal_cubic", "f_odd", "f_ovals_of_cassini", "f_paraboloid", "f_parabolic_torus",
     "f_ph", "f_pillow", "f_piriform", "f_piriform_2d", "f_poly4", "f_polytubes", "f_quantum", "f_quartic_paraboloid", "f_quartic_saddle", "f_quartic_cylinder", "f_r",
     "f_ridge", "f_ridged_mf", "f_rounded_box", "f_sphere", "f_spikes", "f_spikes_2d", "f_spiral", "f_steiners_roman", "f_strophoid", "f_strophoid_2d", "f_superellipsoid",
-    "f_th", "f_torus", "f_torus2", "f_torus_gumdrop", "f_umbrella", "f_witch_of_agnesi", "f_witch_of_agnesi_2d", "f_noise3d", "", "f_noise_generator",
+    "f_th", "f_torus", "f_torus2", "f_torus_gumdrop", "f_umbrella", "f_witch_of_agnesi", "f_witch_of_agnesi_2d", "f_noise3d", "a function without a name", "f_noise_generator",
 };
 
 }  // namespace

@@ -215,10 +215,13 @@ void NodeWriter::cut(const char* word, const std::vector<NodeId>& by) {
 }
 
 /// Spheres that bound the node, and what it places, are written as they are behind the matrix: POV-Ray keeps a larger box of one that a matrix turns than of one that `rotate` turned, and cuts by that.
+/// Each of the nodes that place one another writes them again: from some on they stay as they are, before the matrix.
 void NodeWriter::turned_bounds(const Node& node) {
+    constexpr int kMostPlacements = 8;
+    int placements = 0;
     Transform to = node.to_parent;
     const auto index = [&](const Node* at) { return size_t(at - c_.scene.nodes.data()); };
-    for (const Node* at = &node; places_bounds_[index(at)]; to = to * at->to_parent) {
+    for (const Node* at = &node; places_bounds_[index(at)] && placements < kMostPlacements; ++placements, to = to * at->to_parent) {
         for (const NodeId id : at->bounds)
             if (const auto sphere = turned_sphere(c_.scene, id, to)) {
                 c_.sdl.begin("bounded_by");

@@ -153,7 +153,7 @@ Bounds common_box(const std::vector<Extent>& parts, bool difference) {
     Bounds box = kAllSpace;
     const auto inverted = [&](const Extent& part) { return part.inverse != (difference && &part != &parts.front()); };
     for (const Extent& part : parts)
-        if (!inverted(part)) box = intersection(box, box_of(part));
+        if (!inverted(part) && !part.plane) box = intersection(box, box_of(part));   // what limits a plane itself does not count
     for (const Extent& part : parts)
         if (part.plane) cut_by_plane(box, *part.plane, part.transform, inverted(part));
     for (const Extent& part : parts)

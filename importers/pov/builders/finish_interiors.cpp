@@ -13,6 +13,7 @@ namespace {
 struct SaidOfInterior {
     std::optional<double> ior, caustics, refraction;
 
+    auto operator<=>(const SaidOfInterior&) const = default;
     void add(const SaidOfInterior& later) {
         if (later.ior) ior = later.ior;
         if (later.caustics) caustics = later.caustics;
@@ -75,15 +76,22 @@ class InteriorFiller {
     void fill(NodeId id, const SaidOfInterior& said) {
         Node& node = scene_.nodes[id.index];
         if (!(said.ior || said.caustics || said.refraction.value_or(1) != 1) || !filled_.insert(id.index).second) return;
+        const auto [made, is_new] = made_.try_emplace({node.interior ? node.interior->index : kNoId, said});
+        if (is_new) made->second = add(node, said);
+        node.interior = made->second;
+    }
+
+    InteriorId add(const Node& node, const SaidOfInterior& said) {
         Interior in;
         if (node.interior) in = scene_.interiors[node.interior->index];
         else in.from = node.from;
         in.ior = said.ior.value_or(in.ior), in.caustics = said.caustics.value_or(in.caustics), in.refraction = said.refraction.value_or(in.refraction);
         scene_.interiors.push_back(std::move(in));
-        node.interior = InteriorId{uint32_t(scene_.interiors.size() - 1)};
+        return InteriorId{uint32_t(scene_.interiors.size() - 1)};
     }
 
     Scene& scene_;
+    std::map<std::pair<uint32_t, SaidOfInterior>, InteriorId> made_;   ///< of an interior, or none, and what is said of it
     std::map<std::pair<uint32_t, Texture>, SaidOfInterior> known_;
     std::set<uint32_t> filled_;
 };
