@@ -68,7 +68,7 @@ TEST(LocalRay, IsTheSameForAllInstructions) {
 /// Where a ray is not clipped, it is where it was, and its interval holds that of the clipped one from 0 on; it is empty only where that is.
 TEST(LocalRay, IsLeftWhereItIsNear) {
     const size_t count = run_size(300000, 10000000);
-    size_t near = 0, far = 0, missed = 0;
+    size_t near = 0, far = 0, missed = 0, late = 0;
     for (size_t n = 0; n < count; ++n) {
         Draws draws(RandomKey(52, 0, n, 0));
         Bounds box;
@@ -79,7 +79,7 @@ TEST(LocalRay, IsLeftWhereItIsNear) {
         const bool begins_near = max_abs(ray.origin - box.center()) <= 2 * max_component(box.extent());
         ASSERT_TRUE(!begins_near || clipped.shift == 0) << "seed 52, ray " << n;
         ASSERT_TRUE(!clipped.enters_box() || left.enters_box() || clipped.tmax <= kOriginPad<double>) << "seed 52, ray " << n;   // what is behind it may be in the pad of the clipped one
-        if (!begins_near || ray.tmin != 0 || !left.is_plain()) {
+        if (!begins_near || ray.tmin < 0 || !left.is_plain()) {
             ASSERT_TRUE(same_bits(clipped.tmin, left.tmin) && same_bits(clipped.tmax, left.tmax) && same_bits(clipped.origin, left.origin)) << "seed 52, ray " << n;
             far += clipped.shift != 0;
             continue;
@@ -87,10 +87,13 @@ TEST(LocalRay, IsLeftWhereItIsNear) {
         missed += !left.enters_box();
         if (!left.enters_box()) continue;
         ++near;
-        ASSERT_TRUE(left.shift == 0 && left.tmin == 0 && left.tmax >= std::min(left.upper(ray.tmax), ray.tmax == kInf ? kInf : clipped.tmax)) << "seed 52, ray " << n;
+        late += left.tmin > 0;
+        ASSERT_TRUE(left.tmin == (ray.tmin > 0 ? std::max(0.0, left.lower(ray.tmin)) : 0) && (!clipped.enters_box() || left.tmin <= std::max(0.0, clipped.tmin))) << "seed 52, ray " << n;
+        ASSERT_TRUE(left.shift == 0 && left.tmax >= std::min(left.upper(ray.tmax), ray.tmax == kInf ? kInf : clipped.tmax)) << "seed 52, ray " << n;
         ASSERT_TRUE(!clipped.enters_box() || left.tmax >= clipped.tmax) << "seed 52, ray " << n;
     }
     EXPECT_GT(near, count / 20);
+    EXPECT_GT(late, count / 1000);
     EXPECT_GT(far, count / 50);
     EXPECT_GT(missed, count / 50);
 }
