@@ -84,6 +84,7 @@ void check_atmosphere(Validation& v) {
     const RenderSettings& r = v.scene.settings;
     if (!std::isfinite(r.adc_bailout) || !std::isfinite(r.shadow_clearance) || !std::isfinite(r.assumed_gamma) || !is_finite(r.ambient_light) || !is_finite(r.irid_wavelength))
         v.error({}, "the render settings have a number that is not finite");
+    if (r.shadow_clearance < 0) v.error({}, "the clearance of shadows is negative");
     if (const auto& lens = r.lens_noise; lens && !(std::isfinite(lens->variance) && lens->confidence > 0 && lens->confidence < 1))
         v.error({}, "the noise of a lens has a variance that is not finite, or a confidence that is not between 0 and 1");
 }

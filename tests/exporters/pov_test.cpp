@@ -44,6 +44,29 @@ template <size_t I> void each_kind(const std::function<void(ShapeGeometry)>& f) 
     }
 }
 
+/// Placements of one another, each bounded by a sphere and turned: what is written of them grows with their number, and not with its square.
+TEST_F(PovFile, ChainsOfBoundedPlacementsStayLinear) {
+    const auto size_of = [&](uint32_t levels) {
+        Scene s = scene_of(Box{});
+        s.shapes.push_back({"bound", Sphere{Vec3(0), 4}, {}});
+        Node bound;
+        bound.what = ShapeId{1};
+        s.nodes.push_back(bound);
+        for (uint32_t i = 0; i < levels; ++i) {
+            Node above;
+            above.to_parent = Transform::rotate({0, 0, 1}, 0.1);
+            above.bounds = {NodeId{1}};
+            above.children = {s.roots[0]};
+            s.roots = {NodeId{uint32_t(s.nodes.size())}};
+            s.nodes.push_back(above);
+        }
+        return exported(s).size();
+    };
+    const size_t some = size_of(50);
+    EXPECT_THAT(text("scene.pov"), HasSubstr("bounded_by"));
+    EXPECT_LT(size_of(200), 5 * some);
+}
+
 TEST_F(PovFile, EveryKindOfShapeComesBack) {
     size_t kinds = 0;
     each_kind<0>([&](ShapeGeometry geometry) {

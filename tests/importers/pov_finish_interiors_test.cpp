@@ -82,6 +82,12 @@ TEST_F(PovFinishInteriors, ObjectsMadeOfOneDeclarationHaveTheirOwn) {
     EXPECT_EQ(interiors_of(scene(o + "union { object { U } object { U } object { O } } U")), "1.2/0.9 1.2/0.9 1.2/0.9 1.2/0.9 1.2/0.9 1.5/1 1.5/1");
 }
 
+TEST_F(PovFinishInteriors, EqualOnesAreOne) {
+    const std::string o = "#version 3.0; #declare O = union { sphere { 0, 1 texture { finish { ior 1.2 } } } sphere { x, 1 } } ";
+    const size_t one = scene(o + "object { O }").interiors.size();
+    EXPECT_EQ(scene(o + "#declare I = 0; #while (I < 50) object { O translate I*y } #declare I = I + 1; #end").interiors.size(), one);
+}
+
 TEST_F(PovFinishInteriors, AnIorBelowZeroIsNone) { EXPECT_EQ(interiors_of(scene("#version 3.0; sphere { 0, 1 interior { ior 1.8 } finish { ior -1 } }")), "1.8/1"); }
 
 }  // namespace

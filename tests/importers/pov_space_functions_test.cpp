@@ -172,6 +172,7 @@ TEST(PovSpaceFunctions, WhatCannotBeCalledIsAnErrorWithItsPlace) {
         {"#declare K = P(1, 2);", "4:14: error: the function takes 3 arguments, and 2 are given"},
         {"#declare K = N(1, 2, 3, 4);", "4:14: error: the function takes 3 arguments, and 4 are given"},
         {"#declare M = function { internal(12) } #declare K = M(1, 2, 3);", "4:14: error: f_cubic_saddle, which is internal(12), is not modelled yet"},
+        {"#declare M = function { internal(77) } #declare K = M(1, 2, 3);", "4:14: error: a function without a name, which is internal(77), is not modelled yet"},
         {"#declare M = function { P(x, y, z) } #declare K = M(1, 2, 3);", "4:25: error: this function gives a colour, and a component of it is expected"},
         {"#declare M = function { P(x, y, z) + 1 } #declare K = M(1, 2, 3);", "4:25: error: this function gives a colour"},
         {"#declare M = function { P(x, y).red } #declare K = M(1, 2, 3);", "4:25: error: the function takes 3 arguments"},

@@ -179,6 +179,7 @@ const Fault kFaults[] = {
     {"RainbowNan", [](Scene& s) { s.atmosphere.rainbows.resize(1), s.atmosphere.rainbows[0].arc_angle = kNan; }, Severity::error, "a rainbow has a number"},
     {"SkyNan", [](Scene& s) { s.atmosphere.sky->transform.translation.x = kNan; }, Severity::error, "the sky has a number that is not finite"},
     {"AirNan", [](Scene& s) { s.atmosphere.media[0].extinction = kNan; }, Severity::error, "the atmosphere has a medium with a number"},
+    {"ShadowClearanceBelowZero", [](Scene& s) { s.settings.shadow_clearance = -1; }, Severity::error, "the clearance of shadows is negative"},
     {"SettingsNan", [](Scene& s) { s.settings.assumed_gamma = kNan; }, Severity::error, "the render settings have a number"},
     // Animation
     {"NoKeys", [](Scene& s) { move(s).times.clear(); }, Severity::error, "sample.gltf:/nodes/1: error: animation 0, channel 0, has no keys"},

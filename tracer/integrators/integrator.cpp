@@ -9,13 +9,12 @@ namespace alidade {
 namespace {
 
 /// Leaves of the hits on filters those that count (RenderSettings::shadow_clearance); of those in one place the one that is seen.
-void keep_apart(const CompiledScene& scene, Ray ray, std::vector<Hit>& hits) {
+void keep_apart(const CompiledScene& scene, const Ray& ray, std::vector<Hit>& hits) {
     const double clearance = scene.scene.settings.shadow_clearance;
     size_t kept = 0;
     for (const Hit& hit : hits) {
         if (kept && hit.t == hits[kept - 1].t && scene.set->is_seen_before(ray, hit.t, hit.instance, hit.primitive, hits[kept - 1])) hits[kept - 1] = hit;
         if (kept && hit.t < hits[kept - 1].t + clearance) continue;
-        if (kept) ray.tmin = hits[kept - 1].t + clearance;
         hits[kept++] = hit;
     }
     hits.resize(kept);
