@@ -79,15 +79,23 @@ class Finder {
 class Holding {
   public:
     Holding(const CompiledScene& scene, const std::vector<CutawayNode>& nodes, const ShadePoint& point) : scene_(scene), nodes_(nodes), point_(point), leaves_(scene, unused_), holds_(nodes.size()) {
-        for (size_t i = nodes.size(); i-- > 0; ) holds_[i] = nodes[i].op == CsgOp::leaf ? leaf_holds(nodes[i]) : operation_holds(i);
+        for (size_t i = nodes.size(); i-- > 0; ) holds_[i] = nodes[i].op == CsgOp::leaf ? leaf_holds(i) : operation_holds(i);
     }
     bool operator[](size_t node) const { return holds_[node]; }
 
   private:
-    bool leaf_holds(const CutawayNode& leaf) const {
+    bool leaf_holds(size_t node) const {
+        const CutawayNode& leaf = nodes_[node];
         if (leaf.instance == kNoId) return false;
-        const bool inside = leaf.instance == point_.instance || leaves_.inside(leaf.instance, point_.position);    // what was hit holds its surface
-        return inside != (leaf.inverse && csg_leaf(scene_, leaf.instance).inside != CsgInside::nowhere);
+        if (leaf.instance == point_.instance) return nodes_[leaf.parent].inverted == carves(node);
+        return leaves_.inside(leaf.instance, point_.position) != (leaf.inverse && csg_leaf(scene_, leaf.instance).inside != CsgInside::nowhere);
+    }
+
+    /// All that is around the part that was hit holds its surface, so what differences take away does not: of two that cut, one within the other, the inner gives.
+    bool carves(size_t node) const {
+        bool carves = false;
+        for (; node != 0; node = nodes_[node].parent) carves = carves != (nodes_[node].cuts && nodes_[nodes_[node].parent].op == CsgOp::difference);
+        return carves;
     }
 
     bool operation_holds(size_t node) const {
