@@ -223,6 +223,27 @@ void Parser::warn_of_nuls(uint16_t source) {
     if (nul != std::string_view::npos) warn({source, uint32_t(nul)}, "a byte 0 is taken as a blank, as in POV-Ray: is this a text file?");
 }
 
+namespace {
+
+/// The name of a file beside those that were looked for which is spelt nearly so; empty if there is none.
+std::string file_meant(const SourceFinder& finder, const std::string& name) {
+    constexpr size_t kFarthest = 2;
+    size_t least = std::min(kFarthest, name.size() / 3) + 1;
+    std::string meant;
+    const std::filesystem::path below = std::filesystem::path(name).parent_path(), asked = std::filesystem::path(name).filename();
+    for (const std::filesystem::path& folder : finder.folders()) {
+        std::error_code failed;
+        for (std::filesystem::directory_iterator at(folder / below, failed), end; !failed && at != end; at.increment(failed)) {
+            const std::string there = at->path().filename().string();
+            const size_t far = edit_distance(asked.string(), there);
+            if ((far < least || (far == least && !meant.empty() && there < meant)) && finder.find((below / there).string())) least = far, meant = there;
+        }
+    }
+    return meant.empty() ? "" : (below / meant).string();
+}
+
+}  // namespace
+
 std::string Parser::path_of_include(const std::string& name, Place at) {
     std::optional<SourceFinder::Found> found;
     if (!std::filesystem::path(name).has_extension()) found = finder.find(name + ".inc");   // POV-Ray prefers it (by experiment)
@@ -232,6 +253,7 @@ std::string Parser::path_of_include(const std::string& name, Place at) {
         if (const auto own = TextFiles::below(*options.write_folder, name); own && files.wrote(*own)) return *own;
     if (!found || (found->other_case && options.strict)) {
         const bool installed = std::filesystem::exists(kStandardIncludes);
+        if (const std::string meant = found ? "" : file_meant(finder, name); !meant.empty()) fail_limit(at, fmt::format("the file {} is not found", name), fmt::format("did you mean {}?", meant));
         fail_limit(at, fmt::format("the file {} is not found", name),
                    installed ? "say where it lies with -I DIR (alidade povray: +LDIR)" : "POV-Ray's own includes are in the package povray-includes; other folders are given with -I DIR (alidade povray: +LDIR)");
     }

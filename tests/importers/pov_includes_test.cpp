@@ -56,6 +56,9 @@ TEST(PovIncludes, AreNamedWhereTheyAreMissing) {
     EXPECT_EQ(hint("sphere { 0, 1 finish { Shiny } }"), "finish.inc declares it: #include \"finish.inc\"");
     EXPECT_EQ(hint("#declare Diameter = 2; sphere { 0, Diametre }"), "did you mean Diameter?");
     EXPECT_EQ(hint("sphere { 0, Fo }"), "") << "short names are near to everything";
+    EXPECT_EQ(hint("#include \"colrs.inc\""), "did you mean colors.inc?");
+    EXPECT_EQ(hint("#include \"COLRS.INC\""), "did you mean colors.inc?");
+    EXPECT_THAT(hint("#include \"some other.inc\""), testing::HasSubstr("say where it lies"));
     EXPECT_EQ(hint("sphere { 0, AA }"), "") << "which shapes.inc has for itself";
 }
 
