@@ -100,10 +100,11 @@ bool InstanceSet::intersect(std::span<const uint32_t> ids, const Ray& ray, Hit& 
 }
 
 bool InstanceSet::occluded(std::span<const uint32_t> ids, const Ray& ray, WorkCounters& work) const {
+    Hit unused;   // written to where something is crossed, and not read
     for (const uint32_t id : ids) {
-        Hit unused;
         if (is_solid(id)) {
-            if (intersect_solid(id, ray, unused, work)) return true;
+            Hit none;
+            if (intersect_solid(id, ray, none, work)) return true;
             continue;
         }
         const Instance& instance = scene_.instances[id];
