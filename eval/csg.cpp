@@ -46,7 +46,7 @@ bool meets(const CsgNode& node) { return node.op == CsgOp::intersection || node.
 
 class Walk {
   public:
-    Walk(std::span<const CsgNode> nodes, std::span<const CsgSide> known, const Ray& ray, const CsgLeaves& leaves) : nodes_(nodes), known_(known), ray_(ray), leaves_(leaves), s_(scratch()), reach_(max_abs(ray.origin) / max_abs(ray.dir)), over_dir_(1.0 / ray.dir) {
+    Walk(std::span<const CsgNode> nodes, std::span<const CsgSide> known, const Ray& ray, const CsgLeaves& leaves) : nodes_(nodes), known_(known), ray_(ray), asked_(ray), leaves_(leaves), s_(scratch()), reach_(max_abs(ray.origin) / max_abs(ray.dir)), over_dir_(1.0 / ray.dir) {
         s_.crossings.clear(), s_.at_points.clear();
         if (s_.states.size() < nodes.size()) s_.states.resize(nodes.size());
     }
@@ -62,9 +62,11 @@ class Walk {
         range_ = {std::max(ray_.tmin, box.entry), std::min(ray_.tmax, box.exit)};
         if (box.empty() || range_.empty()) return;
         range_ = widened(range_);
-        if (!gather(0, {range_, range_})) return;
+        Ranges ranges;
+        set_crossings(ranges, range_), ranges.boxes = range_;
+        if (!gather(0, ranges)) return;
         auto& all = s_.crossings;
-        std::sort(all.begin(), all.end(), [](const CsgCrossing& a, const CsgCrossing& b) { return a.hit.t != b.hit.t ? a.hit.t < b.hit.t : a.node < b.node; });
+        if (all.size() > 1) std::sort(all.begin(), all.end(), [](const CsgCrossing& a, const CsgCrossing& b) { return a.hit.t != b.hit.t ? a.hit.t < b.hit.t : a.node < b.node; });
         for (size_t first = 0, end; first < all.size() && all[first].hit.t <= range_.exit; first = end) {
             for (end = first + 1; end < all.size() && coincide(all[end - 1], all[end]); ) ++end;
             const std::span<const CsgCrossing> place(all.data() + first, end - first);
@@ -89,12 +91,11 @@ class Walk {
   private:
     /// The part of `range` in a box, widened. What is not a number, where a line lies in a plane of the box, shortens nothing.
     LineInterval within(const Bounds& box, LineInterval range) const {
-        if (box.empty()) return {kInf, -kInf};
         for (int axis = 0; axis < 3; ++axis) {
             const double a = (box.min[axis] - ray_.origin[axis]) * over_dir_[axis], b = (box.max[axis] - ray_.origin[axis]) * over_dir_[axis];
-            const double entry = b < a ? b : a, exit = b < a ? a : b;
-            if (entry > range.entry) range.entry = entry;
-            if (exit < range.exit) range.exit = exit;
+            const double entry = b < a ? b : a, exit = a > b ? a : b;   // each by an instruction of its own
+            range.entry = entry > range.entry ? entry : range.entry;
+            range.exit = exit < range.exit ? exit : range.exit;
         }
         return widened(range);
     }
@@ -107,29 +108,41 @@ class Walk {
     /// others are there does not matter. Outside of `boxes`, which is shorter, boxes tell it.
     struct Ranges {
         LineInterval crossings, boxes;
+        LineInterval same;    ///< `crossings`, and what can count as one place with its ends
+        LineInterval asked;   ///< a thousand times as far beyond it
     };
 
-    /// Asks the leaves that can matter within the ranges for their crossings; false if the node is all inside or all outside there and has no surface.
-    bool gather(uint32_t n, const Ranges& ranges) {
+    void set_crossings(Ranges& ranges, const LineInterval& range) const {
+        const double before = near(range.entry), behind = near(range.exit);
+        ranges.crossings = range;
+        ranges.same = {range.entry - before, range.exit + behind};
+        ranges.asked = {range.entry - 1000 * before, range.exit + 1000 * behind};
+    }
+
+    /// Asks the leaves that can matter within the ranges for their crossings; false if the node is all inside or all outside there and has no surface. In line: most nodes are left at once.
+    [[gnu::always_inline]] inline bool gather(uint32_t n, const Ranges& ranges) {
         const CsgNode& node = nodes_[n];
         State& state = s_.states[n] = {};
         if (!(node.mask & ray_.mask)) return state.inside = n != 0 && meets(nodes_[node.parent]), false;
         if (!known_.empty() && known_[n] != CsgSide::varies) return state.inside = known_[n] == CsgSide::inside, false;
-        const LineInterval boxes = within(node.box, ranges.boxes);
-        if (boxes.empty()) return state.inside = node.far, false;
-        return node.op == CsgOp::leaf ? gather_leaf(n, ranges.crossings) : gather_parts(n, {ranges.crossings, boxes});
+        if (node.extent == CsgExtent::nowhere) return state.inside = node.far, false;
+        LineInterval boxes = ranges.boxes;
+        if (node.extent == CsgExtent::in_box && n != 0) {   // that of the root is around what run() looks at
+            boxes = within(node.box, boxes);
+            if (boxes.empty()) return state.inside = node.far, false;
+        }
+        return node.op == CsgOp::leaf ? gather_leaf(n, ranges) : gather_parts(n, ranges, boxes);
     }
 
-    bool gather_leaf(uint32_t n, const LineInterval& range) {
+    [[gnu::always_inline]] inline bool gather_leaf(uint32_t n, const Ranges& ranges) {
         const CsgNode& node = nodes_[n];
         const size_t had = s_.crossings.size();
-        Ray asked = ray_;   // a thousand times as far as what can count as one place
-        asked.tmin = range.entry - 1000 * near(range.entry), asked.tmax = range.exit + 1000 * near(range.exit);
-        const bool comes_from_inside = leaves_.crossings(node.leaf, asked, s_.crossings);
+        asked_.tmin = ranges.asked.entry, asked_.tmax = ranges.asked.exit;
+        const bool comes_from_inside = leaves_.crossings(node.leaf, asked_, s_.crossings);
         for (size_t i = had; i < s_.crossings.size(); ++i) s_.crossings[i].node = n;
         s_.states[n].inside = node.inverted != (node.inside == CsgInside::by_crossings && comes_from_inside);
         if (node.inside == CsgInside::at_points) s_.at_points.push_back(n);
-        if (node.inside == CsgInside::by_crossings && settle(n, had, range)) return false;
+        if (node.inside == CsgInside::by_crossings && settle(n, had, ranges.same)) return false;
         if (node.bounded && s_.crossings.size() > had) see(n);
         return node.inside == CsgInside::at_points || s_.crossings.size() > had;
     }
@@ -142,13 +155,12 @@ class Walk {
         s_.states[n].unseen = !seen;
     }
 
-    /// If none of the crossings from `had` on is in or near `range`, the leaf is all inside or all outside there, and they are dropped.
+    /// If none of the crossings from `had` on is in `range`, the leaf is all inside or all outside there, and they are dropped.
     bool settle(uint32_t n, size_t had, const LineInterval& range) {
         auto& all = s_.crossings;
-        const double entry = range.entry - near(range.entry), exit = range.exit + near(range.exit);
         bool inside = s_.states[n].inside;
-        for (size_t i = had; i < all.size() && all[i].hit.t <= exit; ++i) {
-            if (all[i].hit.t >= entry) return false;
+        for (size_t i = had; i < all.size() && all[i].hit.t <= range.exit; ++i) {
+            if (all[i].hit.t >= range.entry) return false;
             inside = !inside;
         }
         all.resize(had);
@@ -178,8 +190,10 @@ class Walk {
         return false;
     }
 
-    bool gather_parts(uint32_t n, Ranges ranges) {
+    bool gather_parts(uint32_t n, const Ranges& given, const LineInterval& boxes) {
         const CsgNode& node = nodes_[n];
+        Ranges ranges = given;
+        ranges.boxes = boxes;
         const size_t had = s_.crossings.size(), points = s_.at_points.size();
         const bool is_meet = meets(node);
         bool varies = false;
@@ -190,7 +204,7 @@ class Walk {
             varies = varies || part_varies;
             count += inside;
             if (part_varies && is_meet && nodes_[part].op == CsgOp::leaf && nodes_[part].inside == CsgInside::by_crossings) {
-                ranges.crossings = inside_leaf(part, first, ranges.crossings);
+                set_crossings(ranges, inside_leaf(part, first, ranges.crossings));
                 ranges.boxes = {std::max(ranges.boxes.entry, ranges.crossings.entry), std::min(ranges.boxes.exit, ranges.crossings.exit)};
             }
             // What is clipped shows no surface: whether the line is inside of all of it, nobody asks.
@@ -302,6 +316,7 @@ class Walk {
     std::span<const CsgNode> nodes_;
     std::span<const CsgSide> known_;   // nothing: no side is known
     const Ray& ray_;
+    Ray asked_;            ///< the same for a leaf, with the interval that is asked for
     const CsgLeaves& leaves_;
     Scratch& s_;
     double reach_;         ///< the size of the ray's origin, in t

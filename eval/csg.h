@@ -94,6 +94,9 @@ class CsgLeaves {
 /// A box around what is inside of a leaf, turned inside out or not, within a box whose sides may be infinite.
 using CsgNarrow = std::function<Bounds(uint32_t leaf, bool inverted, const Bounds& box)>;
 
+/// Where a node is more than all inside or all outside.
+enum class CsgExtent : uint8_t { nowhere, in_box, everywhere };
+
 /// A node with its subtree behind it.
 struct CsgNode {
     CsgOp op = CsgOp::leaf;         ///< never difference
@@ -101,6 +104,7 @@ struct CsgNode {
     bool inverted = false;          ///< leaves alone
     bool far = false;               ///< is it inside everywhere outside of `box`?
     bool bounded = false;           ///< leaves alone: some rays do not see its surface (CsgLeaves::sees)
+    CsgExtent extent = CsgExtent::in_box;   ///< what `box` says, at a glance
     uint32_t leaf = kNoId;
     uint32_t parent = 0, place = 0; ///< the number among its siblings, which need not stand in that order
     uint32_t end = 0;               ///< the first node behind the subtree

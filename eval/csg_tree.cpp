@@ -155,12 +155,17 @@ void finish_below(Plain& p, const CsgNarrow& narrow) {
     finish(p, narrow);
 }
 
+CsgExtent extent_of(const Bounds& box) {
+    if (box.empty()) return CsgExtent::nowhere;
+    return box.min == Vec3(-kInf) && box.max == Vec3(kInf) ? CsgExtent::everywhere : CsgExtent::in_box;
+}
+
 void emit(const Plain& p, uint32_t parent, uint32_t place, std::vector<CsgNode>& out) {
     const uint32_t self = uint32_t(out.size());
     CsgNode node;
     node.op = p.op, node.inside = p.leaf.inside, node.inverted = p.inverted, node.far = p.far, node.leaf = p.leaf.id;
     node.parent = parent, node.place = place, node.children = uint32_t(p.parts.size());
-    node.mask = p.mask, node.rank = p.rank, node.box = p.box;
+    node.mask = p.mask, node.rank = p.rank, node.box = p.box, node.extent = extent_of(p.box);
     out.push_back(node);
     std::vector<uint32_t> order(node.children);
     std::iota(order.begin(), order.end(), 0u);

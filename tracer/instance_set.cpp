@@ -37,14 +37,20 @@ bool first_crossing(const Geometry& geometry, const Ray& local, Wanted wanted, u
 /// Is what was crossed there for this ray? Out of line: scenes without bounds that may be missed pay for a comparison alone.
 [[gnu::noinline]] bool passes_bounds(const CompiledScene& scene, const Instance& instance, const Ray& ray) { return scene.bound_tests->passes(instance.bound_test, ray); }
 
-/// Do structures look for the instance on this line? A line that passes by its box may seem to meet it all the same: from so far away that the instance is smaller than the roundings of the local ray.
-/// And nobody sees it who misses what bounds it.
-bool looked_for(const CompiledScene& scene, const Instance& instance, const Ray& ray) {
-    if (instance.bound_test != kNoId && !passes_bounds(scene, instance, ray)) return false;
-    const Bounds& box = instance.bounds;
-    if (instance.in_place || !inside_bounds(ray, box).empty()) return true;   // crossings in place lie in the bounds of their shape
+/// Does a line that passes by the box of an instance seem to meet it all the same? So it may from so far away that the instance is smaller than the roundings of the local ray. Out of line: lines that are in the box do not ask.
+[[gnu::noinline]] bool may_seem_to_meet(const Ray& ray, const Bounds& box) {
     const bool bounded = max_abs(box.min) <= kLargestCoordinate<double> && max_abs(box.max) <= kLargestCoordinate<double>;
     return !bounded || local_ray(ray, box, {false, kFar}).enters_box();
+}
+
+/// Do structures look for the instance on this line? Nobody sees it who misses what bounds it. `in_box`: where the line is in the box of the instance, as clamp_to_bounds() has it; all of it where crossings lie there anyway.
+bool looked_for(const CompiledScene& scene, const Instance& instance, const Ray& ray, LineInterval& in_box) {
+    if (instance.bound_test != kNoId && !passes_bounds(scene, instance, ray)) return false;
+    if (instance.in_place) return true;   // crossings in place lie in the bounds of their shape
+    in_box = inside_bounds(ray, instance.bounds);
+    if (!in_box.empty()) return true;
+    in_box = {};
+    return may_seem_to_meet(ray, instance.bounds);
 }
 
 }  // namespace
@@ -83,8 +89,9 @@ bool InstanceSet::intersect(std::span<const uint32_t> ids, const Ray& ray, Hit& 
         if (hit.t < ray.tmax) local.tmax = std::min(ray.tmax, hit.t + instance_slack(ray, hit.t));
         Hit candidate;
         const bool crossed = geometry.mesh ? geometry.triangles->intersect(local, candidate, work, id) : first_crossing(geometry, local, Wanted::first, id, candidate, work);
-        if (!crossed || !looked_for(scene_, instance, ray)) continue;
-        if (!instance.in_place) candidate.t = clamp_to_bounds(candidate.t, ray, instance.bounds);
+        LineInterval in_box;
+        if (!crossed || !looked_for(scene_, instance, ray, in_box)) continue;
+        candidate.t = std::clamp(candidate.t, in_box.entry, in_box.exit);
         if (!is_seen_before(ray, candidate.t, id, candidate.primitive, hit)) continue;
         hit = candidate;
         found = true;
@@ -93,10 +100,11 @@ bool InstanceSet::intersect(std::span<const uint32_t> ids, const Ray& ray, Hit& 
 }
 
 bool InstanceSet::occluded(std::span<const uint32_t> ids, const Ray& ray, WorkCounters& work) const {
+    Hit unused;   // written to where something is crossed, and not read
     for (const uint32_t id : ids) {
-        Hit unused;
         if (is_solid(id)) {
-            if (intersect_solid(id, ray, unused, work)) return true;
+            Hit none;
+            if (intersect_solid(id, ray, none, work)) return true;
             continue;
         }
         const Instance& instance = scene_.instances[id];
@@ -104,7 +112,8 @@ bool InstanceSet::occluded(std::span<const uint32_t> ids, const Ray& ray, WorkCo
         const Geometry& geometry = scene_.geometries[instance.geometry];
         const Ray local = instance.local(ray);
         const bool crossed = geometry.mesh ? geometry.triangles->occluded(local, work) : first_crossing(geometry, local, Wanted::any, id, unused, work);
-        if (crossed && looked_for(scene_, instance, ray)) return true;
+        LineInterval unasked;
+        if (crossed && looked_for(scene_, instance, ray, unasked)) return true;
     }
     return false;
 }
@@ -129,8 +138,12 @@ void InstanceSet::all_hits(std::span<const uint32_t> ids, const Ray& ray, std::v
             for (int i = 0; i < crossings.count; ++i)
                 if (crossings.at[i].t >= ray.tmin && crossings.at[i].t <= ray.tmax) hits.push_back(hit_of(crossings.at[i], id));
         }
-        if (hits.size() > first && !looked_for(scene_, instance, ray)) hits.resize(first);
-        for (size_t i = first; i < hits.size(); ++i) hits[i].t = clamp_to_bounds(hits[i].t, ray, instance.bounds);
+        if (hits.size() == first) continue;
+        LineInterval in_box;
+        if (!looked_for(scene_, instance, ray, in_box)) hits.resize(first);
+        if (instance.in_place) in_box = inside_bounds(ray, instance.bounds);
+        if (in_box.empty()) in_box = {};
+        for (size_t i = first; i < hits.size(); ++i) hits[i].t = std::clamp(hits[i].t, in_box.entry, in_box.exit);
     }
 }
 

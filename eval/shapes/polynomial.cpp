@@ -85,10 +85,14 @@ template <bool kMagnitudes> Powers<kMagnitudes> on_line(const Polynomial& f, con
 
 /// No magnitude of a coefficient on the line is larger: the sum of those of f, with every power of s at 1.
 double largest_magnitude(const Polynomial& f, const Vec3& p, const Vec3& u) {
-    double sum = 0;
-    for (const double c : f.coefficients) sum += std::abs(c);
+    double sums[4] = {};   // four at once
+    size_t i = 0;
+    for (; i + 4 <= f.coefficients.size(); i += 4)
+        for (size_t k = 0; k < 4; ++k) sums[k] += std::abs(f.coefficients[i + k]);
+    for (; i < f.coefficients.size(); ++i) sums[0] += std::abs(f.coefficients[i]);
+    double sum = (sums[0] + sums[1]) + (sums[2] + sums[3]);
     const double reach = std::max(1.0, max_abs(glm::abs(p) + glm::abs(u)));
-    for (int i = 0; i < f.order; ++i) sum *= reach;
+    for (int power = 0; power < f.order; ++power) sum *= reach;
     return sum;
 }
 

@@ -22,6 +22,17 @@ struct Univariate {
     }
 };
 
+/// A Univariate whose degree the compiler knows: of the loops over so few coefficients, counting is half.
+template <int kDegree> struct UnivariateOf {
+    const double* a;
+
+    std::pair<double, double> operator()(double x) const {
+        double value = a[kDegree], slope = 0;
+        for (int i = kDegree; i-- > 0;) slope = slope * x + value, value = value * x + a[i];
+        return {value, slope};
+    }
+};
+
 /// k such that all roots lie within 2^k, and for x scaled by a power of two, the k changed by its exponent.
 int bound_exponent(std::span<const double> a) {
     const int degree = int(a.size()) - 1, leading = exponent_of(a.back());
@@ -55,8 +66,8 @@ Univariate derivative(const Univariate& f) {
 /// f bends back at an extreme: where that is found to 2^-40, f itself is right to 2^-80.
 constexpr double kOfExtremes = 0x1p-40, kOfRoots = 0x1p-51;
 
-/// The roots of f within -1 .. 1, from those of its derivative there. Those outside of from .. to are not found exactly.
-int roots_between(const Univariate& f, const double* extremes, int count, double precision, double* roots, double from = -1, double to = 1) {
+/// roots_between(), of a Univariate or a UnivariateOf.
+template <class F> int roots_between_in_steps(const F& f, const double* extremes, int count, double precision, double* roots, double from, double to) {
     constexpr double kLeastStep = 0x1p-110;   // for a root at 0, which no relative step is small enough for
     int found = 0;
     double low = -1;
@@ -68,6 +79,15 @@ int roots_between(const Univariate& f, const double* extremes, int count, double
         low = high, positive = next;
     }
     return found;
+}
+
+/// The roots of f within -1 .. 1, from those of its derivative there. Those outside of from .. to are not found exactly.
+int roots_between(const Univariate& f, const double* extremes, int count, double precision, double* roots, double from = -1, double to = 1) {
+    switch (f.degree) {
+        case 3: return roots_between_in_steps(UnivariateOf<3>{f.a}, extremes, count, precision, roots, from, to);
+        case 4: return roots_between_in_steps(UnivariateOf<4>{f.a}, extremes, count, precision, roots, from, to);
+        default: return roots_between_in_steps(f, extremes, count, precision, roots, from, to);
+    }
 }
 
 /// Those of a quadratic within -1 .. 1, by the formula that does not cancel.
@@ -85,47 +105,54 @@ int quadratic_roots(const Univariate& f, double* roots) {
 constexpr int kMostCertified = 6, kRootHalvings = 3;
 
 /// A polynomial of a part of the line, as its Bernstein coefficients.
-struct Part {
-    double b[kMostCertified + 1];
-    int degree;
+template <int kDegree> struct Part {
+    double b[kDegree + 1];
 
     /// Of f from `low` to `high`; `slack`: more than all roundings.
-    Part(const Univariate& f, double low, double high, double& slack) : degree(f.degree) {
+    Part(const Univariate& f, double low, double high, double& slack) {
         const double reach = 3 * std::max(std::abs(low), std::abs(high)), width = high - low;
         slack = 0;
-        for (int i = degree; i >= 0; --i) b[i] = f.a[i], slack = slack * reach + std::abs(f.a[i]);
+        for (int i = kDegree; i >= 0; --i) b[i] = f.a[i], slack = slack * reach + std::abs(f.a[i]);
         slack *= 1e-13;
-        for (int k = 0; k < degree; ++k)
-            for (int i = degree - 1; i >= k; --i) b[i] += low * b[i + 1];
+        for (int k = 0; k < kDegree; ++k)
+            for (int i = kDegree - 1; i >= k; --i) b[i] += low * b[i + 1];
         double scale = 1;   // width^i over the binomial coefficient of i
-        for (int i = 1; i <= degree; ++i) scale *= width * i / (degree - i + 1), b[i] *= scale;
-        for (int k = 0; k < degree; ++k)
-            for (int i = degree; i > k; --i) b[i] += b[i - 1];
+        for (int i = 1; i <= kDegree; ++i) scale *= width * i / (kDegree - i + 1), b[i] *= scale;
+        for (int k = 0; k < kDegree; ++k)
+            for (int i = kDegree; i > k; --i) b[i] += b[i - 1];
     }
 
     /// 1 or -1 if f has that sign all along; 0 if that is not seen.
     int sign(double slack, int halvings) {
-        const auto [least, most] = std::minmax_element(b, b + degree + 1);
-        if (*least > slack) return 1;
-        if (*most < -slack) return -1;
+        double least = b[0], most = b[0];
+        for (int i = 1; i <= kDegree; ++i) least = std::min(least, b[i]), most = std::max(most, b[i]);
+        if (least > slack) return 1;
+        if (most < -slack) return -1;
         const int here = b[0] > slack ? 1 : b[0] < -slack ? -1 : 0;
-        if (halvings == 0 || here == 0 || !(here * b[degree] > slack)) return 0;
+        if (halvings == 0 || here == 0 || !(here * b[kDegree] > slack)) return 0;
         Part front = *this;
-        for (int k = 1; k <= degree; ++k) {   // de Casteljau: the halves are the sides of the triangle
-            for (int i = 0; i <= degree - k; ++i) b[i] = 0.5 * (b[i] + b[i + 1]);
+        for (int k = 1; k <= kDegree; ++k) {   // de Casteljau: the halves are the sides of the triangle
+            for (int i = 0; i <= kDegree - k; ++i) b[i] = 0.5 * (b[i] + b[i + 1]);
             front.b[k] = b[0];
         }
         return front.sign(slack, halvings - 1) == here ? sign(slack, halvings - 1) : 0;
     }
 };
 
+/// The sign of f between `from` and `to`; 0 if it may change. For each degree up to kDegree its own, as of UnivariateOf.
+template <int kDegree> int certain_sign_between(const Univariate& f, double from, double to) {
+    if constexpr (kDegree > 1)
+        if (f.degree < kDegree) return certain_sign_between<kDegree - 1>(f, from, to);
+    double slack;
+    Part<kDegree> part(f, from, to, slack);
+    return part.sign(slack, kRootHalvings);
+}
+
 /// The sign of f within -1 .. 1 and the range; 0 if it may change.
 int certain_sign(const Univariate& f, double from, double to) {
     from = std::max(from, -1.0), to = std::min(to, 1.0);
     if (f.degree > kMostCertified || !(from < to)) return 0;
-    double slack;
-    Part part(f, from, to, slack);
-    return part.sign(slack, kRootHalvings);
+    return certain_sign_between<kMostCertified>(f, from, to);
 }
 
 /// f = x^zeros g: near 0, powers of x are lost below the least number, and no bracket could tell where f is 0 from where it only vanishes. So g is asked, and 0 is put in:

@@ -135,10 +135,9 @@ ErrorBound torus_error(const ShapeGeometry& geometry, const Ray& ray, double t, 
 /// Error    of t: <= 4 units of 2^-52 (|t| + (R + r) / |d|) / cosine of the angle to the normal. Held by tests/eval/torus_test.cpp against 113-bit arithmetic.
 /// Spindles are crossed where they are in POV-Ray 3.7, up to four times; inside, to it, is all of the tube. So they are no solids.
 /// Crossings pair, since both ends of the range that is looked at are outside; a tangent is none or two.
-Crossings torus_wanted(const ShapeGeometry& geometry, const Bounds& own, const Ray& ray, Wanted wanted) {
-    const Torus& torus = std::get<Torus>(geometry);
+[[gnu::always_inline]] inline Crossings crossings_inline(const Torus& torus, const Bounds& own, const Ray& ray, Wanted wanted) {
     Crossings out;
-    const Approach nearest = approach(torus.center, ray);
+    const Approach nearest = approach_inline(torus.center, ray);
     const double speed = std::sqrt(dot(ray.dir, ray.dir));
     const TorusLine line{nearest.nearest, ray.dir / speed, std::abs(torus.major), std::abs(torus.minor)};
     if (!is_finite(ray) || !std::isfinite(nearest.shift) || !(line.minor > 0)) return out;
@@ -152,6 +151,18 @@ Crossings torus_wanted(const ShapeGeometry& geometry, const Bounds& own, const R
         return add_wanted(ray, wanted, t_at(low), t_at(high), [&] { return t_at(find()); }, out);
     });
     return out;
+}
+
+#ifdef __x86_64__
+[[gnu::target("fma"), gnu::flatten]] Crossings crossings_with_fma(const Torus& torus, const Bounds& own, const Ray& ray, Wanted wanted) { return crossings_inline(torus, own, ray, wanted); }
+#endif
+
+Crossings torus_wanted(const ShapeGeometry& geometry, const Bounds& own, const Ray& ray, Wanted wanted) {
+    const Torus& torus = std::get<Torus>(geometry);
+#ifdef __x86_64__
+    if (kHasFma) return crossings_with_fma(torus, own, ray, wanted);
+#endif
+    return crossings_inline(torus, own, ray, wanted);
 }
 
 Crossings torus_crossings(const ShapeGeometry& geometry, const Ray& ray) { return torus_wanted(geometry, torus_bounds(geometry), whole_line(ray), Wanted::all); }

@@ -104,6 +104,39 @@ TEST(Transform, BoundsOfEmptyAndUnboundedBoxes) {
     EXPECT_NEAR(mapped.max.y, 5, 1e-14);
 }
 
+/// Four lanes at once, where the machine has them: the same bits as row by row, whatever the numbers are.
+TEST(Transform, BoundsAreTheSameRowByRow) {
+    test::Draw draw(13);
+    const auto odd = [&](const Vec3& v) {   // zeros of both signs, and what is no number
+        Vec3 out = v;
+        for (int k = 0; k < 3; ++k)
+            if (draw.below(4) == 0) out[k] = draw.below(2) ? 0.0 : draw.below(2) ? -0.0 : draw.below(8) ? kInf : std::numeric_limits<double>::quiet_NaN();
+        return out;
+    };
+    for (int i = 0; i < 20000; ++i) {
+        const Transform t{Mat3(odd(draw.vector()), odd(draw.vector()), odd(draw.vector())), odd(draw.vector())};
+        Bounds b;
+        b.extend(draw.vector()), b.extend(draw.vector());
+        for (int k = 0; k < 3; ++k) {
+            if (draw.below(8) == 0) b.min[k] = -kInf;
+            if (draw.below(8) == 0) b.max[k] = kInf;
+        }
+        const Bounds got = t.bounds(b);
+        for (int row = 0; row < 3; ++row) {
+            double low = t.translation[row], high = low, size = std::abs(low);
+            for (int column = 0; column < 3; ++column) {
+                const double k = t.linear[column][row], p = k * b.min[column], q = k * b.max[column];
+                if (k == 0) continue;
+                low += std::min(p, q), high += std::max(p, q), size += std::abs(k) * std::max(std::abs(b.min[column]), std::abs(b.max[column]));
+            }
+            if (std::isfinite(size)) low -= gamma_bound(6) * size, high += gamma_bound(6) * size;
+            const auto same = [](double x, double y) { return (std::isnan(x) && std::isnan(y)) || (x == y && std::signbit(x) == std::signbit(y)); };
+            ASSERT_TRUE(same(got.min[row], low)) << i << " " << got.min[row] << " " << low;
+            ASSERT_TRUE(same(got.max[row], high)) << i << " " << got.max[row] << " " << high;
+        }
+    }
+}
+
 TEST(Transform, SingularAndBrokenMapsAreRefused) {
     EXPECT_FALSE(inverse(Transform::scale({1, 0, 1})));
     EXPECT_FALSE(inverse(Transform::scale({1, std::numeric_limits<double>::quiet_NaN(), 1})));

@@ -127,6 +127,26 @@ TEST(Csg, KnownSidesChangeNothing) {
     EXPECT_GT(whole, 100 * run_scale());
 }
 
+/// Nodes that are nowhere and those that are everywhere are told from those in a box, which alone are asked for it.
+TEST(Csg, NodesKnowHowFarTheyReach) {
+    test::Draw draw(11);
+    int nowhere = 0, in_box = 0, everywhere = 0;
+    for (size_t round = 0; round < run_size(300); ++round) {
+        ShapeLeaves leaves;
+        CsgExpression e = random_expression(leaves, draw, 1 + round % 4, false, true);
+        if (round % 2) e = of(CsgOp::union_, {e, of(CsgOp::union_, {}), leaves.add(Plane{{0, 1, 0}, 0.1})});
+        const CsgTree tree(e, leaves.narrow());
+        for (const CsgNode& node : tree.nodes()) {
+            const bool all = node.box.min == Vec3(-kInf) && node.box.max == Vec3(kInf);
+            ASSERT_EQ(node.extent, node.box.empty() ? CsgExtent::nowhere : all ? CsgExtent::everywhere : CsgExtent::in_box);
+            nowhere += node.extent == CsgExtent::nowhere, in_box += node.extent == CsgExtent::in_box, everywhere += node.extent == CsgExtent::everywhere;
+        }
+    }
+    EXPECT_GT(nowhere, 50 * run_scale());
+    EXPECT_GT(in_box, 50 * run_scale());
+    EXPECT_GT(everywhere, 50 * run_scale());
+}
+
 /// Of many parts that all are near, not all are looked at, and what was not looked at varies; groups of them are seen by the rays that see the whole.
 TEST(Csg, TheSearchForSidesIsGivenUp) {
     test::Draw draw(10);
