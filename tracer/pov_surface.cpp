@@ -62,9 +62,9 @@ double mirror_ior(const CompiledScene& scene, const ShadePoint& point, const Int
     if (interior == kNoId) return 1;
     const auto entries = inside.entries();
     const double own = scene.interiors[interior].ior, here = ior_in(scene, inside);
-    const bool leaves = std::any_of(entries.begin(), entries.end(), [&](const InteriorStack::Entry& e) { return e.carrier == carrier; });
-    if (!leaves) return own / here;
-    return (entries.size() > 1 ? here : 1) / own;
+    for (const InteriorStack::Entry& e : entries)
+        if (e.carrier == carrier) return (entries.size() > 1 ? here : 1) / own;
+    return own / here;
 }
 
 /// Does one ray serve both?
@@ -105,7 +105,9 @@ PovSurface::PovSurface(const CompiledScene& scene, const ShadePoint& point, cons
         PatternFrame frame = pattern_frame(own);
         add(scene, own, material_at(scene, own), share, frame);
     });
-    if (std::any_of(layers_.begin(), layers_.end(), [](const PovLayer& l) { return std::isnan(l.normal.x); })) become_black();
+    bool bent_to_none = false;
+    for (const PovLayer& l : layers_) bent_to_none |= std::isnan(l.normal.x);
+    if (bent_to_none) become_black();
 }
 
 /// Where the normal of any layer is no number, POV-Ray's colour is none, either, which its pictures have as black (probed).

@@ -16,6 +16,8 @@ struct ClosedFormPoint {
 
 /// A hit, placed: all that materials ask of it. Texture coordinates are found when a signal asks for them.
 struct ShadePoint {
+    ShadePoint() {}   // not by default: that would clear all of it first, and then set it
+
     const Mesh* mesh = nullptr;
     uint32_t triangle = 0;
     double u = 0, v = 0;              ///< barycentric on meshes

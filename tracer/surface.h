@@ -31,6 +31,8 @@ class Surface {
     /// Below this alpha (roughness squared) a surface is a perfect mirror: a light without extent has no image in it, and the mirror ray shows the rest.
     static constexpr double kSmallestAlpha = 1e-4;
 
+    Surface() {}   // not by default: that would clear the room of all of POV-Ray's layers first
+
     Color emitted() const { return emitted_; }
     /// f(wi, wo) |cos| for light from the unit direction `wi`; both sides of the surface reflect.
     /// `highlights`: POV-Ray's shadowless lights have none.
