@@ -49,8 +49,12 @@ double ground_density(double start, double end) {
 double optical_distance(const Fog& fog, NoiseGenerator noise, const Vec3& origin, const Vec3& direction, double distance) {
     double length = distance;
     if (const auto& t = fog.turbulence) {
-        const Vec3 middle = (origin + direction * (distance / 2)) * t->amount;
-        length *= 1 - std::exp(-distance / fog.distance) * std::min(1.0, turbulence(middle, *t, noise) * fog.turbulence_depth);
+        constexpr double kUnseen = 1e-17;   // what is less is lost beside 1
+        const double near = std::exp(-distance / fog.distance);
+        if (!(near < kUnseen && fog.turbulence_depth >= 0)) {
+            const Vec3 middle = (origin + direction * (distance / 2)) * t->amount;
+            length *= 1 - near * std::min(1.0, turbulence(middle, *t, noise) * fog.turbulence_depth);
+        }
     }
     if (!fog.ground) return length;
     const Vec3 up = normalized(fog.up);

@@ -236,7 +236,15 @@ Color PovSurface::lit(const PovLayer& layer, const Vec3& wi, double nl, bool hig
         const double size = length(h), k = size > 0 ? dot(h, layer.normal) / size : 0;
         if (k > 0) highlight += f.specular * std::pow(k, 1 / f.roughness);
     }
-    return highlight == 0 ? sum : sum + metallic(layer.color, f.metallic, nl) * highlight;
+    if (highlight == 0) return sum;
+    return f.metallic == 0 ? sum + Color(highlight) : sum + metallic(layer.color, f.metallic, nl) * highlight;
+}
+
+bool PovSurface::faces_away(const Vec3& way) const {
+    if (double_illuminate_) return false;
+    for (const PovLayer& l : layers_)
+        if (!(dot(l.normal, way) <= 0) || l.finish->diffuse_back != 0) return false;
+    return true;
 }
 
 Color PovSurface::scatter(const Vec3& wi, bool highlights) const {
@@ -349,6 +357,18 @@ Color pov_transmitted(const CompiledScene& scene, const Material& material, cons
         through *= filter_of(finish, scene.textures->pigment(finish.pigment, point, frame.at));
         if (is_black(through)) return through;
         through *= caustics(scene, finish, point, frame, dir);
+    }
+    return through;
+}
+
+std::optional<Color> uniform_filter(const CompiledScene& scene, const SlotMaterial& slot) {
+    if (slot.interior != kNoId && (scene.interiors[slot.interior].caustics != 0 || std::isfinite(scene.interiors[slot.interior].attenuation_distance))) return std::nullopt;
+    Color through(1);
+    for (const auto& layer : scene.scene.materials[slot.material].layers) {
+        const auto* finish = std::get_if<PovFinish>(&layer);
+        if (!finish || !std::holds_alternative<ConstantSignal>(scene.scene.signals[finish->pigment.index].what)) return std::nullopt;
+        through *= filter_of(*finish, scene.textures->pigment(finish->pigment, Vec3(0)));
+        if (is_black(through)) break;
     }
     return through;
 }

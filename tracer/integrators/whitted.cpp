@@ -70,8 +70,8 @@ template <unsigned F> struct Whitted {
                 return;
             }
             const ShadePoint point = shade_point(tracing.scene, ray, hit);
-            const Surface surface = shade<F>(tracing.scene, point, normalized(ray.dir), state.inside);
             const double distance = hit.t * length(ray.dir);
+            const Surface surface = shade<F>(tracing.scene, point, normalized(ray.dir), state.inside);
             state.travelled = distance;
             state.weight *= transmittance(tracing.scene, state.inside, distance);
             if (state.kind == RayKind::camera) see(point, surface, distance);
