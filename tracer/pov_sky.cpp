@@ -129,6 +129,7 @@ Haze haze(const CompiledScene& scene, const Vec3& origin, const Vec3& direction,
         const Color passed = (Color(1 - fog.filter) + fog.color * fog.filter) * left;
         out.kept *= passed, out.shows *= pov_grey(passed);
     }
+    if (scene.scene.atmosphere.rainbows.empty()) return out;
     const Haze bows = rainbows(scene, direction, distance);
     return {out.added + out.kept * bows.added, out.kept * bows.kept, out.shows * bows.shows};
 }

@@ -30,9 +30,13 @@ void noises(const Vec3* points, int count, NoiseGenerator generator, double* out
         for (int i = 0; i < count; ++i) out[i] = noise(points[i], generator);
         return;
     }
-    const Vec3 all[4] = {points[0], points[1], points[2], points[count - 1]};
     double values[4];
-    kFastest.four(all, values);
+    if (count == 4) {
+        kFastest.four(points, values);
+    } else {
+        const Vec3 all[4] = {points[0], points[1], points[2], points[2]};
+        kFastest.four(all, values);
+    }
     for (int i = 0; i < count; ++i) out[i] = of_lattice(values[i], generator);
 }
 
