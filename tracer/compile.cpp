@@ -18,6 +18,7 @@
 #include "tracer/materials.h"
 #include "tracer/normal_maps.h"
 #include "tracer/object_boxes.h"
+#include "tracer/pov_surface.h"
 #include "tracer/projector.h"
 #include "tracer/textures.h"
 #include "tracer/unrendered.h"
@@ -337,6 +338,7 @@ void choose_kernel(CompiledScene& out, const AcceleratorEntry& accel, const Comp
     out.filters_light = (reasons.mask() & (kAlpha | kTransmission)) != 0;
     if (out.filters_light) {
         tell_opaque_from_clear(out);
+        for (const SlotMaterial& slot : out.slots) out.uniform_filters.push_back(uniform_filter(out, slot));
         out.filters = accel.over_set(std::make_shared<InstanceSet>(out, kMaskFilter), {options.precision, options.isa, options.threads});
     }
     if (options.full_kernel) reasons.need(kAllFeatures, "--full-kernel");

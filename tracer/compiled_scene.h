@@ -123,6 +123,7 @@ struct CompiledScene {
     std::unique_ptr<BoundTests> bound_tests;   ///< null if nothing is bounded
     std::vector<std::vector<CutawayNode>> cutaways;   ///< operations whose parts are looked up at points of faces that show them
     std::vector<SlotMaterial> slots;
+    std::vector<std::optional<Color>> uniform_filters;   ///< by slot: what it lets through of any shadow ray, where that is the same at all of its points; empty unless `filters_light`
     std::vector<PatternSpace> pattern_spaces;
     std::vector<CompiledInterior> interiors;
     std::shared_ptr<const InstanceSet> set;   ///< the instances and solids

@@ -18,10 +18,9 @@ class InteriorStack {
     };
 
     InteriorStack() = default;
-    InteriorStack(const InteriorStack& other) : count_(other.count_) { std::copy_n(other.entries_, count_, entries_); }
+    InteriorStack(const InteriorStack& other) { take(other); }
     InteriorStack& operator=(const InteriorStack& other) {
-        count_ = other.count_;
-        if (this != &other) std::copy_n(other.entries_, count_, entries_);
+        if (this != &other) take(other);
         return *this;
     }
 
@@ -45,6 +44,16 @@ class InteriorStack {
     }
 
   private:
+    /// Rays are seldom in more than two solids: for those no function is called.
+    void take(const InteriorStack& other) {
+        count_ = other.count_;
+        if (count_ > 2) std::copy_n(other.entries_, count_, entries_);
+        else if (count_ > 0) {
+            entries_[0] = other.entries_[0];
+            if (count_ > 1) entries_[1] = other.entries_[1];
+        }
+    }
+
     Entry entries_[kDepth];   // only the first count_ are ever read
     int count_ = 0;
 };

@@ -9,6 +9,8 @@ namespace alidade {
 
 /// The samples of one pixel, added up.
 struct PixelSamples {
+    PixelSamples() {}   // as FirstHit
+
     Color radiance{0};
     FirstHit sum;             ///< of the samples that hit: depth, normal, albedo, uv; coverage of all
     uint32_t instance = kNoId, material = kNoId;   ///< of the first sample that hit

@@ -86,6 +86,8 @@ Illumination from_sphere(const PlacedLight& light, const AreaLight& area, const 
 PlacedLight::PlacedLight(Light l, const Transform& t) : light(std::move(l)), to_world(t), position(t.translation), axis(normalized(t.vector(Vec3(0, 0, -1)))) {
     if (const auto* spot = std::get_if<SpotLight>(&light.kind)) cos_inner = std::cos(spot->inner_angle), cos_outer = std::cos(spot->outer_angle);
     if (const auto* spot = std::get_if<ConeLight>(&light.kind)) cos_inner = std::cos(spot->radius), cos_outer = std::cos(spot->falloff);
+    const bool along_axis = light.parallel || std::holds_alternative<CylinderLight>(light.kind) || std::holds_alternative<DirectionalLight>(light.kind);
+    from_its_place = !along_axis && !sampled() && !(light.shadow_grid && light.shadow_grid->illuminates);
 }
 
 Illumination illuminate(const PlacedLight& light, const Vec3& point, const Vec2& square) {

@@ -21,6 +21,7 @@ struct PlacedLight {
     Vec3 axis{0, 0, -1};   ///< unit, where it points
     double cos_inner = 1, cos_outer = 1;   ///< of the angles of a cone, from its axis
     LightId id;
+    bool from_its_place = false;   ///< light comes from `position` alone, or from points around it that are not asked apart
 
     PlacedLight() = default;
     PlacedLight(Light l, const Transform& t);

@@ -49,8 +49,12 @@ double ground_density(double start, double end) {
 double optical_distance(const Fog& fog, NoiseGenerator noise, const Vec3& origin, const Vec3& direction, double distance) {
     double length = distance;
     if (const auto& t = fog.turbulence) {
-        const Vec3 middle = (origin + direction * (distance / 2)) * t->amount;
-        length *= 1 - std::exp(-distance / fog.distance) * std::min(1.0, turbulence(middle, *t, noise) * fog.turbulence_depth);
+        constexpr double kUnseen = 1e-17;   // what is less is lost beside 1
+        const double near = std::exp(-distance / fog.distance);
+        if (!(near < kUnseen && fog.turbulence_depth >= 0)) {
+            const Vec3 middle = (origin + direction * (distance / 2)) * t->amount;
+            length *= 1 - near * std::min(1.0, turbulence(middle, *t, noise) * fog.turbulence_depth);
+        }
     }
     if (!fog.ground) return length;
     const Vec3 up = normalized(fog.up);
@@ -125,6 +129,7 @@ Haze haze(const CompiledScene& scene, const Vec3& origin, const Vec3& direction,
         const Color passed = (Color(1 - fog.filter) + fog.color * fog.filter) * left;
         out.kept *= passed, out.shows *= pov_grey(passed);
     }
+    if (scene.scene.atmosphere.rainbows.empty()) return out;
     const Haze bows = rainbows(scene, direction, distance);
     return {out.added + out.kept * bows.added, out.kept * bows.kept, out.shows * bows.shows};
 }

@@ -62,9 +62,9 @@ double mirror_ior(const CompiledScene& scene, const ShadePoint& point, const Int
     if (interior == kNoId) return 1;
     const auto entries = inside.entries();
     const double own = scene.interiors[interior].ior, here = ior_in(scene, inside);
-    const bool leaves = std::any_of(entries.begin(), entries.end(), [&](const InteriorStack::Entry& e) { return e.carrier == carrier; });
-    if (!leaves) return own / here;
-    return (entries.size() > 1 ? here : 1) / own;
+    for (const InteriorStack::Entry& e : entries)
+        if (e.carrier == carrier) return (entries.size() > 1 ? here : 1) / own;
+    return own / here;
 }
 
 /// Does one ray serve both?
@@ -105,7 +105,9 @@ PovSurface::PovSurface(const CompiledScene& scene, const ShadePoint& point, cons
         PatternFrame frame = pattern_frame(own);
         add(scene, own, material_at(scene, own), share, frame);
     });
-    if (std::any_of(layers_.begin(), layers_.end(), [](const PovLayer& l) { return std::isnan(l.normal.x); })) become_black();
+    bool bent_to_none = false;
+    for (const PovLayer& l : layers_) bent_to_none |= std::isnan(l.normal.x);
+    if (bent_to_none) become_black();
 }
 
 /// Where the normal of any layer is no number, POV-Ray's colour is none, either, which its pictures have as black (probed).
@@ -234,7 +236,15 @@ Color PovSurface::lit(const PovLayer& layer, const Vec3& wi, double nl, bool hig
         const double size = length(h), k = size > 0 ? dot(h, layer.normal) / size : 0;
         if (k > 0) highlight += f.specular * std::pow(k, 1 / f.roughness);
     }
-    return highlight == 0 ? sum : sum + metallic(layer.color, f.metallic, nl) * highlight;
+    if (highlight == 0) return sum;
+    return f.metallic == 0 ? sum + Color(highlight) : sum + metallic(layer.color, f.metallic, nl) * highlight;
+}
+
+bool PovSurface::faces_away(const Vec3& way) const {
+    if (double_illuminate_) return false;
+    for (const PovLayer& l : layers_)
+        if (!(dot(l.normal, way) <= 0) || l.finish->diffuse_back != 0) return false;
+    return true;
 }
 
 Color PovSurface::scatter(const Vec3& wi, bool highlights) const {
@@ -347,6 +357,18 @@ Color pov_transmitted(const CompiledScene& scene, const Material& material, cons
         through *= filter_of(finish, scene.textures->pigment(finish.pigment, point, frame.at));
         if (is_black(through)) return through;
         through *= caustics(scene, finish, point, frame, dir);
+    }
+    return through;
+}
+
+std::optional<Color> uniform_filter(const CompiledScene& scene, const SlotMaterial& slot) {
+    if (slot.interior != kNoId && (scene.interiors[slot.interior].caustics != 0 || std::isfinite(scene.interiors[slot.interior].attenuation_distance))) return std::nullopt;
+    Color through(1);
+    for (const auto& layer : scene.scene.materials[slot.material].layers) {
+        const auto* finish = std::get_if<PovFinish>(&layer);
+        if (!finish || !std::holds_alternative<ConstantSignal>(scene.scene.signals[finish->pigment.index].what)) return std::nullopt;
+        through *= filter_of(*finish, scene.textures->pigment(finish->pigment, Vec3(0)));
+        if (is_black(through)) break;
     }
     return through;
 }

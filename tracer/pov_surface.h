@@ -33,6 +33,8 @@ class PovSurface {
     Color emitted(const Color& ambient_light) const;
     /// Light from the unit direction `wi`, diffuse and in highlights.
     Color scatter(const Vec3& wi, bool highlights) const;
+    /// Is it plain that no light comes from the direction `way`, of any length, to the eye: is that behind all layers, and does none let it through?
+    bool faces_away(const Vec3& way) const;
     /// Can there be any mirror or transmitted ray?
     bool sends_on() const { return sends_on_; }
     /// The mirrors and the transmitted rays. `facing` is the geometric normal on the side of the eye.
@@ -71,5 +73,8 @@ class PovSurface {
 
 /// What the layers of a material let through at a point: what shadow rays in the unit direction `dir` multiply by. `frame`: Textures::for_each_share.
 Color pov_transmitted(const CompiledScene& scene, const Material& material, const ShadePoint& point, PatternFrame& frame, const Vec3& dir);
+
+/// The same where it is the same at all points and in all directions: of layers of one colour each, and no caustics. For a slot in which the ray's side does not matter, either.
+std::optional<Color> uniform_filter(const CompiledScene& scene, const SlotMaterial& slot);
 
 }  // namespace alidade

@@ -143,7 +143,9 @@ Vec4 ShadePoint::vertex_color() const {
     return Vec4(interpolate(mesh->colors[0], *mesh, triangle, u, v));
 }
 
-ShadePoint shade_point(const CompiledScene& scene, const Ray& ray, const Hit& hit) {
+namespace {
+
+template <bool kMeasured> [[gnu::always_inline]] inline ShadePoint placed(const CompiledScene& scene, const Ray& ray, const Hit& hit) {
     const Instance& instance = scene.instances[hit.instance];
     const Geometry& geometry = scene.geometries[instance.geometry];
     ShadePoint p;
@@ -151,13 +153,27 @@ ShadePoint shade_point(const CompiledScene& scene, const Ray& ray, const Hit& hi
     p.slot = instance.first_slot;
     p.position = ray.at(hit.t);
     const Ray local = local_ray_of(instance, geometry, ray);
-    p.error = error_of(instance, geometry, ray, local, hit, p.position);
+    if constexpr (kMeasured) p.error = error_of(instance, geometry, ray, local, hit, p.position);
     place(geometry, instance, local, hit, p);
     p.front = dot(ray.dir, p.geometric_normal) <= 0;
     if (instance.inside_slot != kNoId && sees_inside(instance, ray, p)) p.slot = instance.inside_slot;
     p.space = pattern_space(scene, p);
     p.uv_mapped = instance.uv_mapped;
     return p;
+}
+
+}  // namespace
+
+ShadePoint shade_point(const CompiledScene& scene, const Ray& ray, const Hit& hit) { return placed<true>(scene, ray, hit); }
+ShadePoint passed_point(const CompiledScene& scene, const Ray& ray, const Hit& hit) { return placed<false>(scene, ray, hit); }
+
+uint32_t plain_slot(const CompiledScene& scene, const Hit& hit) {
+    const Instance& instance = scene.instances[hit.instance];
+    if (instance.inside_slot != kNoId || instance.cutaway != kNoId) return kNoId;
+    const Mesh* mesh = scene.geometries[instance.geometry].mesh;
+    if (!mesh) return instance.first_slot;
+    if (!mesh->corner_slots.empty()) return kNoId;
+    return instance.first_slot + (mesh->slots.empty() ? 0 : mesh->slots[hit.primitive]);
 }
 
 void tangent_frame(const CompiledScene& scene, uint32_t uv_set, ShadePoint& p) {

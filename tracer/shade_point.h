@@ -16,6 +16,8 @@ struct ClosedFormPoint {
 
 /// A hit, placed: all that materials ask of it. Texture coordinates are found when a signal asks for them.
 struct ShadePoint {
+    ShadePoint() {}   // not by default: that would clear all of it first, and then set it
+
     const Mesh* mesh = nullptr;
     uint32_t triangle = 0;
     double u = 0, v = 0;              ///< barycentric on meshes
@@ -73,6 +75,10 @@ template <class F> void for_each_mixed_slot(const CompiledScene& scene, const Sh
 
 /// `ray` is the world-space ray that found `hit`.
 ShadePoint shade_point(const CompiledScene& scene, const Ray& ray, const Hit& hit);
+/// The same for a ray that goes on: without `error`.
+ShadePoint passed_point(const CompiledScene& scene, const Ray& ray, const Hit& hit);
+/// The slot of a hit where it is plain without its point: kNoId where parts of it, or the side that was met, decide.
+uint32_t plain_slot(const CompiledScene& scene, const Hit& hit);
 
 /// How far the true surface may be from a hit that was found with a transformed ray, in world space.
 double world_error(const CompiledScene& scene, const Ray& ray, const Hit& hit, const Vec3& position);

@@ -47,6 +47,7 @@ StartInside::StartInside(const CompiledScene& scene, const Camera& camera) : sce
     std::vector<Bounds> boxes;
     for (const Body& body : bodies_) boxes.push_back(body.bounds);
     tree_ = BoxTree(boxes);
+    if (!moves_origins(camera)) there_ = at(camera.location), fixed_ = camera.location;
 }
 
 bool StartInside::holds(const Body& body, const Vec3& point) const {
@@ -58,6 +59,7 @@ bool StartInside::holds(const Body& body, const Vec3& point) const {
 }
 
 InteriorStack StartInside::at(const Vec3& origin) const {
+    if (fixed_ == origin) return there_;
     std::vector<uint32_t> in;
     tree_.holding(origin, [&](uint32_t i) { if (holds(bodies_[i], origin)) in.push_back(i); });
     std::ranges::sort(in);

@@ -6,6 +6,8 @@
 #include "tracer/compiled_scene.h"
 #include "tracer/interior_stack.h"
 
+#include <optional>
+
 namespace alidade {
 
 /// The bodies that hold the origin of a camera's ray, in the order of the scene. By experiment: POV-Ray counts those that a camera does not see, too;
@@ -29,6 +31,8 @@ class StartInside {
     const CompiledScene& scene_;
     std::vector<Body> bodies_;        ///< those that may hold the origin of a ray
     BoxTree tree_;                    ///< of their bounds: orthographic cameras begin each ray elsewhere
+    std::optional<Vec3> fixed_;       ///< where all rays begin, if that is one place
+    InteriorStack there_;
 };
 
 }  // namespace alidade

@@ -31,10 +31,14 @@ class Surface {
     /// Below this alpha (roughness squared) a surface is a perfect mirror: a light without extent has no image in it, and the mirror ray shows the rest.
     static constexpr double kSmallestAlpha = 1e-4;
 
+    Surface() {}   // not by default: that would clear the room of all of POV-Ray's layers first
+
     Color emitted() const { return emitted_; }
     /// f(wi, wo) |cos| for light from the unit direction `wi`; both sides of the surface reflect.
     /// `highlights`: POV-Ray's shadowless lights have none.
     Color scatter(const Vec3& wi, bool highlights = true) const;
+    /// Is it plain without a look at the light that scatter() is black for light from the direction `way`, of any length?
+    bool faces_away(const Vec3& way) const { return pov_ && pov_->faces_away(way); }
     /// Reflectance of the diffuse lobe: all of it that a sky lights (the mirror ray sees the sky itself).
     Color diffuse() const;
     Color albedo() const { return pov_ ? pov_->albedo() : albedo_; }

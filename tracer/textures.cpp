@@ -181,7 +181,10 @@ PigmentColor Textures::pigment(SignalId signal, const ShadePoint& point, const V
     return {Color(v.rgba), v.filter, v.transmit, v.ended};
 }
 
-PigmentColor Textures::pigment(SignalId signal, const Vec3& at) const { return pigment(signal, ShadePoint(), at); }
+PigmentColor Textures::pigment(SignalId signal, const Vec3& at) const {
+    static const ShadePoint kNowhere;
+    return pigment(signal, kNowhere, at);
+}
 
 Vec3 Textures::bent_there(SignalId id, const Vec3& place, const Vec3& n) const {
     const Relief& relief = reliefs_[resource_of_[id.index]];

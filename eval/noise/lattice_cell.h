@@ -30,20 +30,23 @@ struct LatticePlace {
     }
 };
 
+/// The eight corners of the cell at these indices; bit 0 of a corner: x, bit 1: y, bit 2: z.
+[[gnu::always_inline]] inline void hash_corners(unsigned x, unsigned y, unsigned z, unsigned* hash) {
+    const auto& h = kLatticeHash;
+    const unsigned x0 = h[x], x1 = h[x + 1];
+    const unsigned columns[4] = {h[x0 ^ y], h[x1 ^ y], h[x0 ^ (y + 1)], h[x1 ^ (y + 1)]};
+    for (int i = 0; i < 4; ++i) {
+        hash[i] = kCornerHash[columns[i] ^ z];
+        hash[i + 4] = kCornerHash[columns[i] ^ (z + 1)];
+    }
+}
+
 /// What the eight corners around a point are: their hashes, and where the point is between them.
 struct LatticeCell {
     LatticePlace x, y, z;
-    unsigned hash[8];   ///< bit 0: x, bit 1: y, bit 2: z
+    unsigned hash[8];   ///< of hash_corners()
 
-    [[gnu::always_inline]] explicit LatticeCell(const Vec3& p) : x(p.x), y(p.y), z(p.z) {
-        const auto& h = kLatticeHash;
-        const unsigned x0 = h[x.index], x1 = h[x.index + 1];
-        const unsigned columns[4] = {h[x0 ^ y.index], h[x1 ^ y.index], h[x0 ^ (y.index + 1)], h[x1 ^ (y.index + 1)]};
-        for (int i = 0; i < 4; ++i) {
-            hash[i] = kCornerHash[columns[i] ^ z.index];
-            hash[i + 4] = kCornerHash[columns[i] ^ (z.index + 1)];
-        }
-    }
+    [[gnu::always_inline]] explicit LatticeCell(const Vec3& p) : x(p.x), y(p.y), z(p.z) { hash_corners(x.index, y.index, z.index, hash); }
 };
 
 /// Value and gradient at a lattice point, side by side.

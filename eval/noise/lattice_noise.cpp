@@ -39,10 +39,14 @@ Vec3 octaves(const Vec3& p, const Octaves& octaves) {
     return sum;
 }
 
+void four(const Vec3* points, double* values) {
+    for (int i = 0; i < 4; ++i) values[i] = lattice_noise(points[i]);
+}
+
 constexpr LatticeNoise kLatticeNoises[] = {
-    {"plain", lattice_noise, vector_lattice_noise, octaves},
+    {"plain", lattice_noise, vector_lattice_noise, octaves, four},
 #ifdef __x86_64__
-    {"avx2", avx2::lattice_noise, avx2::vector_lattice_noise, avx2::octaves},
+    {"avx2", avx2::lattice_noise, avx2::vector_lattice_noise, avx2::octaves, avx2::four},
 #endif
 };
 

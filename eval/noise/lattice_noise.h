@@ -20,6 +20,7 @@ struct LatticeNoise {
     double (*value)(const Vec3& p);
     Vec3 (*vector)(const Vec3& p);
     Vec3 (*octaves)(const Vec3& p, const Octaves& octaves);
+    void (*four)(const Vec3* points, double* values);   ///< value() of four points
 };
 
 /// The first is the plain one, the last the fastest.
@@ -30,6 +31,7 @@ namespace avx2 {
 double lattice_noise(const Vec3& p);
 Vec3 vector_lattice_noise(const Vec3& p);
 Vec3 octaves(const Vec3& p, const Octaves& octaves);
+void four(const Vec3* points, double* values);
 }  // namespace avx2
 
 }  // namespace alidade

@@ -7,6 +7,8 @@
 
 #ifdef __x86_64__
 
+#include <immintrin.h>
+
 namespace alidade::avx2 {
 
 namespace {
@@ -65,7 +67,50 @@ constexpr std::array<VectorCorner, 256> kVectorCorners = [] {
     out = value + gx * x + gy * dy + gz * dz;
 }
 
+/// A coordinate of four points, as LatticePlace has it.
+struct LatticePlaces {
+    __m256d offset;
+    alignas(16) unsigned index[4];
+
+    [[gnu::target("avx2")]] explicit LatticePlaces(const __m256d& x) {
+        const __m256i negative = _mm256_cmpgt_epi64(_mm256_setzero_si256(), _mm256_castpd_si256(x));
+        const __m128i cell = _mm256_cvttpd_epi32(x - _mm256_and_pd(_mm256_castsi256_pd(negative), _mm256_set1_pd(1 - 1e-10)));
+        offset = x - _mm256_cvtepi32_pd(cell);
+        _mm_store_si128(reinterpret_cast<__m128i*>(index), _mm_and_si128(_mm_add_epi32(cell, _mm_set1_epi32(10000)), _mm_set1_epi32(4095)));
+    }
+};
+
+/// One corner of four cells, at the point of each: a lane for each.
+[[gnu::target("avx2")]] inline void corner_of_four(const unsigned (*hash)[8], int corner, const __m256d& x, const __m256d& y, const __m256d& z, __m256d& out) {
+    const auto at_point = [&](int i) { return &kLatticeCorners[hash[i][corner]].value; };
+    const __m256d a = _mm256_load_pd(at_point(0)), b = _mm256_load_pd(at_point(1)), c = _mm256_load_pd(at_point(2)), d = _mm256_load_pd(at_point(3));
+    const __m256d ab02 = _mm256_unpacklo_pd(a, b), ab13 = _mm256_unpackhi_pd(a, b), cd02 = _mm256_unpacklo_pd(c, d), cd13 = _mm256_unpackhi_pd(c, d);
+    const __m256d value = _mm256_permute2f128_pd(ab02, cd02, 0x20), gx = _mm256_permute2f128_pd(ab13, cd13, 0x20);
+    const __m256d gy = _mm256_permute2f128_pd(ab02, cd02, 0x31), gz = _mm256_permute2f128_pd(ab13, cd13, 0x31);
+    out = value + gx * x + gy * y + gz * z;
+}
+
+/// smooth_step() of four numbers.
+[[gnu::target("avx2")]] inline void smooth_steps(const __m256d& t, __m256d& out) { out = t * t * (_mm256_set1_pd(3) - _mm256_set1_pd(2) * t); }
+
 }  // namespace
+
+[[gnu::target("avx2")]] void four(const Vec3* p, double* values) {
+    const LatticePlaces x(_mm256_setr_pd(p[0].x, p[1].x, p[2].x, p[3].x)), y(_mm256_setr_pd(p[0].y, p[1].y, p[2].y, p[3].y)), z(_mm256_setr_pd(p[0].z, p[1].z, p[2].z, p[3].z));
+    unsigned hash[4][8];
+    for (int i = 0; i < 4; ++i) hash_corners(x.index[i], y.index[i], z.index[i], hash[i]);
+    const __m256d one = _mm256_set1_pd(1), x1 = x.offset - one, y1 = y.offset - one, z1 = z.offset - one;
+    __m256d sx, sy, sz, rows[4];
+    smooth_steps(x.offset, sx), smooth_steps(y.offset, sy), smooth_steps(z.offset, sz);
+    for (int i = 0; i < 4; ++i) {
+        const __m256d &dy = i & 1 ? y1 : y.offset, &dz = i & 2 ? z1 : z.offset;
+        __m256d low, high;
+        corner_of_four(hash, 2 * i, x.offset, dy, dz, low);
+        corner_of_four(hash, 2 * i + 1, x1, dy, dz, high);
+        rows[i] = low * (one - sx) + high * sx;
+    }
+    _mm256_storeu_pd(values, (rows[0] * (one - sy) + rows[1] * sy) * (one - sz) + (rows[2] * (one - sy) + rows[3] * sy) * sz);
+}
 
 [[gnu::target("avx2")]] double lattice_noise(const Vec3& p) {
     const LatticeCell cell(p);

@@ -20,12 +20,17 @@ struct Nearest {
     }
 };
 
-/// The metric's sum, before its root is taken: the order of distances is the same.
-double raised(const Vec3& v, double metric) {
-    if (metric == 2) return dot(v, v);
-    if (metric == 1) return std::abs(v.x) + std::abs(v.y) + std::abs(v.z);
-    return std::pow(std::abs(v.x), metric) + std::pow(std::abs(v.y), metric) + std::pow(std::abs(v.z), metric);
-}
+/// What a metric adds up, a coordinate each, before the root of the sum is taken: the order of distances is the same.
+struct Squares {
+    double operator()(double v) const { return v * v; }
+};
+struct Absolutes {
+    double operator()(double v) const { return std::abs(v); }
+};
+struct Powers {
+    double metric;
+    double operator()(double v) const { return std::pow(std::abs(v), metric); }
+};
 
 double root(double sum, double metric) {
     if (metric == 2) return std::sqrt(sum);
@@ -37,48 +42,53 @@ int64_t cell_below(double x) {
     return std::abs(whole) < 9e18 ? int64_t(whole) : 0;
 }
 
-/// The cells next to a coordinate's own along one axis, from 2 below to 2 above.
+/// The cells next to a coordinate's own along one axis, up to 2 away, the nearest first.
 struct Row {
-    double origin[5], gap[5];   ///< where the cell begins; from the coordinate to the cell, 0 where it lies inside
+    double origin[5], gap[5];   ///< where the cell begins; what the metric adds for the way from the coordinate to the cell, 0 where it lies inside
     unsigned index[5];
 
-    explicit Row(double x) {
+    template <class Metric> Row(double x, Metric raised) {
         const int64_t own = cell_below(x);
+        const double whole = double(own);
+        const int near = x - whole < 0.5 ? -1 : 1, step[5] = {0, near, -near, 2 * near, -2 * near};
         for (int i = 0; i < 5; ++i) {
-            origin[i] = double(own + i - 2);
-            gap[i] = std::max({0.0, origin[i] - x, x - (origin[i] + 1)});
-            index[i] = unsigned((own + i - 2) & 4095);
+            origin[i] = whole + step[i];
+            gap[i] = raised(std::max(std::max(0.0, origin[i] - x), x - (origin[i] + 1)));
+            index[i] = unsigned((own + step[i]) & 4095);
         }
     }
 };
 
-/// One random point in each of the 81 cells around: offsets up to 2, of which at most one is 2. The near cells come first, because a cell that lies
-/// farther away than the third point so far has nothing to add.
-Nearest nearest_points(const Vec3& p, double metric) {
-    static constexpr int kFromTheMiddle[] = {2, 1, 3, 0, 4};
+/// One random point in each of the 81 cells around: offsets up to 2, of which at most one is 2. A cell that lies farther away than the third point so far
+/// has nothing to add, and those behind it in its row have not, either. `prunes`: sums grow with distances.
+template <class Metric> Nearest nearest_by(const Vec3& p, Metric raised, bool prunes) {
     const auto random = cell_randoms();
-    const Row x(p.x), y(p.y), z(p.z);
+    const Row x(p.x, raised), y(p.y, raised), z(p.z, raised);
     Nearest nearest;
-    const auto beyond = [&](double dx, double dy, double dz) {
+    const auto beyond = [&](double sum) {
         constexpr double kRounding = 1 - 1e-9;   // a power is not monotonic to its last digit
-        return metric > 0 && raised({dx, dy, dz}, metric) * kRounding > nearest.distance[2];
+        return prunes && sum * kRounding > nearest.distance[2];
     };
-    for (const int i : kFromTheMiddle) {
-        if (beyond(x.gap[i], 0, 0)) continue;
+    for (int i = 0; i < 5 && !beyond(x.gap[i]); ++i) {
         const unsigned in_x = kLatticeHash[x.index[i]];
-        for (const int j : kFromTheMiddle) {
-            const int edges = (i % 4 == 0) + (j % 4 == 0);
-            if (edges > 1 || beyond(x.gap[i], y.gap[j], 0)) continue;
+        const int rows = i < 3 ? 5 : 3;
+        for (int j = 0; j < rows && !beyond(x.gap[i] + y.gap[j]); ++j) {
             const unsigned in_y = kLatticeHash[in_x ^ y.index[j]];
-            for (const int k : kFromTheMiddle) {
-                if (edges + (k % 4 == 0) > 1 || beyond(x.gap[i], y.gap[j], z.gap[k])) continue;
+            const int cells = i < 3 && j < 3 ? 5 : 3;
+            for (int k = 0; k < cells && !beyond(x.gap[i] + y.gap[j] + z.gap[k]); ++k) {
                 const unsigned h = kLatticeHash[in_y ^ z.index[k]];
-                const Vec3 at(x.origin[i] + random[h], y.origin[j] + random[h + 1], z.origin[k] + random[h + 2]);
-                nearest.add(raised(at - p, metric), at);
+                const Vec3 at(x.origin[i] + random[h], y.origin[j] + random[h + 1], z.origin[k] + random[h + 2]), way = at - p;
+                nearest.add(raised(way.x) + raised(way.y) + raised(way.z), at);
             }
         }
     }
     return nearest;
+}
+
+Nearest nearest_points(const Vec3& p, double metric) {
+    if (metric == 2) return nearest_by(p, Squares(), true);
+    if (metric == 1) return nearest_by(p, Absolutes(), true);
+    return nearest_by(p, Powers{metric}, metric > 0);
 }
 
 }  // namespace

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 /// Patterns made of noise.
 /// Source   POV-Ray 3.7 user documentation, 3.4.7.1 "General Patterns"; what it leaves open by experiment
-#include "eval/noise/noise.h"
+#include "eval/noise/noises.h"
 #include "eval/patterns/registry.h"
 
 namespace alidade::pattern {
@@ -22,6 +22,16 @@ double wound(const Vec3& p, double radius, const PatternInput& in) {
     return p.z + radius + in[0] * turns(p, radius) + moved;
 }
 
+/// The noises of a point, and of that times 2, 4, 8, ...
+template <int kCount> void doubled(const Vec3& p, NoiseGenerator generator, double (&out)[kCount]) {
+    for (int first = 0; first < kCount; first += 4) {
+        const int count = std::min(4, kCount - first);
+        Vec3 places[4];
+        for (int i = 0; i < count; ++i) places[i] = p * double(1 << (first + i));
+        noises(places, count, generator, out + first);
+    }
+}
+
 }  // namespace
 
 double plain_noise(const Vec3& p, const PatternInput& in) { return noise(p, in.noise); }
@@ -32,21 +42,19 @@ double dents(const Vec3& p, const PatternInput& in) {
 }
 
 double granite(const Vec3& p, const PatternInput& in) {
-    double sum = 0, frequency = 1;
+    double n[6], sum = 0, frequency = 1;
+    doubled(p * 4.0, in.noise, n);
     for (int k = 0; k < 6; ++k, frequency *= 2) {
-        const double n = noise(p * (4 * frequency), in.noise);
-        const double folded = in.noise == NoiseGenerator::original ? std::abs(0.5 - n) : std::min(0.5, std::abs(1 - 2 * n));
+        const double folded = in.noise == NoiseGenerator::original ? std::abs(0.5 - n[k]) : std::min(0.5, std::abs(1 - 2 * n[k]));
         sum += folded / frequency;
     }
     return sum;
 }
 
 double wrinkles(const Vec3& p, const PatternInput& in) {
-    double sum = 0, frequency = 1;
-    for (int k = 0; k < 10; ++k, frequency *= 2) {
-        const double n = noise(p * frequency, in.noise);
-        sum += (in.noise == NoiseGenerator::original ? n : std::clamp(2 * n - 0.5, 0.0, 1.0)) / frequency;
-    }
+    double n[10], sum = 0, frequency = 1;
+    doubled(p, in.noise, n);
+    for (int k = 0; k < 10; ++k, frequency *= 2) sum += (in.noise == NoiseGenerator::original ? n[k] : std::clamp(2 * n[k] - 0.5, 0.0, 1.0)) / frequency;
     return sum / 2;
 }
 

@@ -74,7 +74,10 @@ double Pattern::value_at(const Vec3& place) const {
     if (!row_->value && !source_) return 0;
     double v = source_.picture ? source_.picture->value(place) : source_.grey ? source_.grey(place) : row_->value(place, input_);
     constexpr double kPeriod = 1.00001;   // so that 1 itself does not fall to 0
-    if (frequency_ != 0) v = std::fmod(v * frequency_ + input_.phase, kPeriod);
+    if (frequency_ != 0) {
+        v = v * frequency_ + input_.phase;
+        if (!(std::abs(v) < kPeriod)) v = std::fmod(v, kPeriod);   // which leaves the others as they are
+    }
     if (v < 0) v -= std::floor(v);
     return shaped(wave_, wave_exponent_, v);
 }

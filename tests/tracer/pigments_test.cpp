@@ -3,6 +3,7 @@
 #include "tests/povray/povray.h"
 #include "tests/tracer/on_plane.h"
 #include "tests/tracer/scene_builder.h"
+#include "tracer/surface.h"
 #include "tracer/textures.h"
 
 #include <fmt/format.h>
@@ -125,6 +126,44 @@ TEST(Pigments, PatternsAreInTheSpaceOfTheNodeThatCarriesThem) {
     const Vec3 local = (point.position - Vec3(3, 1, 0)) / 1.5;
     EXPECT_NEAR(scene->textures->evaluate({0}, point).x, Pattern::make(bozo)->value(local), 1e-12);
     EXPECT_GT(std::fabs(Pattern::make(bozo)->value(local) - Pattern::make(bozo)->value(point.position)), 1e-3);
+}
+
+/// What a shadow ray passes is known without the point where that is the same everywhere, and is what the point would say, bit for bit.
+TEST(Pigments, FiltersOfOneColourAreKnownAhead) {
+    SceneBuilder b;
+    const auto finish = [](SignalId pigment) {
+        PovFinish f;
+        f.pigment = pigment;
+        return f;
+    };
+    const auto add = [&](std::vector<PovFinish> layers) {
+        Material m;
+        for (const PovFinish& f : layers) m.layers.push_back(f);
+        b.scene.materials.push_back(m);
+        Node ball;
+        ball.what = b.shape(Sphere{Vec3(0), 1});
+        ball.materials = {MaterialId{uint32_t(b.scene.materials.size() - 1)}};
+        ball.to_parent = Transform::translate({3.0 * double(b.scene.nodes.size()), 0, 0});
+        b.node(ball);
+    };
+    b.scene.signals = {{ConstantSignal{Vec4(.9, .3, .7, 1), .6, .1}, {}}, {ConstantSignal{Vec4(.2, .8, .4, 1), .3, .5}, {}}, {PatternSignal(), {}}};
+    auto& checks = std::get<PatternSignal>(b.scene.signals[2].what);
+    checks.pattern = "checker", checks.map = {{0, {0}}, {1, {1}}};
+    add({finish({0})}), add({finish({0}), finish({1})}), add({finish({0}), finish({2})});
+    b.camera({3, 1, 10}, {3, 1, 0});
+    const auto scene = compiled(b.scene);
+    ASSERT_TRUE(scene);
+    WorkCounters work;
+    for (uint32_t i = 0; i < 3; ++i) {
+        const Ray ray{{3.0 * i + .3, .2, 10}, {0, 0, -1}};
+        Hit hit;
+        ASSERT_TRUE(scene->top->intersect(ray, hit, work));
+        const uint32_t slot = plain_slot(*scene, hit);
+        const ShadePoint point = passed_point(*scene, ray, hit);
+        ASSERT_EQ(slot, point.slot);
+        ASSERT_EQ(scene->uniform_filters[slot].has_value(), i < 2);
+        if (i < 2) { ASSERT_TRUE(*scene->uniform_filters[slot] == transmitted(*scene, point, ray.dir)); }
+    }
 }
 
 TEST(Pigments, UvMappedPatternsAreLookedUpAtTextureCoordinates) {

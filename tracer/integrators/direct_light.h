@@ -82,6 +82,7 @@ template <unsigned F> class DirectLight {
     }
 
     Color from_light(const PlacedLight& light, const Vec2& square, size_t i) const {
+        if (light.from_its_place && surface_.faces_away(light.position - point_.position)) return Color(0);
         const Illumination arriving = illuminate(light, point_.position, square);
         if (light.light.shadow_grid) return light_from_grid(tracing_, point_, surface_, state_, i, arriving, shadows_ == Shadows::cast);
         if (is_black(arriving.irradiance)) return Color(0);

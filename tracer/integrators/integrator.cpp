@@ -62,6 +62,21 @@ bool find_surfaces(Tracing& tracing, Ray ray, Occluders* among) {
     return true;
 }
 
+/// A surface on a shadow ray.
+struct PassedSurface {
+    Color through;   ///< what it lets through
+    uint32_t slot;
+    bool front;      ///< met from outside; anything where the side does not matter
+};
+
+/// Most filters are of one colour: for those nobody asks where they are met.
+PassedSurface passed_surface(const CompiledScene& scene, const Ray& ray, const Hit& hit) {
+    const uint32_t slot = plain_slot(scene, hit);
+    if (slot != kNoId && scene.uniform_filters[slot]) return {*scene.uniform_filters[slot], slot, true};
+    const ShadePoint p = passed_point(scene, ray, hit);
+    return {transmitted(scene, p, ray.dir), p.slot, p.front};
+}
+
 }  // namespace
 
 /// Filters are multiplied in the order of hits, so the product is the same, bit for bit, whatever structure found them.
@@ -71,21 +86,21 @@ Color filtered_light(Tracing& tracing, Ray ray, const InteriorStack& start, Occl
     Color through(1);
     double t = 0;
     for (const Hit& hit : tracing.passed) {
-        const ShadePoint p = shade_point(tracing.scene, ray, hit);
-        through *= transmitted(tracing.scene, p, ray.dir);
+        const PassedSurface passed = passed_surface(tracing.scene, ray, hit);
+        through *= passed.through;
         if (is_black(through)) return Color(0);
         through *= transmittance(tracing.scene, inside, hit.t - t);
         const double before = t;
         t = hit.t;
-        const uint32_t interior = slot_at(tracing.scene, p).interior;
+        const uint32_t interior = tracing.scene.slots[passed.slot].interior;
         if (interior == kNoId) continue;
-        const uint32_t carrier = tracing.scene.instances[p.instance].carrier;
+        const uint32_t carrier = tracing.scene.instances[hit.instance].carrier;
         const Interior& body = tracing.scene.interiors[interior];
         // As POV-Ray has it, where a shadow ray meets a body that it is in it leaves it, whichever way the surface looks; else it enters it.
         const bool by_turns = !std::isfinite(body.attenuation_distance);
-        if ((by_turns || !p.front) && inside.leave(carrier)) {
+        if ((by_turns || !passed.front) && inside.leave(carrier)) {
             if (body.fade_power > 0) through *= pov_fade(body, hit.t - before);
-        } else if (by_turns || p.front) inside.enter({carrier, interior});
+        } else if (by_turns || passed.front) inside.enter({carrier, interior});
     }
     return std::isfinite(ray.tmax) ? through * transmittance(tracing.scene, inside, ray.tmax - t) : through;
 }

@@ -13,6 +13,8 @@ namespace alidade {
 
 /// What the output layers need of a camera ray's first visible surface.
 struct FirstHit {
+    FirstHit() {}   // not by default: that would clear all of it first, and then set it
+
     bool hit = false;
     double depth = kInf;      ///< distance from the ray's origin, world units
     Vec3 normal{0};           ///< shading normal, towards the eye
@@ -26,9 +28,11 @@ struct FirstHit {
 
 /// A mirrored or refracted ray that is still to be followed.
 struct PendingRay {
+    PendingRay(const Ray& followed, const RayState& with, double to_the = 1) : ray(followed), state(with), exponent(to_the) {}
+
     Ray ray;
     RayState state;
-    double exponent = 1;   ///< Secondary::exponent
+    double exponent;   ///< Secondary::exponent
 };
 
 /// What is known of the points of a light's grid. A round forgets the one before it without touching the points, of which few may be asked.

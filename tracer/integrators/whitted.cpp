@@ -52,7 +52,7 @@ template <unsigned F> struct Whitted {
     [[gnu::noinline]] void add_power(const PendingRay& reflected) {
         Whitted whitted{tracing, first};
         const size_t others = tracing.pending.size();
-        tracing.pending.push_back({reflected.ray, reflected.state});
+        tracing.pending.emplace_back(reflected.ray, reflected.state);
         tracing.pending.back().state.weight = Color(1);
         whitted.follow_all(others);
         sum += reflected.state.weight * glm::pow(glm::max(whitted.sum, Color(0)), Color(reflected.exponent));
@@ -70,8 +70,8 @@ template <unsigned F> struct Whitted {
                 return;
             }
             const ShadePoint point = shade_point(tracing.scene, ray, hit);
-            const Surface surface = shade<F>(tracing.scene, point, normalized(ray.dir), state.inside);
             const double distance = hit.t * length(ray.dir);
+            const Surface surface = shade<F>(tracing.scene, point, normalized(ray.dir), state.inside);
             state.travelled = distance;
             state.weight *= transmittance(tracing.scene, state.inside, distance);
             if (state.kind == RayKind::camera) see(point, surface, distance);
@@ -102,20 +102,20 @@ template <unsigned F> struct Whitted {
         surface.secondary(tracing.scene, state, secondaries);
         for (size_t i = secondaries.size(); i-- > 0;) {   // the first is followed first
             const Secondary& s = secondaries[i];
-            RayState next = state;
-            next.weight = state.weight * s.weight;
-            next.importance = s.importance < 0 ? max_component(next.weight) : state.importance * s.importance;
-            if (next.importance < tracing.bailout || is_black(next.weight) || state.depth >= tracing.max_depth) continue;
+            const Color weight = state.weight * s.weight;
+            const double importance = s.importance < 0 ? max_component(weight) : state.importance * s.importance;
+            if (importance < tracing.bailout || is_black(weight) || state.depth >= tracing.max_depth) continue;
+            PendingRay& pending = tracing.pending.emplace_back(spawn_ray(point, s.dir), state, s.exponent);
+            RayState& next = pending.state;
+            next.weight = weight, next.importance = importance;
             next.shows = state.shows * s.shows, next.mirrored = state.mirrored || s.kind == RayKind::reflection;
             next.inside = s.inside;
             next.kind = s.kind;
             next.depth = state.depth + (s.straight ? 0 : 1);
             next.key = state.key.child(uint64_t(i));
-            Ray ray = spawn_ray(point, s.dir);
-            ray.mask = mask_of(next);
-            ray.time = state.time;
+            pending.ray.mask = mask_of(next);
+            pending.ray.time = state.time;
             ++tracing.stats.secondary_rays;
-            tracing.pending.push_back({ray, next, s.exponent});
         }
     }
 };
