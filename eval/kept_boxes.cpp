@@ -36,8 +36,6 @@ bool stays(const Transform& t) {
     return most < 1e-9;
 }
 
-Bounds moved_box(const Transform& by, const Bounds& box) { return box.finite() && !box.empty() ? by.bounds(box) : kEverywhere; }
-
 Bounds box_of_polygon(const Polygon& polygon, const Transform& placed) {
     Bounds box;
     for (const auto& loop : polygon.loops)
@@ -72,6 +70,9 @@ FramedBox framed_box(const ShapeGeometry& shape) {
     return round_box(grows ? cone->a : cone->b, axis, std::abs(std::max(cone->radius_a, cone->radius_b)), 0, length(axis));
 }
 
+/// POV-Ray moves the corners.
+Bounds moved_box(const Transform& by, const Bounds& box) { return box.finite() ? by.bounds({glm::min(box.min, box.max), glm::max(box.min, box.max)}) : kEverywhere; }
+
 /// Scales behind turns leave the rows of a matrix perpendicular.
 std::optional<TurnedSphere> turned(const Sphere& sphere, const Transform& by) {
     const Mat3 rows = glm::transpose(by.linear);
@@ -97,7 +98,7 @@ void cut_by_plane(Bounds& box, const Plane& plane, const Transform& placed, bool
 
 Bounds smaller_box(const Bounds& box, const Bounds& limit) {
     constexpr double kSame = 1 - 1e-6;                                   // POV-Ray's boxes are in single precision
-    return limit.finite() && !limit.empty() && (!box.finite() || volume(limit) < kSame * volume(box)) ? limit : box;
+    return limit.finite() && (!box.finite() || volume(limit) < kSame * volume(box)) ? limit : box;
 }
 
 KeptBoxes::Chain KeptBoxes::chain(NodeId id, Transform to) const {
@@ -118,16 +119,43 @@ Bounds KeptBoxes::own(const Chain& chain) {
     if (!node.children.empty()) return moved_box(to, of_parts(id));
     const auto* shape = std::get_if<ShapeId>(&node.what);
     if (!shape) return std::holds_alternative<LightId>(node.what) ? kEverywhere : Bounds();
-    return box_of_shape(scene_.shapes[shape->index].geometry, to);
+    const ShapeGeometry& geometry = scene_.shapes[shape->index].geometry;
+    const auto* quadric = std::get_if<Quadric>(&geometry);
+    return quadric ? own(chain, *quadric) : box_of_shape(geometry, to);
+}
+
+std::optional<std::pair<Plane, Transform>> KeptBoxes::plane_in(const Chain& chain) const {
+    const auto& [id, to] = chain.nodes.back();
+    const auto* shape = std::get_if<ShapeId>(&scene_.nodes[id.index].what);
+    const auto* plane = shape ? std::get_if<Plane>(&scene_.shapes[shape->index].geometry) : nullptr;
+    return plane ? std::optional(std::pair(*plane, to)) : std::nullopt;
+}
+
+/// In its own space, and moved: what clips a quadric finds a box for it.
+Bounds KeptBoxes::own(const Chain& chain, const Quadric& quadric) {
+    const Transform& to = chain.nodes.back().second;
+    const Bounds whole = box_of_ellipsoid(quadric);
+    const auto back = inverse(to);
+    Bounds box = whole;
+    for (const auto& [id, from] : chain.nodes)
+        for (const NodeId clip : scene_.nodes[id.index].clips) {
+            if (!back || !may_ask()) return moved_box(to, whole);
+            const Chain clipping = this->chain(clip, *back * from * scene_.nodes[clip.index].to_parent);
+            if (const auto plane = plane_in(clipping)) cut_by_plane(box, plane->first, plane->second, clipping.inverse);
+            else if (!clipping.inverse) box = intersection(box, of_limit(clip, *back * from));
+        }
+    if (!box.empty()) box = reach(quadric, box);
+    return moved_box(to, box.empty() ? whole : box);
 }
 
 /// What bounds can itself be bounded, and by the same object twice, again and again: from a number on that no other scene comes near they bound nothing.
+bool KeptBoxes::may_ask() { return ++asked_ < 1'000'000 + 16 * scene_.nodes.size(); }
+
 Bounds KeptBoxes::limited(const Chain& chain, Bounds box, std::vector<NodeId> Node::*limits) {
-    const uint64_t most = 1'000'000 + 16 * scene_.nodes.size();
     Bounds common = kEverywhere;
     for (const auto& [id, to] : chain.nodes)
         for (const NodeId limit : scene_.nodes[id.index].*limits)
-            if (++asked_ < most && !this->chain(limit, to).inverse) common = intersection(common, of_limit(limit, to));
+            if (may_ask() && !this->chain(limit, to).inverse) common = intersection(common, of_limit(limit, to));
     return smaller_box(box, common);
 }
 
@@ -178,12 +206,12 @@ Bounds KeptBoxes::common(const Node& set) {
         const auto& [id, to] = part.nodes.back();
         const auto* shape = std::get_if<ShapeId>(&scene_.nodes[id.index].what);
         const ShapeGeometry* geometry = shape ? &scene_.shapes[shape->index].geometry : nullptr;
-        const auto* plane = geometry ? std::get_if<Plane>(geometry) : nullptr;
-        if (plane) cut_by_plane(box, *plane, to, inverse);               // what limits the plane itself does not count
+        if (const auto plane = plane_in(part)) cut_by_plane(box, plane->first, plane->second, inverse);               // what limits the plane itself does not count
         else if (!inverse) box = intersection(box, of(set.children[i], placed));
         if (const auto* quadric = geometry ? std::get_if<Quadric>(geometry) : nullptr; quadric && !inverse) quadrics.emplace_back(quadric, to);
     }
-    for (const auto& [quadric, to] : quadrics) box = intersection(box, reach(moved(*quadric, to), box));
+    for (const auto& [quadric, to] : quadrics)
+        if (!box.empty()) box = intersection(box, reach(moved(*quadric, to), box));
     return box;
 }
 

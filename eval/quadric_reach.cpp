@@ -2,12 +2,13 @@
 #include "eval/quadric_reach.h"
 
 #include <algorithm>
+#include <optional>
 
 namespace alidade {
 
 namespace {
 
-bool has_products(const Quadric& q) { return max_abs(q.products) > 1e-10 * std::max(max_abs(q.squares), max_abs(q.products)); }
+constexpr double kZero = 1e-10;
 
 /// The least of a x^2 + g x over a range.
 double least(double a, double g, double low, double high) {
@@ -31,7 +32,48 @@ void shorten(double a, double g, double c, double& low, double& high) {
     high = std::min(high, (-g + std::sqrt(square)) / (2 * a));
 }
 
+/// Without products and two zeros among the squares, and with as few negative squares as it can have.
+bool is_round(const Quadric& q) {
+    return !has_products(q) && int(q.squares.x == 0) + int(q.squares.y == 0) + int(q.squares.z == 0) < 2;
+}
+
+Quadric turned_out(const Quadric& q) {
+    int signs = 0;
+    for (int i = 0; i < 3; ++i) signs += (q.squares[i] > 0) - (q.squares[i] < 0);
+    return signs >= 0 ? q : Quadric{-q.squares, -q.products, -q.linear, -q.constant};
+}
+
+/// What POV-Ray takes for a hyperboloid of one sheet: its waist has the square 1.
+std::optional<Quadric> boxed_hyperboloid(Quadric q) {
+    const double waist = dot(q.linear, q.linear / (4.0 * q.squares)) - q.constant;
+    if (waist < -kZero) return std::nullopt;
+    if (waist > kZero) q.constant += waist - 1;
+    return q;
+}
+
+/// What POV-Ray takes for a paraboloid along `axis`: one with the other constant; where it is shifted across its axis, the cylinder around its middle.
+Quadric boxed_paraboloid(Quadric q, int axis) {
+    Vec3 across = q.linear;
+    across[axis] = 0;
+    if (across == Vec3(0)) q.constant = q.linear[axis] != 0 ? -q.constant : q.constant;
+    else q.linear[axis] = 0;
+    return q;
+}
+
+/// The quadric that POV-Ray makes boxes of, or nothing where it makes none.
+std::optional<Quadric> boxed(const Quadric& of) {
+    if (!is_round(of)) return std::nullopt;
+    const Quadric q = turned_out(of);
+    const double least = std::min({q.squares.x, q.squares.y, q.squares.z});
+    if (least > 0) return q;
+    for (int i = 0; i < 3; ++i)
+        if (q.squares[i] == 0) return least < 0 ? std::nullopt : std::optional(boxed_paraboloid(q, i));
+    return boxed_hyperboloid(q);
+}
+
 }  // namespace
+
+bool has_products(const Quadric& q) { return max_abs(q.products) > 1e-10 * std::max(max_abs(q.squares), max_abs(q.products)); }
 
 Bounds box_of_ellipsoid(Quadric q) {
     Bounds out{Vec3(-kInf), Vec3(kInf)};
@@ -45,8 +87,10 @@ Bounds box_of_ellipsoid(Quadric q) {
     return {center - half, center + half};
 }
 
-Bounds reach(const Quadric& q, const Bounds& box) {
-    if (has_products(q)) return box;
+Bounds reach(const Quadric& of, const Bounds& box) {
+    const auto made = boxed(of);
+    if (!made) return box;
+    const Quadric& q = *made;
     Bounds out = box;
     for (int pass = 0; pass < 2 && !out.empty(); ++pass)
         for (int i = 0; i < 3 && !out.empty(); ++i) {
