@@ -27,6 +27,12 @@ Transform along(const Vec3& from, const Vec3& axis) {
     return {Mat3(1 - d.x * d.x * k, -d.x * d.y * k, -d.x, -d.x * d.y * k, 1 - d.y * d.y * k, -d.y, d.x, d.y, d.z), from};
 }
 
+/// May something of it be outside of the boxes that POV-Ray makes?
+bool may_leave_its_box(const ShapeGeometry& shape) {
+    const auto* quadric = std::get_if<Quadric>(&shape);
+    return quadric ? may_outgrow_reach(*quadric) : csg_endless(shape);
+}
+
 FramedBox round_box(const Vec3& from, const Vec3& axis, double radius, double bottom, double top) { return {along(from, axis), {Vec3(-radius, -radius, bottom), Vec3(radius, radius, top)}}; }
 
 /// But for roundings, does it leave all where it is?
@@ -145,7 +151,8 @@ Bounds KeptBoxes::own(const Chain& chain, const Quadric& quadric) {
             else if (!clipping.inverse) box = intersection(box, of_limit(clip, *back * from));
         }
     if (!box.empty()) box = reach(quadric, box);
-    return moved_box(to, box.empty() ? whole : box);
+    if (stays(to) && box.finite()) return box;
+    return moved_box(to, box.finite() ? box : whole);
 }
 
 /// What bounds can itself be bounded, and by the same object twice, again and again: from a number on that no other scene comes near they bound nothing.
@@ -177,7 +184,7 @@ Bounds KeptBoxes::of_moved(NodeId id, const Transform& to, const Transform& by) 
 Bounds KeptBoxes::of(NodeId id, const Transform& to) {
     const Chain all = chain(id, to);
     const Bounds box = own(all);
-    return box.empty() ? box : limited(all, limited(all, box, &Node::bounds), &Node::clips);
+    return box.empty() && !box.finite() ? box : limited(all, limited(all, box, &Node::bounds), &Node::clips);
 }
 
 const Bounds& KeptBoxes::of_parts(NodeId id) {
@@ -226,7 +233,7 @@ std::vector<bool> nodes_beyond_their_boxes(const Scene& scene) {
     for (auto i = order.rbegin(); i != order.rend(); ++i) {
         const Node& node = scene.nodes[*i];
         const auto* shape = std::get_if<ShapeId>(&node.what);
-        bool any = !node.bounds.empty() || (shape && csg_endless(scene.shapes[shape->index].geometry));
+        bool any = !node.bounds.empty() || (shape && may_leave_its_box(scene.shapes[shape->index].geometry));
         below(*i, [&](uint32_t j) { any = any || reaches[j]; });
         reaches[*i] = any;
         out[*i] = !node.bounds.empty() || (any && is_solid(node));

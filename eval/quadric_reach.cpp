@@ -51,12 +51,13 @@ std::optional<Quadric> boxed_hyperboloid(Quadric q) {
     return q;
 }
 
-/// What POV-Ray takes for a paraboloid along `axis`: one with the other constant; where it is shifted across its axis, the cylinder around its middle.
+/// What POV-Ray takes for a paraboloid along `axis`: one with the other constant; where it is shifted across its axis, a cylinder.
 Quadric boxed_paraboloid(Quadric q, int axis) {
     Vec3 across = q.linear;
     across[axis] = 0;
-    if (across == Vec3(0)) q.constant = q.linear[axis] != 0 ? -q.constant : q.constant;
-    else q.linear[axis] = 0;
+    if (q.linear[axis] == 0) return q;
+    if (max_abs(across) < kZero) q.constant = -q.constant;
+    else q.linear[axis] = q.constant = 0;
     return q;
 }
 
@@ -69,6 +70,16 @@ std::optional<Quadric> boxed(const Quadric& of) {
     for (int i = 0; i < 3; ++i)
         if (q.squares[i] == 0) return least < 0 ? std::nullopt : std::optional(boxed_paraboloid(q, i));
     return boxed_hyperboloid(q);
+}
+
+/// A paraboloid that ends before `box` begins has a width all the same.
+void fill_width(const Quadric& q, int axis, Bounds& box) {
+    const double length = std::abs(box.max[axis] - box.min[axis]);
+    for (int i = 0; i < 3; ++i) {
+        if (i == axis || (std::isfinite(box.min[i]) && std::isfinite(box.max[i]))) continue;
+        const double half = std::sqrt(std::abs(q.linear[axis]) * length / q.squares[i]);
+        box.min[i] = -half, box.max[i] = half;
+    }
 }
 
 }  // namespace
@@ -99,7 +110,17 @@ Bounds reach(const Quadric& of, const Bounds& box) {
                 if (j != i) rest += least(q.squares[j], q.linear[j], out.min[j], out.max[j]);
             shorten(q.squares[i], q.linear[i], -rest, out.min[i], out.max[i]);
         }
+    for (int i = 0; i < 3; ++i)
+        if (out.empty() && q.squares[i] == 0 && q.linear[i] != 0) fill_width(q, i, out);
     return out;
+}
+
+bool may_outgrow_reach(const Quadric& of) {
+    const auto made = boxed(of);
+    if (!made) return false;
+    for (int i = 0; i < 3; ++i)
+        if (of.squares[i] == 0 && of.linear[i] != 0) return true;
+    return made->constant > turned_out(of).constant + kZero;
 }
 
 /// With x = M y + m in x.A x + g.x + c.

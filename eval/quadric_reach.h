@@ -12,6 +12,8 @@ bool has_products(const Quadric& q);
 Bounds box_of_ellipsoid(Quadric q);
 /// What POV-Ray thinks that the inequality of a quadric leaves of `box`, axis by axis. By experiment it does not ask all quadrics, and some for another constant: it loses parts of them.
 Bounds reach(const Quadric& q, const Bounds& box);
+/// May it have points outside of its reach, where it is or moved? Paraboloids, and hyperboloids with a wide waist.
+bool may_outgrow_reach(const Quadric& q);
 /// The quadric moved by `t`; as it is where `t` has no inverse.
 Quadric moved(const Quadric& q, const Transform& t);
 

@@ -217,6 +217,12 @@ const Declared kDeclared[] = {
     {'A', "quadric{<1,0,-1>,0,y,-.3 clipped_by{box{<-3,-3,-.5>,<3,3,.5>}}}"},
     {'A', "quadric{<1,0,0>,0,-y,-.3 clipped_by{box{-3,3}}}"},
     {'A', "quadric{<1,2,1>,0,<.4,0,.3>,-.3 clipped_by{box{-3,3}}}"},
+    {'A', "quadric{<1,0,1>,0,<-.2,-1,-.2>,-.3 clipped_by{box{-3,3}}}"},
+    {'A', "quadric{<2,0,1>,0,<.4,-1,.8>,-.3 clipped_by{box{-3,3}}}"},
+    {'A', "quadric{<1,0,1>,0,-y,-2 clipped_by{box{-1,1}}}"},
+    {'A', "quadric{<1,0,1>,0,-y,-1 clipped_by{plane{y,.5}}}"},
+    {'B', "object{A translate y}"},
+    {'A', "quadric{<1,1,1>,0,-4*y,3 clipped_by{box{-.5,.5}}}"},
 };
 
 std::string program() {

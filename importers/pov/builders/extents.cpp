@@ -228,7 +228,7 @@ class Extents::Reader {
             else box = intersection(box, clip.box);
         }
         if (!box.empty()) box = reach(*e.quadric, box);
-        if (!box.empty() && box.finite()) e.box = box;
+        if (box.finite()) e.box = box;
     }
 
     void modifier(Extent& e, Cursor& at) {
