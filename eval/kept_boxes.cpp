@@ -137,22 +137,35 @@ std::optional<std::pair<Plane, Transform>> KeptBoxes::plane_in(const Chain& chai
     return plane ? std::optional(std::pair(*plane, to)) : std::nullopt;
 }
 
-/// In its own space, and moved: what clips a quadric finds a box for it.
+/// Where the object was, in the space of its node, when the clip was written: clips behind transformations are moved back by them.
+Transform KeptBoxes::written_at(NodeId clip) const {
+    const Node& node = scene_.nodes[clip.index];
+    return lone_part(node) ? inverse(node.to_parent).value_or(Transform()) : Transform();
+}
+
+/// What clips a quadric finds a box for it, where it is when it is clipped first; that is moved.
 Bounds KeptBoxes::own(const Chain& chain, const Quadric& quadric) {
     const Transform& to = chain.nodes.back().second;
-    const Bounds whole = box_of_ellipsoid(quadric);
-    const auto back = inverse(to);
-    Bounds box = whole;
+    const Bounds whole = moved_box(to, box_of_ellipsoid(quadric));
+    const auto clipped = std::ranges::find_if(chain.nodes, [&](const auto& at) { return !scene_.nodes[at.first.index].clips.empty(); });
+    if (clipped == chain.nodes.end()) return whole;
+    const Transform written = written_at(scene_.nodes[clipped->first.index].clips.front());
+    const auto back = inverse(clipped->second), ahead = inverse(written);
+    if (!back || !ahead) return whole;
+    const Transform to_clip = written * *back;
+    const Quadric there = moved(quadric, to_clip * to);
+    Bounds box = box_of_ellipsoid(there);
     for (const auto& [id, from] : chain.nodes)
         for (const NodeId clip : scene_.nodes[id.index].clips) {
-            if (!back || !may_ask()) return moved_box(to, whole);
-            const Chain clipping = this->chain(clip, *back * from * scene_.nodes[clip.index].to_parent);
+            if (!may_ask()) return whole;
+            const Chain clipping = this->chain(clip, to_clip * from * scene_.nodes[clip.index].to_parent);
             if (const auto plane = plane_in(clipping)) cut_by_plane(box, plane->first, plane->second, clipping.inverse);
-            else if (!clipping.inverse) box = intersection(box, of_limit(clip, *back * from));
+            else if (!clipping.inverse) box = intersection(box, of_limit(clip, to_clip * from));
         }
-    if (!box.empty()) box = reach(quadric, box);
-    if (stays(to) && box.finite()) return box;
-    return moved_box(to, box.finite() ? box : whole);
+    if (!box.empty()) box = reach(there, box);
+    const Transform placed = clipped->second * *ahead;
+    if (!box.finite()) return whole;
+    return stays(placed) ? box : moved_box(placed, box);
 }
 
 /// What bounds can itself be bounded, and by the same object twice, again and again: from a number on that no other scene comes near they bound nothing.

@@ -62,6 +62,7 @@ class KeptBoxes {
     bool may_ask();
     Bounds limited(const Chain& chain, Bounds box, std::vector<NodeId> Node::*limits);
     Bounds of_limit(NodeId id, const Transform& to);
+    Transform written_at(NodeId clip) const;
     std::optional<std::pair<Plane, Transform>> plane_in(const Chain& chain) const;
     const Bounds& of_parts(NodeId set);
     Bounds joined(const Node& set);

@@ -37,6 +37,16 @@ bool is_round(const Quadric& q) {
     return !has_products(q) && int(q.squares.x == 0) + int(q.squares.y == 0) + int(q.squares.z == 0) < 2;
 }
 
+/// Transformations leave something of what was 0.
+Quadric without_roundings(Quadric q) {
+    const double least = kZero * max_abs(q.squares), least_linear = kZero * max_abs(q.linear);
+    for (int i = 0; i < 3; ++i) {
+        if (std::abs(q.squares[i]) < least) q.squares[i] = 0;
+        if (std::abs(q.linear[i]) < least_linear) q.linear[i] = 0;
+    }
+    return q;
+}
+
 Quadric turned_out(const Quadric& q) {
     int signs = 0;
     for (int i = 0; i < 3; ++i) signs += (q.squares[i] > 0) - (q.squares[i] < 0);
@@ -56,15 +66,15 @@ Quadric boxed_paraboloid(Quadric q, int axis) {
     Vec3 across = q.linear;
     across[axis] = 0;
     if (q.linear[axis] == 0) return q;
-    if (max_abs(across) < kZero) q.constant = -q.constant;
+    if (across == Vec3(0)) q.constant = -q.constant;
     else q.linear[axis] = q.constant = 0;
     return q;
 }
 
 /// The quadric that POV-Ray makes boxes of, or nothing where it makes none.
 std::optional<Quadric> boxed(const Quadric& of) {
-    if (!is_round(of)) return std::nullopt;
-    const Quadric q = turned_out(of);
+    const Quadric q = turned_out(without_roundings(of));
+    if (!is_round(q)) return std::nullopt;
     const double least = std::min({q.squares.x, q.squares.y, q.squares.z});
     if (least > 0) return q;
     for (int i = 0; i < 3; ++i)

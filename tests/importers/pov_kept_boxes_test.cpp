@@ -62,6 +62,8 @@ const Kept kKept[] = {
     {"quadric { <1,1,1>, 0, 0, -1 clipped_by { plane { y, .5 } plane { -y, .5 } sphere { 0, .8 } } }", {-.8, -.5, -.8}, {.8, .5, .8}},
     {"quadric { <1,1,1>, 0, 0, -1 clipped_by { box { -.5, 1 } } bounded_by { box { -1, .7 } } }", {-.5, -.5, -.5}, {1, 1, 1}},
     {"quadric { <1,-1,1>, 0, 0, -.2 clipped_by { plane { y, .5 } box { -1, 1 } sphere { 0, .5 inverse } } }", {-1, -1, -1}, {1, .5, 1}},
+    {"quadric { <1,0,1>, 0, -y, 0 translate -.3*y clipped_by { box { -1, 1 } } }", {-.8367, .3, -.8367}, {.8367, 1, .8367}},
+    {"quadric { <1,0,1>, 0, -y, 0 translate -y clipped_by { plane { y, .5 } } }", {-.7071, 1, -.7071}, {.7071, .5, .7071}},
     {"intersection { quadric { <1,0,1>, 0, 0, -.2 clipped_by { plane { y, .5 } plane { -y, .5 } } } sphere { 0, 10 } }", {-.4472, -.5, -.4472}, {.4472, .5, .4472}},
 };
 
