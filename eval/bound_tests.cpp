@@ -34,6 +34,7 @@ bool has_discs(const Scene& scene, NodeId id) {
 }
 
 bool meets_box(const Bounds& box, const Ray& ray) {
+    if (box.empty()) return false;
     const LineInterval in_box = inside_bounds(ray, box);
     return !in_box.empty() && in_box.exit >= 0;
 }

@@ -339,6 +339,13 @@ bool node_inside(std::span<const CsgNode> nodes, uint32_t n, const Vec3& point, 
 
 bool CsgTree::inside(const Vec3& point, const CsgLeaves& leaves) const { return node_inside(nodes_, 0, point, leaves); }
 
+bool CsgTree::inside_unclipped(const Vec3& point, const CsgLeaves& leaves) const {
+    uint32_t n = 0;
+    while (nodes_[n].op == CsgOp::clip)
+        for (n = n + 1; nodes_[n].place != 0;) n = nodes_[n].end;
+    return node_inside(nodes_, n, point, leaves);
+}
+
 bool CsgTree::first(const Ray& ray, const CsgLeaves& leaves, Hit& hit, std::span<const CsgSide> known) const {
     bool found = false;
     Walk(nodes_, known, ray, leaves).run(bounds_, true, [&](const Hit& h) { hit = h, found = true; });

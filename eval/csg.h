@@ -141,6 +141,8 @@ class CsgTree {
     void all(const Ray& ray, const CsgLeaves& leaves, std::vector<Hit>& hits) const;
     /// Is the point inside of the whole? A surface without inside holds none.
     bool inside(const Vec3& point, const CsgLeaves& leaves) const;
+    /// The same, also where the whole is clipped away.
+    bool inside_unclipped(const Vec3& point, const CsgLeaves& leaves) const;
 
   private:
     std::vector<CsgNode> nodes_;    ///< each before its subtree

@@ -27,6 +27,12 @@ Transform along(const Vec3& from, const Vec3& axis) {
     return {Mat3(1 - d.x * d.x * k, -d.x * d.y * k, -d.x, -d.x * d.y * k, 1 - d.y * d.y * k, -d.y, d.x, d.y, d.z), from};
 }
 
+/// May something of it be outside of the boxes that POV-Ray makes?
+bool may_leave_its_box(const ShapeGeometry& shape) {
+    const auto* quadric = std::get_if<Quadric>(&shape);
+    return quadric ? may_outgrow_reach(*quadric) : csg_endless(shape);
+}
+
 FramedBox round_box(const Vec3& from, const Vec3& axis, double radius, double bottom, double top) { return {along(from, axis), {Vec3(-radius, -radius, bottom), Vec3(radius, radius, top)}}; }
 
 /// But for roundings, does it leave all where it is?
@@ -35,8 +41,6 @@ bool stays(const Transform& t) {
     for (int i = 0; i < 3; ++i) most = std::max(most, max_abs(t.linear[i] - Mat3(1.0)[i]));
     return most < 1e-9;
 }
-
-Bounds moved_box(const Transform& by, const Bounds& box) { return box.finite() && !box.empty() ? by.bounds(box) : kEverywhere; }
 
 Bounds box_of_polygon(const Polygon& polygon, const Transform& placed) {
     Bounds box;
@@ -72,6 +76,9 @@ FramedBox framed_box(const ShapeGeometry& shape) {
     return round_box(grows ? cone->a : cone->b, axis, std::abs(std::max(cone->radius_a, cone->radius_b)), 0, length(axis));
 }
 
+/// POV-Ray moves the corners.
+Bounds moved_box(const Transform& by, const Bounds& box) { return box.finite() ? by.bounds({glm::min(box.min, box.max), glm::max(box.min, box.max)}) : kEverywhere; }
+
 /// Scales behind turns leave the rows of a matrix perpendicular.
 std::optional<TurnedSphere> turned(const Sphere& sphere, const Transform& by) {
     const Mat3 rows = glm::transpose(by.linear);
@@ -97,7 +104,7 @@ void cut_by_plane(Bounds& box, const Plane& plane, const Transform& placed, bool
 
 Bounds smaller_box(const Bounds& box, const Bounds& limit) {
     constexpr double kSame = 1 - 1e-6;                                   // POV-Ray's boxes are in single precision
-    return limit.finite() && !limit.empty() && (!box.finite() || volume(limit) < kSame * volume(box)) ? limit : box;
+    return limit.finite() && (!box.finite() || volume(limit) < kSame * volume(box)) ? limit : box;
 }
 
 KeptBoxes::Chain KeptBoxes::chain(NodeId id, Transform to) const {
@@ -118,16 +125,57 @@ Bounds KeptBoxes::own(const Chain& chain) {
     if (!node.children.empty()) return moved_box(to, of_parts(id));
     const auto* shape = std::get_if<ShapeId>(&node.what);
     if (!shape) return std::holds_alternative<LightId>(node.what) ? kEverywhere : Bounds();
-    return box_of_shape(scene_.shapes[shape->index].geometry, to);
+    const ShapeGeometry& geometry = scene_.shapes[shape->index].geometry;
+    const auto* quadric = std::get_if<Quadric>(&geometry);
+    return quadric ? own(chain, *quadric) : box_of_shape(geometry, to);
+}
+
+std::optional<std::pair<Plane, Transform>> KeptBoxes::plane_in(const Chain& chain) const {
+    const auto& [id, to] = chain.nodes.back();
+    const auto* shape = std::get_if<ShapeId>(&scene_.nodes[id.index].what);
+    const auto* plane = shape ? std::get_if<Plane>(&scene_.shapes[shape->index].geometry) : nullptr;
+    return plane ? std::optional(std::pair(*plane, to)) : std::nullopt;
+}
+
+/// Where the object was, in the space of its node, when the clip was written: clips behind transformations are moved back by them.
+Transform KeptBoxes::written_at(NodeId clip) const {
+    const Node& node = scene_.nodes[clip.index];
+    return lone_part(node) ? inverse(node.to_parent).value_or(Transform()) : Transform();
+}
+
+/// What clips a quadric finds a box for it, where it is when it is clipped first; that is moved.
+Bounds KeptBoxes::own(const Chain& chain, const Quadric& quadric) {
+    const Transform& to = chain.nodes.back().second;
+    const Bounds whole = moved_box(to, box_of_ellipsoid(quadric));
+    const auto clipped = std::ranges::find_if(chain.nodes, [&](const auto& at) { return !scene_.nodes[at.first.index].clips.empty(); });
+    if (clipped == chain.nodes.end()) return whole;
+    const Transform written = written_at(scene_.nodes[clipped->first.index].clips.front());
+    const auto back = inverse(clipped->second), ahead = inverse(written);
+    if (!back || !ahead) return whole;
+    const Transform to_clip = written * *back;
+    const Quadric there = moved(quadric, to_clip * to);
+    Bounds box = box_of_ellipsoid(there);
+    for (const auto& [id, from] : chain.nodes)
+        for (const NodeId clip : scene_.nodes[id.index].clips) {
+            if (!may_ask()) return whole;
+            const Chain clipping = this->chain(clip, to_clip * from * scene_.nodes[clip.index].to_parent);
+            if (const auto plane = plane_in(clipping)) cut_by_plane(box, plane->first, plane->second, clipping.inverse);
+            else if (!clipping.inverse) box = intersection(box, of_limit(clip, to_clip * from));
+        }
+    if (!box.empty()) box = reach(there, box);
+    const Transform placed = clipped->second * *ahead;
+    if (!box.finite()) return whole;
+    return stays(placed) ? box : moved_box(placed, box);
 }
 
 /// What bounds can itself be bounded, and by the same object twice, again and again: from a number on that no other scene comes near they bound nothing.
+bool KeptBoxes::may_ask() { return ++asked_ < 1'000'000 + 16 * scene_.nodes.size(); }
+
 Bounds KeptBoxes::limited(const Chain& chain, Bounds box, std::vector<NodeId> Node::*limits) {
-    const uint64_t most = 1'000'000 + 16 * scene_.nodes.size();
     Bounds common = kEverywhere;
     for (const auto& [id, to] : chain.nodes)
         for (const NodeId limit : scene_.nodes[id.index].*limits)
-            if (++asked_ < most && !this->chain(limit, to).inverse) common = intersection(common, of_limit(limit, to));
+            if (may_ask() && !this->chain(limit, to).inverse) common = intersection(common, of_limit(limit, to));
     return smaller_box(box, common);
 }
 
@@ -149,7 +197,7 @@ Bounds KeptBoxes::of_moved(NodeId id, const Transform& to, const Transform& by) 
 Bounds KeptBoxes::of(NodeId id, const Transform& to) {
     const Chain all = chain(id, to);
     const Bounds box = own(all);
-    return box.empty() ? box : limited(all, limited(all, box, &Node::bounds), &Node::clips);
+    return box.empty() && !box.finite() ? box : limited(all, limited(all, box, &Node::bounds), &Node::clips);
 }
 
 const Bounds& KeptBoxes::of_parts(NodeId id) {
@@ -178,12 +226,12 @@ Bounds KeptBoxes::common(const Node& set) {
         const auto& [id, to] = part.nodes.back();
         const auto* shape = std::get_if<ShapeId>(&scene_.nodes[id.index].what);
         const ShapeGeometry* geometry = shape ? &scene_.shapes[shape->index].geometry : nullptr;
-        const auto* plane = geometry ? std::get_if<Plane>(geometry) : nullptr;
-        if (plane) cut_by_plane(box, *plane, to, inverse);               // what limits the plane itself does not count
+        if (const auto plane = plane_in(part)) cut_by_plane(box, plane->first, plane->second, inverse);               // what limits the plane itself does not count
         else if (!inverse) box = intersection(box, of(set.children[i], placed));
         if (const auto* quadric = geometry ? std::get_if<Quadric>(geometry) : nullptr; quadric && !inverse) quadrics.emplace_back(quadric, to);
     }
-    for (const auto& [quadric, to] : quadrics) box = intersection(box, reach(moved(*quadric, to), box));
+    for (const auto& [quadric, to] : quadrics)
+        if (!box.empty()) box = intersection(box, reach(moved(*quadric, to), box));
     return box;
 }
 
@@ -198,7 +246,7 @@ std::vector<bool> nodes_beyond_their_boxes(const Scene& scene) {
     for (auto i = order.rbegin(); i != order.rend(); ++i) {
         const Node& node = scene.nodes[*i];
         const auto* shape = std::get_if<ShapeId>(&node.what);
-        bool any = !node.bounds.empty() || (shape && csg_endless(scene.shapes[shape->index].geometry));
+        bool any = !node.bounds.empty() || (shape && may_leave_its_box(scene.shapes[shape->index].geometry));
         below(*i, [&](uint32_t j) { any = any || reaches[j]; });
         reaches[*i] = any;
         out[*i] = !node.bounds.empty() || (any && is_solid(node));

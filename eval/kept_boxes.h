@@ -28,13 +28,18 @@ std::optional<TurnedSphere> turned(const Sphere& sphere, const Transform& by);
 /// Cuts `box` where a plane along an axis bounds what is inside, or outside if that is meant (`inverse`).
 void cut_by_plane(Bounds& box, const Plane& plane, const Transform& placed, bool inverse);
 
-/// The box `box` or, where its volume is smaller, the box `limit` of what clips or bounds its object.
+/// A box that is moved; all space if it has an end missing.
+Bounds moved_box(const Transform& by, const Bounds& box);
+
+/// The box `box` or, where its volume is smaller, the common box `limit` of what clips or bounds its object. By experiment: where those have none in common it is kept as it is, upside down. Along one axis or all
+/// three its volume is below 0 then, smaller than any other; no ray meets it.
 Bounds smaller_box(const Bounds& box, const Bounds& limit);
 
 /// The boxes of nodes.
 ///
 /// Method   as of importers/pov/builders/extents.h, but all transformations of a node are one. A sphere stays one until it is scaled unevenly, of other shapes the box is moved by all transformations at
-///          once, of sets it is made in their own space and moved. What clips or bounds an object stands for its own box where its volume is smaller. Of an intersection it is the common part.
+///          once, of sets it is made in their own space and moved. What clips or bounds an object stands for its own box where its volume is smaller. Of an intersection it is the common part; of a quadric the part that it reaches in the boxes of
+///          what clips it, cut by planes.
 /// Source   experiments with POV-Ray 3.7
 class KeptBoxes {
   public:
@@ -53,8 +58,12 @@ class KeptBoxes {
     };
     Chain chain(NodeId id, Transform to) const;
     Bounds own(const Chain& chain);
+    Bounds own(const Chain& chain, const Quadric& quadric);
+    bool may_ask();
     Bounds limited(const Chain& chain, Bounds box, std::vector<NodeId> Node::*limits);
     Bounds of_limit(NodeId id, const Transform& to);
+    Transform written_at(NodeId clip) const;
+    std::optional<std::pair<Plane, Transform>> plane_in(const Chain& chain) const;
     const Bounds& of_parts(NodeId set);
     Bounds joined(const Node& set);
     Bounds common(const Node& set);

@@ -2,12 +2,13 @@
 #include "eval/quadric_reach.h"
 
 #include <algorithm>
+#include <optional>
 
 namespace alidade {
 
 namespace {
 
-bool has_products(const Quadric& q) { return max_abs(q.products) > 1e-10 * std::max(max_abs(q.squares), max_abs(q.products)); }
+constexpr double kZero = 1e-10;
 
 /// The least of a x^2 + g x over a range.
 double least(double a, double g, double low, double high) {
@@ -31,7 +32,69 @@ void shorten(double a, double g, double c, double& low, double& high) {
     high = std::min(high, (-g + std::sqrt(square)) / (2 * a));
 }
 
+/// Without products and two zeros among the squares, and with as few negative squares as it can have.
+bool is_round(const Quadric& q) {
+    return !has_products(q) && int(q.squares.x == 0) + int(q.squares.y == 0) + int(q.squares.z == 0) < 2;
+}
+
+/// Transformations leave something of what was 0.
+Quadric without_roundings(Quadric q) {
+    const double least = kZero * max_abs(q.squares), least_linear = kZero * max_abs(q.linear);
+    for (int i = 0; i < 3; ++i) {
+        if (std::abs(q.squares[i]) < least) q.squares[i] = 0;
+        if (std::abs(q.linear[i]) < least_linear) q.linear[i] = 0;
+    }
+    return q;
+}
+
+Quadric turned_out(const Quadric& q) {
+    int signs = 0;
+    for (int i = 0; i < 3; ++i) signs += (q.squares[i] > 0) - (q.squares[i] < 0);
+    return signs >= 0 ? q : Quadric{-q.squares, -q.products, -q.linear, -q.constant};
+}
+
+/// What POV-Ray takes for a hyperboloid of one sheet: its waist has the square 1.
+std::optional<Quadric> boxed_hyperboloid(Quadric q) {
+    const double waist = dot(q.linear, q.linear / (4.0 * q.squares)) - q.constant;
+    if (waist < -kZero) return std::nullopt;
+    if (waist > kZero) q.constant += waist - 1;
+    return q;
+}
+
+/// What POV-Ray takes for a paraboloid along `axis`: one with the other constant; where it is shifted across its axis, a cylinder.
+Quadric boxed_paraboloid(Quadric q, int axis) {
+    Vec3 across = q.linear;
+    across[axis] = 0;
+    if (q.linear[axis] == 0) return q;
+    if (across == Vec3(0)) q.constant = -q.constant;
+    else q.linear[axis] = q.constant = 0;
+    return q;
+}
+
+/// The quadric that POV-Ray makes boxes of, or nothing where it makes none.
+std::optional<Quadric> boxed(const Quadric& of) {
+    const Quadric q = turned_out(without_roundings(of));
+    if (!is_round(q)) return std::nullopt;
+    const double least = std::min({q.squares.x, q.squares.y, q.squares.z});
+    if (least > 0) return q;
+    for (int i = 0; i < 3; ++i)
+        if (q.squares[i] == 0) return least < 0 ? std::nullopt : std::optional(boxed_paraboloid(q, i));
+    return boxed_hyperboloid(q);
+}
+
+/// A paraboloid that ends before `box` begins has a width all the same.
+void fill_width(const Quadric& q, int axis, Bounds& box) {
+    const double length = std::abs(box.max[axis] - box.min[axis]);
+    for (int i = 0; i < 3; ++i) {
+        if (i == axis || (std::isfinite(box.min[i]) && std::isfinite(box.max[i]))) continue;
+        const double half = std::sqrt(std::abs(q.linear[axis]) * length / q.squares[i]);
+        box.min[i] = -half, box.max[i] = half;
+    }
+}
+
 }  // namespace
+
+bool has_products(const Quadric& q) { return max_abs(q.products) > 1e-10 * std::max(max_abs(q.squares), max_abs(q.products)); }
 
 Bounds box_of_ellipsoid(Quadric q) {
     Bounds out{Vec3(-kInf), Vec3(kInf)};
@@ -45,8 +108,10 @@ Bounds box_of_ellipsoid(Quadric q) {
     return {center - half, center + half};
 }
 
-Bounds reach(const Quadric& q, const Bounds& box) {
-    if (has_products(q)) return box;
+Bounds reach(const Quadric& of, const Bounds& box) {
+    const auto made = boxed(of);
+    if (!made) return box;
+    const Quadric& q = *made;
     Bounds out = box;
     for (int pass = 0; pass < 2 && !out.empty(); ++pass)
         for (int i = 0; i < 3 && !out.empty(); ++i) {
@@ -55,7 +120,17 @@ Bounds reach(const Quadric& q, const Bounds& box) {
                 if (j != i) rest += least(q.squares[j], q.linear[j], out.min[j], out.max[j]);
             shorten(q.squares[i], q.linear[i], -rest, out.min[i], out.max[i]);
         }
+    for (int i = 0; i < 3; ++i)
+        if (out.empty() && q.squares[i] == 0 && q.linear[i] != 0) fill_width(q, i, out);
     return out;
+}
+
+bool may_outgrow_reach(const Quadric& of) {
+    const auto made = boxed(of);
+    if (!made) return false;
+    for (int i = 0; i < 3; ++i)
+        if (of.squares[i] == 0 && of.linear[i] != 0) return true;
+    return made->constant > turned_out(of).constant + kZero;
 }
 
 /// With x = M y + m in x.A x + g.x + c.

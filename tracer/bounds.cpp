@@ -3,6 +3,7 @@
 
 #include "eval/bound_tests.h"
 #include "eval/csg_expression.h"
+#include "eval/quadric_reach.h"
 
 #include <algorithm>
 #include <set>
@@ -30,9 +31,38 @@ bool is_boxless(const Quadric& q) {
     return mixed && sign * q.constant <= dot(b, b / (4.0 * a));
 }
 
-bool is_bounded_as_it_is(const ShapeGeometry& shape) {
+/// Does what clips something find a box for it? An inverse object does not; a plane is a plane, whichever side it leaves.
+bool has_box(const Scene& scene, NodeId clip) {
+    bool inverse = false;
+    for (std::optional<NodeId> at = clip; at; at = lone_part(scene.nodes[at->index])) {
+        const Node& node = scene.nodes[at->index];
+        const auto* shape = std::get_if<ShapeId>(&node.what);
+        if (shape && std::holds_alternative<Plane>(scene.shapes[shape->index].geometry)) return true;
+        inverse = inverse != node.inverse;
+    }
+    return !inverse;
+}
+
+/// Was the quadric at the end of the path clipped before its block ended that bounds it first? Then it has a box, if it had no products where it was clipped: clips that stand behind transformations are moved back by
+/// them.
+bool is_boxed_by_clips(const Scene& scene, const std::vector<NodeId>& path, const Quadric& quadric) {
+    Transform placed;
+    for (size_t i = path.size(); i-- > 0;) {
+        const Node& node = scene.nodes[path[i].index];
+        for (const NodeId clip : node.clips) {
+            const Node& clipping = scene.nodes[clip.index];
+            const auto before = lone_part(clipping) ? inverse(clipping.to_parent) : Transform();
+            if (before && has_box(scene, clip) && !has_products(moved(quadric, *before * placed))) return true;
+        }
+        if (!node.bounds.empty() || i == 0 || !lone_part(scene.nodes[path[i - 1].index])) return false;
+        placed = node.to_parent * placed;
+    }
+    return false;
+}
+
+bool is_bounded_as_it_is(const Scene& scene, const std::vector<NodeId>& path, const ShapeGeometry& shape) {
     const auto* quadric = std::get_if<Quadric>(&shape);
-    return std::holds_alternative<Polynomial>(shape) || (quadric && is_boxless(*quadric));
+    return std::holds_alternative<Polynomial>(shape) || (quadric && is_boxless(*quadric) && !is_boxed_by_clips(scene, path, *quadric));
 }
 
 /// Round shapes and quadrics, whose boxes POV-Ray asks in any case.
@@ -90,7 +120,7 @@ void find_bounds(CompiledScene& scene, const BoundedPaths& bounded) {
     bounded.for_each([&](uint32_t id, const std::vector<NodeId>& path) {
         Instance& instance = scene.instances[id];
         const ShapeGeometry& shape = *scene.geometries[instance.geometry].source;
-        const bool as_it_is = is_part(scene.scene, path) || is_bounded_as_it_is(shape);
+        const bool as_it_is = is_part(scene.scene, path) || is_bounded_as_it_is(scene.scene, path, shape);
         if (as_it_is) instance.bound_test = scene.bound_tests->by_shapes(path, placed(scene, path), surface[id]);
         if (as_it_is || hierarchy || keeps_its_box(shape)) instance.bound_test = scene.bound_tests->in_box(instance.bound_test, kept.of_object(path), surface[id]);
     });

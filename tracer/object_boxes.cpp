@@ -3,6 +3,7 @@
 
 #include "core/clamp.h"
 #include "eval/csg_expression.h"
+#include "eval/kept_boxes.h"
 
 #include <algorithm>
 
@@ -16,14 +17,17 @@ Bounds surfaces(const CompiledScene& scene, std::span<const CsgNode> nodes, uint
         const Instance* part = node.leaf == kNoId ? nullptr : &scene.instances[node.leaf];
         return part ? part->to_world.bounds(scene.geometries[part->geometry].bounds) : Bounds();
     }
-    const bool meets = node.op == CsgOp::intersection || node.op == CsgOp::clip;
+    const bool meets = node.op == CsgOp::intersection, clips = node.op == CsgOp::clip;
     Bounds any, all = {Vec3(-kInf), Vec3(kInf)};
     bool limited = false;
+    Bounds clipped;
     for (uint32_t child = n + 1; child < node.end; child = nodes[child].end) {
         const Bounds bounds = surfaces(scene, nodes, child);
         any.extend(bounds);
-        if (!nodes[child].far) all = intersection(all, bounds), limited = true;
+        if (clips && nodes[child].place == 0) clipped = bounds;
+        else if (!nodes[child].far) all = intersection(all, bounds), limited = true;
     }
+    if (clips) return smaller_box(clipped, all);
     return meets && limited ? all : any;
 }
 

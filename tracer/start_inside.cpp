@@ -53,7 +53,7 @@ StartInside::StartInside(const CompiledScene& scene, const Camera& camera) : sce
 bool StartInside::holds(const Body& body, const Vec3& point) const {
     WorkCounters unused;
     const InstanceLeaves leaves(scene_, unused);
-    if (body.id >= scene_.instances.size()) return scene_.solids[body.id - scene_.instances.size()].tree.inside(point, leaves);
+    if (body.id >= scene_.instances.size()) return scene_.solids[body.id - scene_.instances.size()].tree.inside_unclipped(point, leaves);
     if (csg_leaf(scene_, body.id).inside == CsgInside::nowhere) return false;
     return leaves.inside(body.id, point) != scene_.scene.nodes[scene_.instances[body.id].node.index].inverse;
 }

@@ -236,6 +236,19 @@ TEST(Csg, ALineMeetsFewOfManyParts) {
     }
 }
 
+/// POV-Ray asks whether a camera is inside of a body without what clips that, once or again; parts stay clipped.
+TEST(Csg, IsInsideOfWhatItWasBeforeItWasClipped) {
+    ShapeLeaves leaves;
+    const CsgExpression ball = leaves.add(Sphere{Vec3(0), 1}), half = leaves.add(Plane{Vec3(1, 0, 0), 0}), box = leaves.add(Box{Vec3(-1), Vec3(1)}), far = leaves.add(Sphere{Vec3(5, 0, 0), 1});
+    const Vec3 away(0.5, 0, 0);
+    const CsgTree once(of(CsgOp::clip, {ball, half})), twice(of(CsgOp::clip, {of(CsgOp::clip, {ball, half}), box})), part(of(CsgOp::merge, {of(CsgOp::clip, {ball, half}), far}));
+    EXPECT_FALSE(once.inside(away, leaves));
+    EXPECT_TRUE(once.inside_unclipped(away, leaves));
+    EXPECT_TRUE(twice.inside_unclipped(away, leaves));
+    EXPECT_FALSE(twice.inside_unclipped(Vec3(1.5, 0, 0), leaves));
+    EXPECT_FALSE(part.inside_unclipped(away, leaves));
+}
+
 /// A line through a corner of the sphere's box misses the sphere: the torus around it is not asked, wherever it stands.
 TEST(Csg, WhatIsCostlyIsAskedLast) {
     ShapeLeaves leaves;

@@ -43,6 +43,28 @@ const Kept kKept[] = {
     {"cylinder { -x, x, 2 bounded_by { intersection { sphere { 0, .9 } box { -.8, .8 } bounded_by { sphere { <.2,.2,-.1>, .4 } } } } rotate 45*z }", {-.5657, -.2828, -.5}, {.5657, .8485, .3}},
     {"cylinder { -x, x, 2 bounded_by { plane { y, 0 clipped_by { sphere { <.2,.2,-.1>, .4 } } } } translate y }", {-.2, .8, -.5}, {.6, 1.6, .3}},
     {"merge { cylinder { 0, y, 1 } cylinder { y, 2*y, 1 } }", {-1, 0, -1}, {1, 2, 1}},
+    // limits that are apart
+    {"cylinder { -y, y, 1 bounded_by { box { <-1,-1,-1>, <-.1,1,1> } box { <.1,-1,-1>, 1 } } }", {.1, -1, -1}, {-.1, 1, 1}},
+    {"cylinder { -y, y, 1 clipped_by { box { <-1,-1,-1>, <-.9,1,1> } box { <.9,-1,-1>, 1 } } }", {.9, -1, -1}, {-.9, 1, 1}},
+    {"cylinder { -y, y, 1 bounded_by { box { <-1,-1,-1>, <-.1,-.1,1> } box { <.1,.1,-1>, 1 } } }", {.1, .1, -1}, {-.1, -.1, 1}},
+    {"cylinder { -y, y, 1 bounded_by { box { <-3,-3,-1>, <-2,-2,1> } box { <2,2,-1>, <3,3,1> } } }", {-1, -1, -1}, {1, 1, 1}},
+    {"cylinder { -y, y, 1 bounded_by { box { -1, -.1 } box { .1, 1 } } }", {.1, .1, .1}, {-.1, -.1, -.1}},
+    {"cylinder { -y, y, 1 bounded_by { box { <-1,-1,-1>, <-.1,1,1> } box { <.1,-1,-1>, 1 } } clipped_by { box { -.1, .1 } } }", {.1, -1, -1}, {-.1, 1, 1}},
+    {"cylinder { -y, y, 1 bounded_by { box { <-1,-1,-1>, <-.1,1,1> } box { <.1,-1,-1>, 1 } } translate 5*x }", {5.1, -1, -1}, {4.9, 1, 1}},
+    {"cylinder { -y, y, 1 bounded_by { box { <-1,-1,-1>, <-.1,1,1> } box { <.1,-1,-1>, 1 } } rotate 20*z }", {-.2481, -.9055, -1}, {.2481, .9055, 1}},
+    {"union { cylinder { -y, y, 1 bounded_by { box { <-1,-1,-1>, <-.1,1,1> } box { <.1,-1,-1>, 1 } } } sphere { 2*x, .5 } }", {.1, -1, -1}, {2.5, 1, 1}},
+    {"sphere { 0, 2 bounded_by { merge { sphere { 0, 1 } box { -1, 1 } bounded_by { box { <-1,-1,-1>, <-.1,1,1> } box { <.1,-1,-1>, 1 } } } } translate 2*x }", {1.9, -1, -1}, {2.1, 1, 1}},
+    // quadrics and what clips them
+    {"quadric { <1,-1,1>, 0, 0, -.2 clipped_by { plane { y, .5 } plane { -y, .5 } } }", {-1.118, -.5, -1.118}, {1.118, .5, 1.118}},
+    {"quadric { <1,-1,1>, 0, 0, 0 clipped_by { plane { y, .5 } plane { y, -.5 inverse } } }", {-.5, -.5, -.5}, {.5, .5, .5}},
+    {"quadric { <1,0,1>, 0, 0, -.2 clipped_by { box { -1, 1 } } }", {-.4472, -1, -.4472}, {.4472, 1, .4472}},
+    {"quadric { <1,0,1>, 0, -y, 0 clipped_by { plane { y, .5 } } rotate 90*z }", {-.5, -.7071, -.7071}, {0, .7071, .7071}},
+    {"quadric { <1,1,1>, 0, 0, -1 clipped_by { plane { y, .5 } plane { -y, .5 } sphere { 0, .8 } } }", {-.8, -.5, -.8}, {.8, .5, .8}},
+    {"quadric { <1,1,1>, 0, 0, -1 clipped_by { box { -.5, 1 } } bounded_by { box { -1, .7 } } }", {-.5, -.5, -.5}, {1, 1, 1}},
+    {"quadric { <1,-1,1>, 0, 0, -.2 clipped_by { plane { y, .5 } box { -1, 1 } sphere { 0, .5 inverse } } }", {-1, -1, -1}, {1, .5, 1}},
+    {"quadric { <1,0,1>, 0, -y, 0 translate -.3*y clipped_by { box { -1, 1 } } }", {-.8367, .3, -.8367}, {.8367, 1, .8367}},
+    {"quadric { <1,0,1>, 0, -y, 0 translate -y clipped_by { plane { y, .5 } } }", {-.7071, 1, -.7071}, {.7071, .5, .7071}},
+    {"intersection { quadric { <1,0,1>, 0, 0, -.2 clipped_by { plane { y, .5 } plane { -y, .5 } } } sphere { 0, 10 } }", {-.4472, -.5, -.4472}, {.4472, .5, .4472}},
 };
 
 TEST(PovKeptBoxes, AreThoseOfPovRay) {

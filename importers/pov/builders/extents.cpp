@@ -65,7 +65,7 @@ void replace_by_smaller(Bounds& box, const std::vector<Limit>& others) {
 
 Bounds box_of(const Extent& e) {
     Bounds box = own_box(e);
-    if (box.empty()) return box;
+    if (box.empty() && !box.finite()) return box;
     replace_by_smaller(box, e.bounds);
     replace_by_smaller(box, e.clips);
     return box;
@@ -114,7 +114,7 @@ void move(Extent& e, const Item& item, const Transform& t) {
     } else if (e.rule == Extent::Rule::at_once) {
         e.transform = t * e.transform;
     } else if (e.box.finite()) {
-        e.box = t.bounds(e.box);
+        e.box = moved_box(t, e.box);
     }
     if (e.quadric) e.quadric = moved(*e.quadric, t);
     move(e.clips, item, t);
@@ -157,7 +157,7 @@ Bounds common_box(const std::vector<Extent>& parts, bool difference) {
     for (const Extent& part : parts)
         if (part.plane) cut_by_plane(box, *part.plane, part.transform, inverted(part));
     for (const Extent& part : parts)
-        if (part.quadric && !inverted(part)) box = intersection(box, reach(*part.quadric, box));
+        if (part.quadric && !inverted(part) && !box.empty()) box = intersection(box, reach(*part.quadric, box));
     return box.finite() && !box.empty() ? box : kAllSpace;
 }
 
@@ -219,6 +219,18 @@ class Extents::Reader {
         return joined_box(parts);
     }
 
+    /// A quadric has the box of what it reaches in those of its clips.
+    static void clip_quadric(Extent& e) {
+        if (!e.quadric || e.clips.empty()) return;
+        Bounds box = e.box;
+        for (const Limit& clip : e.clips) {
+            if (clip.what->plane) cut_by_plane(box, *clip.what->plane, clip.what->transform, clip.what->inverse);
+            else box = intersection(box, clip.box);
+        }
+        if (!box.empty()) box = reach(*e.quadric, box);
+        if (box.finite()) e.box = box;
+    }
+
     void modifier(Extent& e, Cursor& at) {
         if (at.at_transform()) {
             const Item& item = at.peek();
@@ -226,6 +238,7 @@ class Extents::Reader {
         } else if (const Block* clip = at.block_at("clipped_by"_w)) {
             at.next();
             add_limits(e, e.clips, *clip);
+            clip_quadric(e);
         } else if (const Block* bound = at.block_at("bounded_by"_w)) {
             at.next();
             add_limits(e, e.bounds, *bound);
@@ -272,7 +285,7 @@ Extents::~Extents() = default;
 
 Bounds Extents::of(const Block& block) {
     const Bounds box = box_of(reader_->object(block));
-    if (box.empty()) return box;
+    if (box.empty() && !box.finite()) return box;
     if (!box.finite()) return {Vec3(-kUnboundedExtent), Vec3(kUnboundedExtent)};
     const auto rounded = [](const Vec3& v) { return Vec3(in_single(v.x), in_single(v.y), in_single(v.z)); };
     const Vec3 low = rounded(box.min);

@@ -67,7 +67,7 @@ Value extent(Parser& p, Place) {
     const Value object = first_object(p);
     close(p);
     const Bounds box = queries(p).extent(object);
-    if (box.empty()) return of_three(Vec3(0));
+    if (box.empty() && !box.finite()) return of_three(Vec3(0));   // there is nothing; limits that are apart keep a box that is upside down
     return of_three(high ? box.max : box.min);
 }
 
