@@ -34,6 +34,7 @@ template <template <class> class Structure, class Leaf> class StructureAccelerat
         clock.restart();
         stats_.references = order.size() - size_t(std::count(order.begin(), order.end(), kPadding));
         leaf_.emplace(source, order, options);
+        if constexpr (requires(Structure<Leaf>& s, Leaf& leaf) { s.settle(leaf.blocks()); }) structure_->settle(leaf_->blocks());
         clock.ended("pack");
         stats_.bytes = sizeof(*this) + structure_->bytes() + leaf_->bytes();
         stats_.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();

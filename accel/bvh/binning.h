@@ -96,10 +96,7 @@ template <class R> struct BinningPasses {
     void (*bound)(std::span<const BvhReference<R>> references, BoxEnds<R>& box, CentroidBounds<R>& centroids);
     /// Sorts the references into bins along each axis.
     void (*fill)(std::span<const BvhReference<R>> references, const CentroidMap<R>& map, Bins<R>& bins);
-    /// Moves those not below `bin` to the front, and returns their number; keeps the order within both parts, and tells the bounds of their centroids. `spare` has room for all.
-    size_t (*partition)(std::span<BvhReference<R>> references, BvhReference<R>* spare, const CentroidMap<R>& map, int axis, int bin, CentroidBounds<R>& left,
-                        CentroidBounds<R>& right);
-    /// Copies those not below `bin` to `rights` and the others to `lefts`, in their order.
+    /// Copies those not below `bin` to `rights` and the others to `lefts`, in their order, and tells the bounds of their centroids.
     void (*scatter)(std::span<const BvhReference<R>> references, BvhReference<R>* lefts, BvhReference<R>* rights, const CentroidMap<R>& map, int axis, int bin, CentroidBounds<R>& left,
                     CentroidBounds<R>& right);
 };

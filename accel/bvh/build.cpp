@@ -19,15 +19,15 @@ template <class R> void replace_by_children(std::vector<BvhTask<R>>& tasks, cons
     BvhTask<R> &r = tasks[tasks.size() - 2], &l = tasks.back();
     const BvhReference<R>* apart = r.spare;
     const uint32_t rest = r.budget - (to.lefts + to.rights - r.count), lefts = share(rest, left.box.half_area() * to.lefts, right.box.half_area() * to.rights);
-    l.node = node, l.depth = ++r.depth, l.count = to.lefts, l.room = r.room - to.rights, l.budget = lefts, l.first = r.first + to.rights, l.spare = r.spare, l.centroids = left.centroids;
+    l.node = node, l.depth = ++r.depth, l.count = to.lefts, l.room = r.room - to.rights, l.spare_room = r.spare_room, l.budget = lefts, l.first = r.first + to.rights, l.spare = r.spare, l.centroids = left.centroids;
     if (to.lefts + to.rights > r.room) {
         l.room = to.lefts + lefts;
         l.home = room_for_references<R>((lasting ? 2 : 1) * size_t(l.room));
         l.first = l.home.get();
-        if (lasting) l.spare = l.first + l.room;
+        if (lasting) l.spare = l.first + l.room, l.spare_room = l.room;
     } else {
         l.home = r.home;
-        if (lasting) l.spare = r.spare + to.rights, r.room = to.rights;
+        if (lasting) l.spare = r.spare + to.rights, l.spare_room = r.spare_room - to.rights, r.room = r.spare_room = to.rights;
     }
     if (to.apart) std::copy(apart, apart + to.lefts, l.first);
     r.node = node + 1, r.count = to.rights, r.budget = rest - lefts, r.centroids = right.centroids;
@@ -91,7 +91,7 @@ template <class R> class Builder {
         references_.reserve(size_t(count) + growth);
         spare_ = room_for_references<R>(size_t(count) + growth);
         const Part<R> all = whole();
-        BvhTask<R> root{0, 0, count, count + growth, growth, references_.data(), spare_.get(), all.centroids, {}};
+        BvhTask<R> root{0, 0, count, count + growth, count + growth, growth, references_.data(), spare_.get(), all.centroids, {}};
         subtree_size_ = std::max(kLeastSubtree, count / kSubtrees);
         share_ = count / uint32_t(limits_.threads > 0 ? limits_.threads : hardware_threads());
         if (limits_.threads == 1 || count <= subtree_size_) {

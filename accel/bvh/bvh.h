@@ -150,8 +150,26 @@ template <class Leaf> class CompactBvh : public Bvh<Leaf> {
 };
 
 template <TriangleTest test> class CompactBvh<TriangleLeaf<float, test, NumberedBlocks>> : public WideBvh<TriangleLeaf<float, test, NumberedBlocks>, CompactNode> {
+    using Base = WideBvh<TriangleLeaf<float, test, NumberedBlocks>, CompactNode>;
+    using Base::nodes_;
+
   public:
-    using WideBvh<TriangleLeaf<float, test, NumberedBlocks>, CompactNode>::WideBvh;
+    using Base::Base;
+
+    /// The leaves by the numbers of their blocks, whose sizes differ.
+    void settle(NumberedBlocks& blocks) {
+        for (CompactNode& node : nodes_.writable()) {
+            for (uint32_t i = 0; i < kWide; ++i)
+                if ((node.places() >> i & 1) && WideLeaf::is(node.child[i])) node.child[i] = WideLeaf::make(checked(blocks.number(WideLeaf::block(node.child[i]))), WideLeaf::count(node.child[i]));
+        }
+        blocks.forget_order();
+    }
+
+  private:
+    static uint32_t checked(uint32_t number) {
+        if (number >= WideLeaf::kMaxBlocks) throw std::length_error("more primitives than the tree can number");
+        return number;
+    }
 };
 
 template <> struct BlocksOf<CompactBvh, float> {

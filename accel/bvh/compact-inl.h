@@ -45,8 +45,38 @@ HWY_INLINE HWY_ATTR void load_vertices(const Vec3f* positions, const uint32_t* v
     hn::Store(hn::BitCast(d, hn::InterleaveLower(pairs, ab_z, ce_z)), d, xyz[2]);
 }
 
+/// The corners of a block that keeps them, spread over its lanes.
+HWY_INLINE HWY_ATTR void load_corners(const CorneredBlock& from, TriangleBlock<float>& block) {
+    const hn::FixedTag<float, 8> d;
+    const hn::FixedTag<int32_t, 8> whole;
+    const hn::FixedTag<uint32_t, 8> ids;
+    hn::Store(hn::Load(ids, from.id), ids, block.id);
+    const auto vertices = [&](int corner) HWY_ATTR { return hn::PromoteTo(whole, hn::Load(hn::FixedTag<uint8_t, 8>(), from.corner[corner])); };
+    const auto low = [&](auto v) HWY_ATTR { return hn::IndicesFromVec(d, hn::And(v, hn::Set(whole, 7))); };
+    const auto a = vertices(0), b = vertices(1), c = vertices(2);
+    const auto at_a = low(a), at_b = low(b), at_c = low(c);
+    if (from.vertices <= 8) {
+        for (int axis = 0; axis < 3; ++axis) {
+            const auto first = hn::LoadU(d, from.coordinates(axis));
+            hn::Store(hn::TableLookupLanes(first, at_a), d, block.v[axis]), hn::Store(hn::TableLookupLanes(first, at_b), d, block.v[3 + axis]), hn::Store(hn::TableLookupLanes(first, at_c), d, block.v[6 + axis]);
+        }
+        return;
+    }
+    const auto high = [&](auto v) HWY_ATTR { return hn::RebindMask(d, hn::Gt(v, hn::Set(whole, 7))); };
+    const auto high_a = high(a), high_b = high(b), high_c = high(c);
+    for (int axis = 0; axis < 3; ++axis) {
+        const auto first = hn::LoadU(d, from.coordinates(axis)), second = hn::LoadU(d, from.coordinates(axis) + 8);
+        const auto spread = [&](auto at, auto is_high, float* to) HWY_ATTR { hn::Store(hn::IfThenElse(is_high, hn::TableLookupLanes(second, at), hn::TableLookupLanes(first, at)), d, to); };
+        spread(at_a, high_a, block.v[axis]), spread(at_b, high_b, block.v[3 + axis]), spread(at_c, high_c, block.v[6 + axis]);
+    }
+}
+
 HWY_INLINE HWY_ATTR TriangleBlock<float> load_block(const NumberedBlocks& blocks, uint32_t number, uint32_t lanes) {
     TriangleBlock<float> block;
+    if (!blocks.has_boxes(number)) {
+        load_corners(blocks.cornered(number), block);
+        return block;
+    }
     const uint32_t* const ids = blocks.boxes(number).child;
     const Index3* const triangles = blocks.mesh().triangles.data();
     const auto first = uint32_t(std::countr_zero(lanes));   // is in the other lanes, too: it is read anyway

@@ -5,6 +5,10 @@
 #include "accel/bvh/byte_grid.h"
 #include "accel/bvh/watertight_boxes.h"
 
+#include <cstddef>
+#include <span>
+#include <vector>
+
 namespace alidade {
 
 /// A WideNode whose planes are those of a grid, outward: what is tested holds the exact boxes.
@@ -24,25 +28,67 @@ CompactNode compacted(const WideNode<float>& node);
 /// The same tree.
 LargeVector<CompactNode> compacted(const LargeVector<WideNode<float>>& nodes, int threads = 1);
 
-/// Triangles by the number, with their boxes. Only those whose boxes a ray enters are read from the caller's arrays, which must live as long.
+/// Eight triangles whose corners follow: each once, for all triangles around it, so that meshes take half of what three corners a triangle do. Read where a ray meets the leaf, and nothing else.
+struct alignas(32) CorneredBlock {
+    static constexpr uint32_t kMost = 16;   ///< what two vectors hold
+
+    uint32_t id[kLanes];
+    uint8_t corner[3][kLanes];   ///< which of the vertices
+    uint8_t vertices;
+    uint8_t unused[6];
+    uint8_t places;              ///< 0, where a CompactNode has what is never 0
+
+    /// Of an axis, one after the other; those of the next axis follow.
+    const float* coordinates(int axis) const { return reinterpret_cast<const float*>(this + 1) + size_t(axis) * vertices; }
+    float* coordinates(int axis) { return reinterpret_cast<float*>(this + 1) + size_t(axis) * vertices; }
+    static constexpr size_t bytes(uint32_t vertices) { return sizeof(CorneredBlock) + size_t(vertices) * 3 * sizeof(float); }
+};
+static_assert(sizeof(CorneredBlock) == 64 && offsetof(CorneredBlock, places) == offsetof(CompactNode, grid) + offsetof(ByteGrid, places));
+
+/// Triangles by the number, each block either with its corners, or with the boxes of its triangles: then only those whose boxes a ray enters are read from the caller's arrays, which must live as long.
+///
+/// Corners are kept of as many blocks as there is room for, those with the fewest vertices first.
 class NumberedBlocks {
   public:
-    NumberedBlocks(const TriangleSource<float>& source, const std::vector<uint32_t>& order, int threads, bool watertight = false);
+    /// Bytes that blocks may take where corners are kept: of a large mesh. A small one is near at hand itself, and instances of it have a structure of their own to pay for.
+    static size_t room(size_t triangles) { return triangles > kSmallMesh ? kRoom * triangles : 0; }
 
-    /// The eight boxes of a block. The children are triangles.
-    const CompactNode& boxes(uint32_t number) const { return boxes_[number]; }
-    const void* address(uint32_t number) const { return &boxes_[number]; }
-    uint32_t id(uint32_t place) const { return boxes_[place / kLanes].child[place % kLanes]; }
+    NumberedBlocks(const TriangleSource<float>& source, const std::vector<uint32_t>& order, int threads, bool watertight = false) : NumberedBlocks(source, order, threads, watertight, room(source.size())) {}
+    NumberedBlocks(const TriangleSource<float>& source, const std::vector<uint32_t>& order, int threads, bool watertight, size_t room);
+
+    /// The number of the block that begins at that place of the order, divided by eight. Until forget_order().
+    uint32_t number(uint32_t block) const { return numbers_[block]; }
+    void forget_order() { numbers_ = {}; }
+
+    bool has_boxes(uint32_t number) const { return boxes(number).places() != 0; }
+    /// The eight boxes of a block that has them. The children are triangles.
+    const CompactNode& boxes(uint32_t number) const { return *reinterpret_cast<const CompactNode*>(&units_[number]); }
+    const CorneredBlock& cornered(uint32_t number) const { return *reinterpret_cast<const CorneredBlock*>(&units_[number]); }
+    const void* address(uint32_t number) const { return &units_[number]; }
+    uint32_t id(uint32_t place) const { return has_boxes(place / kLanes) ? boxes(place / kLanes).child[place % kLanes] : cornered(place / kLanes).id[place % kLanes]; }
     Corners corners(uint32_t place) const { return source_.corners(id(place)); }
     /// What a block of PackedBlocks has in `lanes`; zeros in the others.
     TriangleBlock<float> block(uint32_t number, uint32_t lanes) const;
-    TriangleBlock<float> operator[](uint32_t number) const { return block(number, boxes_[number].places()); }
+    TriangleBlock<float> operator[](uint32_t number) const { return block(number, (1u << kLanes) - 1); }
     const TriangleView& mesh() const { return source_.mesh(); }
-    size_t bytes() const { return boxes_.capacity() * sizeof(CompactNode); }
+    size_t bytes() const { return units_.capacity() * sizeof(Unit); }
 
   private:
+    static constexpr size_t kSmallMesh = size_t(1) << 15, kRoom = 28;
+
+    struct alignas(32) Unit {
+        unsigned char bytes[32];
+    };
+    static uint32_t units(size_t bytes) { return uint32_t((bytes + sizeof(Unit) - 1) / sizeof(Unit)); }
+    struct Vertices;
+
+    void lay_out(const std::vector<uint32_t>& order, int threads, size_t room);
+    void make_boxes(Unit* at, std::span<const uint32_t> ids, bool watertight) const;
+    void make_corners(Unit* at, std::span<const uint32_t> ids) const;
+
     TriangleSource<float> source_;
-    LargeVector<CompactNode> boxes_;
+    LargeVector<Unit> units_;         ///< a block begins at each number; behind the last there is one more, which vectors may read
+    std::vector<uint32_t> numbers_;   ///< of each block of the order
 };
 
 template <TriangleTest test> using CompactTraversals = WideTraversals<CompactNode, TriangleLeaf<float, test, NumberedBlocks>>;

@@ -3,6 +3,9 @@
 #include "core/parallel.h"
 
 #include <algorithm>
+#include <array>
+#include <cstring>
+#include <new>
 
 namespace alidade {
 
@@ -28,26 +31,114 @@ LargeVector<CompactNode> compacted(const LargeVector<WideNode<float>>& nodes, in
     return made;
 }
 
-NumberedBlocks::NumberedBlocks(const TriangleSource<float>& source, const std::vector<uint32_t>& order, int threads, bool watertight) : source_(source), boxes_((order.size() + kLanes - 1) / kLanes) {
-    for_ranges(boxes_.size(), threads, [&](size_t first, size_t end) {
+/// The vertices of a block, each once, up to one more than CorneredBlock::kMost.
+struct NumberedBlocks::Vertices {
+    std::array<uint32_t, CorneredBlock::kMost + 1> vertex;
+    uint32_t count = 0;
+
+    /// Its place; kMost if there is none left.
+    uint32_t add(uint32_t index) {
+        for (uint32_t i = 0; i < count; ++i)
+            if (vertex[i] == index) return i;
+        if (count <= CorneredBlock::kMost) vertex[count++] = index;
+        return count - 1;
+    }
+};
+
+namespace {
+
+/// The ids of a block, without padding.
+std::span<const uint32_t> ids_of(const std::vector<uint32_t>& order, size_t block) {
+    const size_t first = block * kLanes, end = std::min(order.size(), first + kLanes);
+    const auto begin = order.begin() + std::ptrdiff_t(first);
+    return {order.data() + first, size_t(std::find(begin, order.begin() + std::ptrdiff_t(end), kPadding) - begin)};
+}
+
+}  // namespace
+
+NumberedBlocks::NumberedBlocks(const TriangleSource<float>& source, const std::vector<uint32_t>& order, int threads, bool watertight, size_t room) : source_(source), numbers_((order.size() + kLanes - 1) / kLanes) {
+    lay_out(order, threads, room);
+    for_ranges(numbers_.size(), threads, [&](size_t first, size_t end) {
         for (size_t b = first; b < end; ++b) {
-            WideNode<float> node{};
-            for (uint32_t lane = 0; lane < kLanes; ++lane) {
-                const size_t place = b * kLanes + lane;
-                const bool none = place >= order.size() || order[place] == kPadding;
-                const BoundsT<float> box = none ? BoundsT<float>() : source.box(order[place]);
-                node.set_box(lane, watertight && !none ? watertight_box(box, largest_coordinate(box)) : box);
-                node.child[lane] = none ? 0 : order[place];
-            }
-            boxes_[b] = compacted(node);
+            const bool boxed = units_[numbers_[b]].bytes[0] != 0;
+            Unit* const at = &units_[numbers_[b]];
+            const uint32_t count = (b + 1 < numbers_.size() ? numbers_[b + 1] : uint32_t(units_.size()) - 1) - numbers_[b];
+            std::memset(static_cast<void*>(at), 0, count * sizeof(Unit));
+            if (boxed) make_boxes(at, ids_of(order, b), watertight);
+            else make_corners(at, ids_of(order, b));
         }
     });
 }
 
+/// Numbers the blocks, and marks those that have boxes.
+void NumberedBlocks::lay_out(const std::vector<uint32_t>& order, int threads, size_t room) {
+    std::vector<uint8_t> vertices(numbers_.size(), CorneredBlock::kMost + 1);
+    if (room > 0) {
+        for_ranges(numbers_.size(), threads, [&](size_t first, size_t end) {
+            for (size_t b = first; b < end; ++b) {
+                Vertices own;
+                for (const uint32_t id : ids_of(order, b))
+                    for (int corner = 0; corner < 3; ++corner) own.add(uint32_t(mesh().triangles[id][corner]));
+                vertices[b] = uint8_t(own.count);
+            }
+        });
+    }
+    std::array<size_t, CorneredBlock::kMost + 2> with{};
+    for (const uint8_t count : vertices) ++with[count];
+    const uint32_t of_boxes = units(sizeof(CompactNode));
+    size_t all = numbers_.size() * of_boxes;
+    uint32_t most = 0;   // vertices of a block whose corners are kept
+    for (uint32_t count = 1; count <= CorneredBlock::kMost; ++count) {
+        const size_t with_these = all - with[count] * of_boxes + with[count] * units(CorneredBlock::bytes(count));
+        if (with_these * sizeof(Unit) > room) break;
+        all = with_these, most = count;
+    }
+    units_.resize(all + 1);
+    std::memset(static_cast<void*>(&units_[all]), 0, sizeof(Unit));
+    uint32_t next = 0;
+    for (size_t b = 0; b < numbers_.size(); ++b) {
+        const bool boxed = vertices[b] > most;
+        numbers_[b] = next, units_[next].bytes[0] = boxed;
+        next += boxed ? of_boxes : units(CorneredBlock::bytes(vertices[b]));
+    }
+}
+
+void NumberedBlocks::make_boxes(Unit* at, std::span<const uint32_t> ids, bool watertight) const {
+    WideNode<float> node{};
+    for (uint32_t lane = 0; lane < kLanes; ++lane) {
+        const bool none = lane >= ids.size();
+        const BoundsT<float> box = none ? BoundsT<float>() : source_.box(ids[lane]);
+        node.set_box(lane, watertight && !none ? watertight_box(box, largest_coordinate(box)) : box);
+        node.child[lane] = none ? 0 : ids[lane];
+    }
+    ::new (static_cast<void*>(at)) CompactNode(compacted(node));
+}
+
+void NumberedBlocks::make_corners(Unit* at, std::span<const uint32_t> ids) const {
+    auto& block = *::new (static_cast<void*>(at)) CorneredBlock{};
+    Vertices own;
+    for (uint32_t lane = 0; lane < ids.size(); ++lane) {
+        block.id[lane] = ids[lane];
+        for (int corner = 0; corner < 3; ++corner) block.corner[corner][lane] = uint8_t(own.add(uint32_t(mesh().triangles[ids[lane]][corner])));
+    }
+    block.vertices = uint8_t(own.count);
+    for (int axis = 0; axis < 3; ++axis)
+        for (uint32_t i = 0; i < own.count; ++i) block.coordinates(axis)[i] = mesh().positions[own.vertex[i]][axis];
+}
+
 TriangleBlock<float> NumberedBlocks::block(uint32_t number, uint32_t lanes) const {
     TriangleBlock<float> block{};
-    for (uint32_t lane = 0; lane < kLanes; ++lane)
-        if (lanes >> lane & 1) pack(corners(number * kLanes + lane), id(number * kLanes + lane), block, lane);
+    const bool boxed = has_boxes(number);
+    if (boxed) lanes &= boxes(number).places();
+    for (uint32_t lane = 0; lane < kLanes; ++lane) {
+        if (!(lanes >> lane & 1)) continue;
+        block.id[lane] = id(number * kLanes + lane);
+        for (int i = 0; i < 9; ++i) {
+            const auto corner = size_t(i / 3);
+            const int axis = i % 3;
+            block.v[i][lane] = boxed ? mesh().positions[mesh().triangles[block.id[lane]][int(corner)]][axis] : cornered(number).coordinates(axis)[cornered(number).corner[corner][lane]];
+        }
+    }
     return block;
 }
 

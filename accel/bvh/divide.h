@@ -24,13 +24,14 @@ template <class R> std::shared_ptr<BvhReference<R>[]> room_for_references(size_t
 /// A node that is to be divided, and its references.
 template <class R> struct BvhTask {
     uint32_t node = 0, depth = 0, count = 0;
-    uint32_t room = 0;     ///< so many references have a place from `first` on
+    uint32_t room = 0, spare_room = 0;   ///< so many references have a place from `first` on, and from `spare` on: never less than `count`
     uint32_t budget = 0;   ///< so many more may be made
-    BvhReference<R> *first = nullptr, *spare = nullptr;   ///< spare: room for `count` references, to work with
+    BvhReference<R> *first = nullptr, *spare = nullptr;   ///< spare: to work with
     CentroidBounds<R> centroids;
     std::shared_ptr<BvhReference<R>[]> home;   ///< keeps the references where there was no room beside the others
 
     std::span<BvhReference<R>> references() const { return {first, count}; }
+    void swap_memory() { std::swap(first, spare), std::swap(room, spare_room); }
 };
 
 /// One side of a divided range.
@@ -117,9 +118,15 @@ template <class R> class Divider {
         }
     }
 
-    /// Moves the right ones to the front, keeping the order of both sides, and returns their number.
+    /// The right ones, then the left ones, each in their order, in what was spare. Returns how many are right.
     size_t partition(BvhTask<R>& task, const CentroidMap<R>& map, const Split& split, CentroidBounds<R>& left, CentroidBounds<R>& right) {
-        if (!uses_threads(task)) return passes_.partition(task.references(), task.spare, map, split.axis, split.bin, left, right);
+        if (!uses_threads(task)) {
+            uint32_t rights = 0;
+            for (int b = split.bin; b < map.count; ++b) rights += bins_.count[split.axis][b];
+            passes_.scatter(task.references(), task.spare + rights, task.spare, map, split.axis, split.bin, left, right);
+            task.swap_memory();
+            return rights;
+        }
         struct Chunk {
             size_t lefts = 0, rights = 0;   ///< in the chunks before
             CentroidBounds<R> left, right;
@@ -135,7 +142,7 @@ template <class R> class Divider {
             Chunk& chunk = chunks[first / kRange];
             passes_.scatter(task.references().subspan(first, end - first), task.spare + rights + chunk.lefts, task.spare + chunk.rights, map, split.axis, split.bin, chunk.left, chunk.right);
         });
-        std::swap(task.first, task.spare);
+        task.swap_memory();
         for (const Chunk& chunk : chunks) left.extend(chunk.left), right.extend(chunk.right);
         return rights;
     }

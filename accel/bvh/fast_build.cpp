@@ -8,7 +8,6 @@
 #include <algorithm>
 #include <array>
 #include <bit>
-#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -48,24 +47,28 @@ struct Coded {
     friend bool operator<(const Coded& a, const Coded& b) { return a.code != b.code ? a.code < b.code : a.place < b.place; }
 };
 
-/// By code, then by place, as they are given. Method: least digit first; ranges are counted, then moved, each by one thread.
+/// By code, then by place, as they are given. Method: least digit first; stretches are counted, then moved, each by one thread, and are long: each has a counter for every value of a digit.
 void sort_codes(LargeVector<Coded>& codes, int threads) {
     if (codes.size() < kRange) return std::sort(codes.begin(), codes.end());
     LargeVector<Coded> other(codes.size());
-    std::vector<std::array<uint32_t, kDigits>> next((codes.size() + kRange - 1) / kRange);
+    const size_t wanted = threads == 1 ? 1 : size_t(4 * (threads > 0 ? threads : hardware_threads())), length = std::max(kRange, (codes.size() + wanted - 1) / wanted);
+    std::vector<std::array<uint32_t, kDigits>> next((codes.size() + length - 1) / length);
     for (int shift = 0; shift < kPasses * kDigitBits; shift += kDigitBits) {
         const auto digit = [shift](const Coded& c) { return c.code >> shift & (kDigits - 1); };
-        for_ranges(codes.size(), threads, [&](size_t first, size_t end) {
-            auto& count = next[first / kRange];
+        const auto each = [&](size_t stretch, const auto& visit) {
+            for (size_t i = stretch * length; i < std::min(codes.size(), (stretch + 1) * length); ++i) visit(codes[i]);
+        };
+        parallel_for(next.size(), threads, [&](size_t stretch) {
+            auto& count = next[stretch];
             count.fill(0);
-            for (size_t i = first; i < end; ++i) ++count[digit(codes[i])];
+            each(stretch, [&](const Coded& c) { ++count[digit(c)]; });
         });
         uint32_t sum = 0;
         for (size_t d = 0; d < kDigits; ++d)
-            for (auto& range : next) sum += std::exchange(range[d], sum);
-        for_ranges(codes.size(), threads, [&](size_t first, size_t end) {
-            auto& to = next[first / kRange];
-            for (size_t i = first; i < end; ++i) other[to[digit(codes[i])]++] = codes[i];
+            for (auto& stretch : next) sum += std::exchange(stretch[d], sum);
+        parallel_for(next.size(), threads, [&](size_t stretch) {
+            auto& to = next[stretch];
+            each(stretch, [&](const Coded& c) { other[to[digit(c)]++] = c; });
         });
         codes.swap(other);
     }
@@ -74,16 +77,18 @@ void sort_codes(LargeVector<Coded>& codes, int threads) {
 /// Subtrees of one stretch of the curve.
 template <class R> class Treelets {
   public:
-    Treelets(const LargeVector<BvhReference<R>>& references, LargeVector<Coded>& codes, const BvhLimits& limits) : references_(references), codes_(codes), limits_(limits) {
+    /// `cut`: may two references have the same id?
+    Treelets(const LargeVector<BvhReference<R>>& references, LargeVector<Coded>& codes, const BvhLimits& limits, bool cut) : references_(references), codes_(codes), limits_(limits), cut_(cut) {
         for (uint32_t i = 0; i <= kSwept; ++i) blocks_[i] = double((i + limits.max_leaf - 1) / limits.max_leaf);
     }
 
     /// Of the references from `first` on, whose codes differ in no bit above `bit`.
     void add(uint32_t first, uint32_t end, int bit) {
         if (end - first <= kTreeletLeaves * limits_.max_leaf) {
-            roots.push_back(uint32_t(nodes.size()));
+            pad();
+            roots.push_back({uint32_t(nodes.size()), uint32_t(order.size()), 0});
             nodes.emplace_back();
-            grow(roots.back(), first, end, bit, 0);
+            grow(roots.back().node, first, end, bit, 0);
             return;
         }
         const uint32_t middle = divide(first, end, bit);
@@ -91,19 +96,23 @@ template <class R> class Treelets {
         add(first, middle, below), add(middle, end, below);
     }
 
-    std::vector<BvhNode<R>> nodes;   ///< leaves: `first` is a place on the curve
-    std::vector<uint32_t> roots;
+    struct Root {
+        uint32_t node, place;   ///< where its nodes and ids begin
+        uint32_t depth;         ///< levels below it
+    };
+    std::vector<BvhNode<R>> nodes;   ///< in depth-first order of pairs; leaves: `first` is a place in `order`
+    std::vector<uint32_t> order;     ///< ids, padded to blocks
+    std::vector<Root> roots;
 
   private:
     void grow(uint32_t node, uint32_t first, uint32_t end, int bit, uint32_t depth) {
-        if (end - first <= limits_.max_leaf) {
-            BoxEnds<R> box = BoxEnds<R>::none();
-            for (uint32_t i = first; i < end; ++i) box.extend(references_[codes_[i].place]);
-            nodes[node] = {box.box(), first, end - first};
+        if (end - first <= kSwept) {
+            for (uint32_t i = first; i < end; ++i) few_[i - first] = references_[codes_[i].place];
+            grow_few(node, 0, end - first, true, true, depth);
             return;
         }
         const uint32_t child = uint32_t(nodes.size());
-        const uint32_t middle = end - first <= kSwept ? swept(first, end) : depth < kBitDepth ? divide(first, end, bit) : first + (end - first) / 2;
+        const uint32_t middle = depth < kBitDepth ? divide(first, end, bit) : first + (end - first) / 2;
         const int below = bit - 1;
         nodes.emplace_back(), nodes.emplace_back();
         grow(child, first, middle, below, depth + 1), grow(child + 1, middle, end, below, depth + 1);
@@ -111,24 +120,47 @@ template <class R> class Treelets {
         nodes[node].first = child;
     }
 
-    /// Where on the curve a few leaves are divided at the least cost: areas times started blocks.
-    uint32_t swept(uint32_t first, uint32_t end) const {
-        const uint32_t count = end - first, least = (count + 3) / 4, most = count - least;   // on one side, so that paths are short
-        std::array<double, kSwept> above;
+    /// Of some of few_. Divides them on the curve at the least cost: areas times started blocks. Of the areas the first part of a divided range has those below already, and the second those above.
+    void grow_few(uint32_t node, uint32_t first, uint32_t end, bool wants_below, bool wants_above, uint32_t depth) {
         BoxEnds<R> box = BoxEnds<R>::none();
-        for (uint32_t i = count; i-- > least;) {
-            box.extend(references_[codes_[first + i].place]);
-            if (i <= most) above[i] = box.half_area() * blocks_[count - i];
+        if (end - first <= limits_.max_leaf) {
+            for (uint32_t i = first; i < end; ++i) box.extend(few_[i]);
+            nodes[node].box = box.box();
+            return make_leaf(nodes[node], first, end, depth);
         }
-        box = BoxEnds<R>::none();
+        if (wants_below)
+            for (uint32_t i = first; i < end; ++i) box.extend(few_[i]), below_[i] = box.half_area();
+        if (wants_above) {
+            box = BoxEnds<R>::none();
+            for (uint32_t i = end; i-- > first;) box.extend(few_[i]), above_[i] = box.half_area();
+        }
+        const uint32_t middle = cheapest(first, end), child = uint32_t(nodes.size());
+        nodes[node].box = box.box(), nodes[node].first = child;
+        nodes.emplace_back(), nodes.emplace_back();
+        grow_few(child, first, middle, false, true, depth + 1), grow_few(child + 1, middle, end, true, false, depth + 1);
+    }
+
+    uint32_t cheapest(uint32_t first, uint32_t end) const {
+        const uint32_t count = end - first, least = (count + 3) / 4;   // on one side, so that paths are short
         uint32_t best = least;
         double best_cost = kInf;
-        for (uint32_t i = 1; i <= most; ++i) {
-            box.extend(references_[codes_[first + i - 1].place]);
-            if (i < least) continue;
-            if (const double cost = box.half_area() * blocks_[i] + above[i]; cost < best_cost) best = i, best_cost = cost;
-        }
+        for (uint32_t i = least; i <= count - least; ++i)
+            if (const double cost = below_[first + i - 1] * blocks_[i] + above_[first + i] * blocks_[count - i]; cost < best_cost) best = i, best_cost = cost;
         return first + best;
+    }
+
+    void pad() {
+        while (order.size() % limits_.block) order.push_back(kPadding);
+    }
+    void make_leaf(BvhNode<R>& leaf, uint32_t first, uint32_t end, uint32_t depth) {
+        pad();
+        leaf.first = uint32_t(order.size());
+        for (uint32_t i = first; i < end; ++i) {
+            const uint32_t id = few_[i].id();
+            if (!cut_ || std::find(order.begin() + leaf.first, order.end(), id) == order.end()) order.push_back(id);   // two parts of one are one
+        }
+        leaf.count = uint32_t(order.size()) - leaf.first;
+        roots.back().depth = std::max(roots.back().depth, depth);
     }
 
     /// Where the highest bit changes that does; `bit` becomes its number. Where no code differs, they are made anew, of the stretch alone.
@@ -152,7 +184,10 @@ template <class R> class Treelets {
     const LargeVector<BvhReference<R>>& references_;
     LargeVector<Coded>& codes_;
     BvhLimits limits_;
-    std::array<double, kSwept + 1> blocks_;   ///< that so many references start
+    bool cut_;
+    std::array<double, kSwept + 1> blocks_;        ///< that so many references start
+    std::array<BvhReference<R>, kSwept> few_;      ///< the references that are divided now, in their order on the curve
+    std::array<double, kSwept> below_, above_;     ///< areas of those from the first of the range to each, and from each to the last
 };
 
 template <class R> class FastBuilder {
@@ -167,10 +202,11 @@ template <class R> class FastBuilder {
         make_treelets();
         LargeVector<BvhReference<R>> roots;
         roots.reserve(roots_.size());
-        for (const auto& [stretch, node] : roots_) roots.emplace_back(stretches_[stretch].nodes[node].box, uint32_t(roots.size()));
+        for (const auto& [stretch, root] : roots_) roots.emplace_back(stretches_[stretch].nodes[stretches_[stretch].roots[root].node].box, uint32_t(roots.size()));
         BvhLimits above{1, 1, limits_.isa, 0, limits_.threads, kDepthAbove};
         std::vector<uint32_t> places;
         BuildStats ignored;
+        references_ = {}, codes_ = {};
         const auto top = build_bvh(std::move(roots), above, places, ignored);
         join(top, places);
         stats_.nodes = nodes_.size();
@@ -197,7 +233,8 @@ template <class R> class FastBuilder {
         Extent all = extent();
         const size_t whole = references_.size();
         if (triangles_) presplit(references_, all.box, *triangles_, limits_.growth, limits_.threads);
-        if (references_.size() > whole) all = extent();
+        cut_ = references_.size() > whole;
+        if (cut_) all = extent();
         const CentroidMap<R> map(all.centroids, kCells);
         codes_.resize(references_.size());
         for_ranges(references_.size(), limits_.threads, [&](size_t first, size_t end) {
@@ -215,53 +252,57 @@ template <class R> class FastBuilder {
             begins.push_back(uint32_t(std::partition_point(begin + begins.back(), codes_.end(), [cell](const Coded& c) { return c.code >> (30 - kAbove) <= cell; }) - begin));
         }
         stretches_.reserve(begins.size());
-        for (size_t i = 1; i < begins.size(); ++i) stretches_.emplace_back(references_, codes_, limits_);
+        for (size_t i = 1; i < begins.size(); ++i) stretches_.emplace_back(references_, codes_, limits_, cut_);
         parallel_for(stretches_.size(), limits_.threads, [&](size_t i) {
-            stretches_[i].nodes.reserve((begins[i + 1] - begins[i]) / 2 + 2);
+            const size_t count = begins[i + 1] - begins[i];
+            stretches_[i].nodes.reserve(count / 2 + 2), stretches_[i].order.reserve(count + count / 2 + limits_.block);
             stretches_[i].add(begins[i], begins[i + 1], 30 - kAbove);
         });
         for (uint32_t i = 0; i < stretches_.size(); ++i)
-            for (const uint32_t root : stretches_[i].roots) roots_.emplace_back(i, root);
+            for (uint32_t root = 0; root < stretches_[i].roots.size(); ++root) roots_.emplace_back(i, root);
     }
 
     /// All nodes in depth-first order of pairs, and the ids in that of the leaves. `places`: which root each leaf of `top` is.
     void join(const LargeVector<BvhNode<R>>& top, const std::vector<uint32_t>& places) {
         struct From {
-            uint32_t stretch, node, to, depth;
+            uint32_t node, to, depth;
         };
-        constexpr uint32_t kTop = ~0u;
-        size_t count = top.size();
-        for (const auto& stretch : stretches_) count += stretch.nodes.size();
-        nodes_.reserve(count), order_.reserve(order_.size() + references_.size() * 3 / 2);
+        size_t count = top.size(), ids = order_.size() + limits_.block * roots_.size();
+        for (const auto& stretch : stretches_) count += stretch.nodes.size(), ids += stretch.order.size();
+        nodes_.reserve(count), order_.reserve(ids);
         nodes_.emplace_back();
-        std::vector<From> waiting{{kTop, 0, 0, 0}};
+        std::vector<From> waiting{{0, 0, 0}};
         while (!waiting.empty()) {
-            From at = waiting.back();
+            const From at = waiting.back();
             waiting.pop_back();
-            if (at.stretch == kTop && top[at.node].leaf()) std::tie(at.stretch, at.node) = roots_[places[top[at.node].first]];
-            const BvhNode<R>& node = at.stretch == kTop ? top[at.node] : stretches_[at.stretch].nodes[at.node];
-            nodes_[at.to] = node;
-            if (node.leaf()) {
-                make_leaf(nodes_[at.to], at.depth);
+            if (top[at.node].leaf()) {
+                put(roots_[places[top[at.node].first]], at.to, at.depth);
                 continue;
             }
-            const auto child = nodes_[at.to].first = uint32_t(nodes_.size());
-            waiting.push_back({at.stretch, node.first + 1, child + 1, at.depth + 1}), waiting.push_back({at.stretch, node.first, child, at.depth + 1});
+            const auto child = uint32_t(nodes_.size());
+            nodes_[at.to] = top[at.node], nodes_[at.to].first = child;
+            waiting.push_back({top[at.node].first + 1, child + 1, at.depth + 1}), waiting.push_back({top[at.node].first, child, at.depth + 1});
             nodes_.emplace_back(), nodes_.emplace_back();
         }
     }
 
-    void make_leaf(BvhNode<R>& leaf, uint32_t depth) {
-        const size_t place = (order_.size() + limits_.block - 1) / limits_.block * limits_.block;
-        order_.resize(place, kPadding);
-        const uint32_t first = std::exchange(leaf.first, uint32_t(place));
-        for (uint32_t i = 0; i < leaf.count; ++i) {
-            const uint32_t id = references_[codes_[first + i].place].id();
-            if (std::find(order_.begin() + std::ptrdiff_t(place), order_.end(), id) == order_.end()) order_.push_back(id);   // two parts of one are one
+    /// A subtree: its root at `to`, what is below it at the end.
+    void put(const std::pair<uint32_t, uint32_t>& which, uint32_t to, uint32_t depth) {
+        const Treelets<R>& from = stretches_[which.first];
+        const auto& root = from.roots[which.second];
+        const bool last = which.second + 1 == from.roots.size();
+        const size_t end = last ? from.nodes.size() : from.roots[which.second + 1].node, end_place = last ? from.order.size() : from.roots[which.second + 1].place;
+        order_.resize((order_.size() + limits_.block - 1) / limits_.block * limits_.block, kPadding);
+        const auto places = uint32_t(order_.size()) - root.place, below = uint32_t(nodes_.size()) - (root.node + 1);
+        for (size_t i = root.node; i < end; ++i) {
+            BvhNode<R> node = from.nodes[i];
+            stats_.leaves += node.leaf();
+            node.first += node.leaf() ? places : below;
+            if (i == root.node) nodes_[to] = node;
+            else nodes_.push_back(node);
         }
-        leaf.count = uint32_t(order_.size() - place);
-        ++stats_.leaves;
-        stats_.depth = std::max(stats_.depth, size_t(depth));
+        order_.insert(order_.end(), from.order.begin() + root.place, from.order.begin() + std::ptrdiff_t(end_place));
+        stats_.depth = std::max(stats_.depth, size_t(depth) + root.depth);
     }
 
     LargeVector<BvhReference<R>> references_;
@@ -271,7 +312,8 @@ template <class R> class FastBuilder {
     const TriangleSource<R>* triangles_;
     LargeVector<Coded> codes_;
     std::vector<Treelets<R>> stretches_;
-    std::vector<std::pair<uint32_t, uint32_t>> roots_;   ///< stretch, node
+    bool cut_ = false;   ///< are there more references than ids?
+    std::vector<std::pair<uint32_t, uint32_t>> roots_;   ///< stretch, and number in it
     LargeVector<BvhNode<R>> nodes_;
 };
 

@@ -156,7 +156,7 @@ template <class R> class Widener {
     /// The least cost of the children with so many places in all; then whether a place, and a node of its own, is cheaper.
     Joining joined(uint32_t node) const {
         const uint32_t left = nodes_[node].first;
-        Joining best = nodes_[left].leaf() ? beside_leaf(joinings_[left + 1]) : shared_out(joinings_[left], joinings_[left + 1]);
+        Joining best = nodes_[left].leaf() ? beside_leaf(joinings_[left + 1]) : nodes_[left + 1].leaf() ? above_leaf(joinings_[left]) : shared_out(joinings_[left], joinings_[left + 1]);
         best.cost[0] = float(share(node)) + best.cost[kWide - 1];
         for (uint32_t i = 1; i < kWide; ++i) {
             if (best.cost[0] < best.cost[i]) best.cost[i] = best.cost[0], best.to_left[i] = 0;
@@ -182,6 +182,13 @@ template <class R> class Widener {
     static Joining beside_leaf(const Joining& right) {
         Joining best;
         for (uint32_t i = 1; i < kWide; ++i) best.cost[i] = right.cost[i - 1], best.to_left[i] = 1;
+        return best;
+    }
+
+    /// And where the right one is a leaf.
+    static Joining above_leaf(const Joining& left) {
+        Joining best;
+        for (uint32_t i = 1; i < kWide; ++i) best.cost[i] = left.cost[i - 1], best.to_left[i] = i == 1 || left.cost[i - 1] < left.cost[i - 2] ? uint8_t(i) : best.to_left[i - 1];
         return best;
     }
 

@@ -269,9 +269,11 @@ HWY_INLINE HWY_ATTR void wide_traverse(const Node* nodes, const LocalRay& ray, d
             const uint32_t number = WideLeaf::block(current);
             uint32_t lanes = (2u << (WideLeaf::count(current) - 1)) - 1;
             if constexpr (requires { leaf.blocks().boxes(number); }) {
-                alignas(64) R entries[kWide];
-                lanes = boxes.enter(leaf.blocks().boxes(number), limit, entries);
-                tested += kWide;
+                if (leaf.blocks().has_boxes(number)) {
+                    alignas(64) R entries[kWide];
+                    lanes = boxes.enter(leaf.blocks().boxes(number), limit, entries);
+                    tested += kWide;
+                }
             }
             filtered += uint32_t(std::popcount(lanes));
             if (lanes) {

@@ -19,6 +19,13 @@ template <class R> void pack(const Corners& corners, uint32_t id, TriangleBlock<
     block.id[lane] = id;
 }
 
+template <class R> void pack(const std::array<Vec3T<R>, 3>& corners, uint32_t id, TriangleBlock<R>& block, uint32_t lane)
+    requires(std::is_same_v<R, float>)
+{
+    for (int i = 0; i < 9; ++i) block.v[i][lane] = corners[size_t(i / 3)][i % 3];
+    block.id[lane] = id;
+}
+
 /// All that a test reads: no index, no vertex array. `order` has kPadding where no triangle is.
 template <class R> class PackedBlocks {
   public:
@@ -40,12 +47,23 @@ template <class R> class PackedBlocks {
         LargeVector<TriangleBlock<R>> blocks((order.size() + kLanes - 1) / kLanes);
         for_ranges(blocks.size(), threads, [&](size_t first, size_t end) {
             for (size_t b = first; b < end; ++b) {
+                fetch_ahead(source, order, b);
                 std::memset(static_cast<void*>(&blocks[b]), 0, sizeof(TriangleBlock<R>));   // where no triangle is, filters read zeros; the bytes between, too: they go to files
                 for (size_t place = b * kLanes; place < std::min(order.size(), (b + 1) * kLanes); ++place)
-                    if (order[place] != kPadding) pack(source.corners(order[place]), order[place], blocks[b], uint32_t(place % kLanes));
+                    if (order[place] != kPadding) pack(source.stored_corners(order[place]), order[place], blocks[b], uint32_t(place % kLanes));
             }
         });
         return blocks;
+    }
+
+    /// Begins to read the triangles of the fourth block from here, and the vertices of the second: they lie anywhere.
+    static void fetch_ahead(const TriangleSource<R>& source, const std::vector<uint32_t>& order, size_t block) {
+        const auto visit = [&](size_t number, const auto& fetch) {
+            for (size_t place = number * kLanes; place < std::min(order.size(), (number + 1) * kLanes); ++place)
+                if (order[place] != kPadding) fetch(order[place]);
+        };
+        visit(block + 4, [&](uint32_t id) { source.fetch_triangle(id); });
+        visit(block + 2, [&](uint32_t id) { source.fetch_vertices(id); });
     }
 
     LargeArray<TriangleBlock<R>> blocks_;

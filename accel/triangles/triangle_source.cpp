@@ -4,12 +4,21 @@
 #include "accel/triangles/exact_sign.h"
 
 #include <algorithm>
+#include <limits>
 
 namespace alidade {
 
 namespace {
 
 template <class R> bool usable(const Vec3& p) { return std::abs(p.x) <= kLargestCoordinate<R> && std::abs(p.y) <= kLargestCoordinate<R> && std::abs(p.z) <= kLargestCoordinate<R>; }
+
+/// Surely not collinear: quicker than collinear(), in float. What underflow takes from products is less than the last term.
+bool spans_area(const Vec3f& a, const Vec3f& b, const Vec3f& c) {
+    constexpr float rounding = 8 * std::numeric_limits<float>::epsilon(), least = 16 * std::numeric_limits<float>::min();
+    const Vec3f e = b - a, f = c - a;
+    const auto differ = [&](float left, float right) { return std::abs(left - right) > rounding * (std::abs(left) + std::abs(right)) + least; };
+    return differ(e.x * f.y, e.y * f.x) || differ(e.y * f.z, e.z * f.y) || differ(e.z * f.x, e.x * f.z);
+}
 
 }  // namespace
 
@@ -20,6 +29,9 @@ template <class R> TriangleSource<R>::TriangleSource(const TriangleView& mesh) :
 template <class R> PrimitiveKind TriangleSource<R>::kind(uint32_t id) const {
     const Index3& t = mesh_.triangles[id];
     if (std::max({t.x, t.y, t.z}) >= mesh_.positions.size()) return PrimitiveKind::removed;
+    if constexpr (std::is_same_v<R, float>) {
+        if (all_usable_ && spans_area(mesh_.positions[t.x], mesh_.positions[t.y], mesh_.positions[t.z])) return PrimitiveKind::bounded;
+    }
     const Corners c = corners(id);
     if (!all_usable_ && !std::all_of(c.begin(), c.end(), usable<R>)) return PrimitiveKind::removed;
     return collinear(c[0], c[1], c[2]) ? PrimitiveKind::removed : PrimitiveKind::bounded;

@@ -39,6 +39,22 @@ template <class R> class TriangleSource {
         return {position(t.x), position(t.y), position(t.z)};
     }
 
+    /// The same as they are kept in R, or in double.
+    auto stored_corners(uint32_t id) const {
+        if constexpr (std::is_same_v<R, float>) {
+            const Index3& t = mesh_.triangles[id];
+            return std::array<Vec3f, 3>{mesh_.positions[t.x], mesh_.positions[t.y], mesh_.positions[t.z]};
+        } else {
+            return corners(id);
+        }
+    }
+    /// Begin to read what will be asked for.
+    void fetch_triangle(uint32_t id) const { __builtin_prefetch(&mesh_.triangles[id]); }
+    void fetch_vertices(uint32_t id) const {
+        const Index3& t = mesh_.triangles[id];
+        if (!exact()) __builtin_prefetch(&mesh_.positions[t.x]), __builtin_prefetch(&mesh_.positions[t.y]), __builtin_prefetch(&mesh_.positions[t.z]);
+    }
+
     const TriangleView& mesh() const { return mesh_; }
 
   private:

@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <tuple>
 
 namespace alidade::test {
 
@@ -106,11 +107,74 @@ TEST(Compact, BoxesOfTrianglesHoldThem) {
         for (uint32_t id = 0; id < triangles.size(); ++id)
             if (triangles.kind(id) == PrimitiveKind::bounded) order.push_back(id);
         const NumberedBlocks blocks(triangles, order, 2);
-        for (uint32_t place = 0; place < order.size(); ++place) {
-            ASSERT_EQ(blocks.id(place), order[place]);
-            ASSERT_EQ(blocks.corners(place), triangles.corners(order[place]));
-            const BoundsT<float> box = box_of(blocks.boxes(place / kLanes), place % kLanes), exact = triangles.box(order[place]);
-            ASSERT_TRUE(box.contains(exact.min) && box.contains(exact.max)) << mesh.name << ", triangle " << order[place];
+        for (uint32_t i = 0; i < order.size(); ++i) {
+            const uint32_t number = blocks.number(i / kLanes), place = number * kLanes + i % kLanes;
+            ASSERT_TRUE(blocks.has_boxes(number)) << "of a small mesh";
+            ASSERT_EQ(blocks.id(place), order[i]);
+            ASSERT_EQ(blocks.corners(place), triangles.corners(order[i]));
+            const BoundsT<float> box = box_of(blocks.boxes(number), i % kLanes), exact = triangles.box(order[i]);
+            ASSERT_TRUE(box.contains(exact.min) && box.contains(exact.max)) << mesh.name << ", triangle " << order[i];
+        }
+    }
+}
+
+/// Blocks with corners have those of their triangles, whatever the room; it is kept to, but for the boxes that there are without it.
+TEST(Compact, CornersAreThoseOfTheTriangles) {
+    size_t kept = 0, boxed = 0;
+    for (const TriangleMesh& source : meshes_of_all_sizes()) {
+        const TriangleMesh mesh = source.read_at(Precision::float_);
+        const TriangleSource<float> triangles(mesh.view());
+        std::vector<uint32_t> order;
+        for (uint32_t id = 0; id < triangles.size(); ++id) {
+            if (triangles.kind(id) == PrimitiveKind::bounded) order.push_back(id);
+            if (id % 5 == 0) order.resize((order.size() + kLanes - 1) / kLanes * kLanes, kPadding);
+        }
+        const size_t least = NumberedBlocks(triangles, order, 2).bytes();
+        for (const size_t room : {size_t(0), size_t(30) * order.size(), size_t(1000) * order.size()}) {
+            const NumberedBlocks blocks(triangles, order, 2, false, room);
+            EXPECT_LE(blocks.bytes(), std::max(least, room + 32)) << mesh.name;
+            for (uint32_t b = 0; b * kLanes < order.size(); ++b) {
+                const uint32_t number = blocks.number(b);
+                (blocks.has_boxes(number) ? boxed : kept) += 1;
+                const TriangleBlock<float> block = blocks[number];
+                for (uint32_t lane = 0; lane < kLanes && b * kLanes + lane < order.size() && order[b * kLanes + lane] != kPadding; ++lane) {
+                    const uint32_t id = order[b * kLanes + lane];
+                    ASSERT_EQ(block.id[lane], id);
+                    ASSERT_EQ(blocks.id(number * kLanes + lane), id);
+                    ASSERT_EQ(block.corners(lane), triangles.corners(id)) << mesh.name << ", triangle " << id;
+                }
+            }
+        }
+    }
+    EXPECT_GT(kept, 1000u);
+    EXPECT_GT(boxed, 1000u);
+}
+
+bool same(const Hit& a, const Hit& b) { return std::tie(a.t, a.instance, a.primitive, a.part, a.u, a.v) == std::tie(b.t, b.instance, b.primitive, b.part, b.u, b.v); }
+
+/// Meshes that are large enough for corners: answers are those of the BVH, bit for bit.
+TEST(Compact, LargeMeshesAreHitAsByTheBvh) {
+    const size_t count = run_size(2000, 100000);
+    for (const TriangleMesh& source : {geodesic_sphere(50, 0.2), soup(40000, 0.03, 5)}) {
+        const TriangleMesh mesh = source.read_at(Precision::float_);
+        const double triangles = double(mesh.view().triangles.size());
+        for (const Isa isa : available_isas()) {
+            for (const Intersect test : {Intersect::exact, Intersect::robust, Intersect::fast}) {
+                const auto want = find_accelerator("bvh")->over_triangles(mesh.view(), {.isa = isa, .intersect = test}), got = find_accelerator("compact")->over_triangles(mesh.view(), {.isa = isa, .intersect = test});
+                EXPECT_LE(double(got->stats().bytes), 32 * triangles) << mesh.name;
+                size_t hits = 0, unlike = 0;
+                for (size_t n = 0; n < count; ++n) {
+                    Draws draws(RandomKey(144, 0, n));
+                    Ray ray;
+                    ray.origin = draws.in_box(Vec3(-2), Vec3(2)), ray.dir = draws.in_box(Vec3(-1), Vec3(1)) - ray.origin;
+                    WorkCounters work;
+                    Hit a, b;
+                    got->intersect(ray, a, work), want->intersect(ray, b, work);
+                    hits += b.valid(), unlike += !same(a, b) || got->occluded(ray, work) != b.valid();
+                }
+                EXPECT_GT(hits, count / 10) << mesh.name;
+                EXPECT_LE(unlike, test == Intersect::exact ? 0 : count / 500) << mesh.name << ", " << name(isa) << ", " << name(test);
+            }
         }
     }
 }
