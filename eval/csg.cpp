@@ -26,6 +26,7 @@ struct State {
     uint32_t count = 0, count_before = 0;      ///< children that are inside
     uint32_t place = 0;                        ///< the number of the place whose `before` is kept here
     uint32_t first_in = 0, first_out = 0;      ///< the first child that the line enters or leaves at this place
+    uint32_t skin_place = 0;                   ///< the number of the last place that is on the surface of a leaf that does not hold it: this one, or one below
     bool inside = false, inside_before = false;
     bool unseen = false;                       ///< of a leaf: its surface is not there for this ray
 };
@@ -224,6 +225,8 @@ class Walk {
         s_.changed.clear();
         for (const CsgCrossing& c : place)
             if (nodes_[c.node].inside == CsgInside::by_crossings) set(c.node, !s_.states[c.node].inside);
+        for (const CsgCrossing& c : place)
+            if (place.size() > 1 && nodes_[c.node].without_surface) mark_skin(c.node);
         for (const uint32_t n : s_.changed) s_.states[n].first_in = s_.states[n].first_out = kNoId;
         for (const uint32_t n : s_.changed) {
             const State& state = s_.states[n];
@@ -232,6 +235,25 @@ class Walk {
             uint32_t& first = state.inside ? parent.first_in : parent.first_out;
             first = std::min(first, nodes_[n].place);
         }
+    }
+
+    void mark_skin(uint32_t n) {
+        for (; s_.states[n].skin_place != place_; n = nodes_[n].parent) s_.states[n].skin_place = place_;
+    }
+
+    /// Is the place, or what is just before it, inside of node `n`, if leaves without their surface hold none of it?
+    bool holds(uint32_t n, bool before) const {
+        const CsgNode& node = nodes_[n];
+        const State& state = s_.states[n];
+        if (state.skin_place != place_) return before && state.place == place_ ? state.inside_before : state.inside;
+        if (node.op == CsgOp::leaf) return node.inverted;
+        const uint32_t count = count_holding(n, before);
+        return meets(node) ? count == node.children : count > 0;
+    }
+    uint32_t count_holding(uint32_t n, bool before) const {
+        uint32_t count = 0;
+        for (uint32_t part = n + 1; part != nodes_[n].end; part = nodes_[part].end) count += holds(part, before);
+        return count;
     }
 
     /// The same for a crossing of leaf `n` that stands alone, and whether it is shown: only what is above it changes, and siblings are the same on both sides.
@@ -290,13 +312,15 @@ class Walk {
         if (above.op == CsgOp::clip && node.place > 0) return false;
         const State &own = s_.states[n], &all = s_.states[node.parent];
         const bool after = own.inside, before = own.place == place_ ? own.inside_before : after;
-        const uint32_t others_after = all.count - after, others_before = (all.place == place_ ? all.count_before : all.count) - before;
+        const bool skin = all.skin_place == place_;
+        const uint32_t others_after = skin ? count_holding(node.parent, false) - holds(n, false) : all.count - after;
+        const uint32_t others_before = skin ? count_holding(node.parent, true) - holds(n, true) : (all.place == place_ ? all.count_before : all.count) - before;
         // The side that counts is that on which the part is inside of an intersection, or outside of a merge; both, if it is the same on both.
         const bool merge = above.op == CsgOp::merge;
         const uint32_t wanted = merge ? 0 : above.children - 1;
         if (before == after) return others_before == wanted && others_after == wanted;
         const bool counts_before = before != merge;
-        return (counts_before ? others_before : others_after) == wanted && (with_equals || (after ? all.first_in : all.first_out) == node.place);
+        return (counts_before ? others_before : others_after) == wanted && (with_equals || skin || (after ? all.first_in : all.first_out) == node.place);
     }
 
     std::span<const CsgNode> nodes_;
@@ -343,6 +367,12 @@ CsgInside csg_inside(const ShapeOps* ops, const ShapeGeometry& shape) {
 bool csg_endless(const ShapeGeometry& shape) {
     const auto* mesh = std::get_if<Mesh>(&shape);
     return std::holds_alternative<Disc>(shape) || (mesh && mesh->inside_vector && !keeps_inside_in_box(*mesh));
+}
+
+bool csg_without_surface(const ShapeGeometry& shape) {
+    const auto* cylinder = std::get_if<Cylinder>(&shape);
+    const auto* cone = std::get_if<Cone>(&shape);
+    return (cylinder && !cylinder->open) || (cone && !cone->open);
 }
 
 uint8_t csg_cost(const ShapeOps& ops) { return ops.costly ? 2 : ops.kind == kind_of<Plane>() ? 0 : 1; }

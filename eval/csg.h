@@ -29,6 +29,8 @@ enum class CsgInside : uint8_t {
 CsgInside csg_inside(const ShapeOps* ops, const ShapeGeometry& shape);
 /// Is something inside beyond its bounds? Of a mesh that is not closed, too.
 bool csg_endless(const ShapeGeometry& shape);
+/// Is what lies on the surface outside, as in POV-Ray of cylinders and cones with caps? (Probed: they end 10^-10 of their size within their surfaces.)
+bool csg_without_surface(const ShapeGeometry& shape);
 
 /// Leaves with equal ids are the same thing at several places.
 struct CsgLeaf {
@@ -37,6 +39,7 @@ struct CsgLeaf {
     Bounds bounds;                  ///< of the surface and, unless that is endless, of what is inside
     uint8_t cost = 0;               ///< of siblings those that cost less are asked first, and others only if they leave the question open
     bool endless = false;           ///< is something inside beyond `bounds`? Of a disc, all that is behind its plane
+    bool without_surface = false;   ///< csg_without_surface()
 };
 
 /// What a file says: operations on parts, any of them turned inside out. Without parts an intersection is everything, every other operation nothing.
@@ -100,6 +103,7 @@ struct CsgNode {
     CsgInside inside = CsgInside::nowhere;
     bool inverted = false;          ///< leaves alone
     bool far = false;               ///< is it inside everywhere outside of `box`?
+    bool without_surface = false;   ///< leaves alone: what lies on the surface is outside, or inverted, inside
     bool bounded = false;           ///< leaves alone: some rays do not see its surface (CsgLeaves::sees)
     uint32_t leaf = kNoId;
     uint32_t parent = 0, place = 0; ///< the number among its siblings, which need not stand in that order
@@ -115,7 +119,8 @@ struct CsgNode {
 ///
 /// What is a surface of the whole is decided by the sides: a crossing of a part of an intersection stays if all other parts are inside on the side on
 /// which the part is; of a merge, if all others are outside on the side on which it is outside. Crossings within their error bounds of each other are
-/// one place: so A - A is nothing, A * A is A, and where faces coincide there is one of them. Which one, a ray learns as in POV-Ray (probed): there a set
+/// one place: so A - A is nothing, A * A is A, and where faces coincide there is one of them. But leaves without their surface do not hold the surfaces that coincide
+/// with theirs: a merge shows the caps at which two of them meet, and what another is cut by leaves a skin where their surfaces are the same. Which one of several, a ray learns as in POV-Ray (probed): there a set
 /// makes a list of hits, part after part, an intersection or difference that of each part from its end, and of equal ones the last is seen.
 class CsgTree {
   public:

@@ -158,7 +158,7 @@ void finish_below(Plain& p, const CsgNarrow& narrow) {
 void emit(const Plain& p, uint32_t parent, uint32_t place, std::vector<CsgNode>& out) {
     const uint32_t self = uint32_t(out.size());
     CsgNode node;
-    node.op = p.op, node.inside = p.leaf.inside, node.inverted = p.inverted, node.far = p.far, node.leaf = p.leaf.id;
+    node.op = p.op, node.inside = p.leaf.inside, node.inverted = p.inverted, node.far = p.far, node.leaf = p.leaf.id, node.without_surface = p.leaf.without_surface;
     node.parent = parent, node.place = place, node.children = uint32_t(p.parts.size());
     node.mask = p.mask, node.rank = p.rank, node.box = p.box;
     out.push_back(node);

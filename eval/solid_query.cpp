@@ -100,7 +100,7 @@ class SolidQuery::Parts final : public CsgParts {
         PlacedShape& placed = out_.shapes_[e.leaf.id];
         placed.inverted = inverse && !(placed.ops && placed.ops->sheet);
         const ShapeGeometry& geometry = out_.scene_.shapes[placed.shape.index].geometry;
-        e.leaf.inside = csg_inside(placed.ops, geometry), e.leaf.endless = csg_endless(geometry);
+        e.leaf.inside = csg_inside(placed.ops, geometry), e.leaf.endless = csg_endless(geometry), e.leaf.without_surface = csg_without_surface(geometry);
         e.leaf.bounds = placed.to_world.bounds(placed.ops ? placed.ops->bounds(geometry) : placed.triangles->bounds());
     }
 

@@ -53,7 +53,7 @@ CsgLeaf csg_leaf(const CompiledScene& scene, uint32_t id) {
     const Geometry& geometry = scene.geometries[instance.geometry];
     CsgLeaf leaf;
     leaf.id = id;
-    leaf.inside = csg_inside(geometry.ops, *geometry.source), leaf.endless = geometry.endless;
+    leaf.inside = csg_inside(geometry.ops, *geometry.source), leaf.endless = geometry.endless, leaf.without_surface = csg_without_surface(*geometry.source);
     leaf.bounds = instance.bounds;
     leaf.cost = geometry.mesh ? kCsgCostOfMesh : csg_cost(*geometry.ops);
     return leaf;

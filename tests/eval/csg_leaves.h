@@ -15,6 +15,7 @@ class ShapeLeaves final : public CsgLeaves {
   public:
     std::vector<ShapeGeometry> shapes;
     bool solid_alone = true;       ///< what random_expression takes
+    bool without_surface = false;  ///< are cylinders and cones without their surfaces?
     mutable int asked = 0;
 
     CsgExpression add(ShapeGeometry shape) {
@@ -24,7 +25,7 @@ class ShapeLeaves final : public CsgLeaves {
     CsgExpression leaf(uint32_t id) const {
         const ShapeOps& ops = *find_shape(shapes[id]);
         CsgExpression e;
-        e.leaf = {id, csg_inside(&ops, shapes[id]), ops.bounds(shapes[id]), csg_cost(ops), csg_endless(shapes[id])};
+        e.leaf = {id, csg_inside(&ops, shapes[id]), ops.bounds(shapes[id]), csg_cost(ops), csg_endless(shapes[id]), without_surface && csg_without_surface(shapes[id])};
         return e;
     }
     bool crossings(uint32_t id, const Ray& ray, std::vector<CsgCrossing>& out) const override {

@@ -176,6 +176,32 @@ TEST(Csg, FacesThatCoincideAreOne) {
     }
 }
 
+/// What POV-Ray shows of two cylinders with a common face (probed by pictures, equal in all pixels): its cylinders do not hold their surfaces. Along the axis of:
+///     low  |0   1|          flat  |0 1|, narrower
+///     high     |1   2|      box   |0 1|, wider
+TEST(Csg, CylindersDoNotHoldTheirSurfaces) {
+    ShapeLeaves leaves;
+    leaves.without_surface = true;
+    const CsgExpression low = leaves.add(Cylinder{Vec3(0), Vec3(0, 1, 0), 1}), high = leaves.add(Cylinder{Vec3(0, 1, 0), Vec3(0, 2, 0), 1});
+    const CsgExpression flat = leaves.add(Cone{Vec3(0), Vec3(0, 1, 0), 0.7, 0.5}), box = leaves.add(Box{Vec3(-2, 0, -2), Vec3(2, 1, 2)});
+    const auto heights = [&](const CsgExpression& e) {
+        const Ray up{Vec3(0.1, -3, 0.2), Vec3(0, 1, 0)};
+        std::vector<int> found;
+        for (const Hit& hit : surfaces(e, leaves, up)) found.push_back(int(std::lround(hit.t)) - 3);
+        return found;
+    };
+    using Heights = std::vector<int>;
+    EXPECT_EQ(heights(of(CsgOp::merge, {low, high})), (Heights{0, 1, 1, 2})) << "a wall, seen from both sides";
+    EXPECT_EQ(heights(of(CsgOp::merge, {of(CsgOp::merge, {low, high}), leaves.add(Box{Vec3(-2, 0.4, -2), Vec3(2, 1.6, 2)})})), (Heights{0, 2})) << "the box holds the wall";
+    EXPECT_EQ(heights(of(CsgOp::intersection, {low, flat})), Heights{}) << "neither holds the other's caps";
+    EXPECT_EQ(heights(of(CsgOp::intersection, {low, box})), (Heights{0, 1})) << "the box holds the caps";
+    EXPECT_EQ(heights(of(CsgOp::difference, {low, flat})), (Heights{0, 1})) << "a skin is left where caps coincide";
+    EXPECT_EQ(heights(of(CsgOp::difference, {low, high})), (Heights{0, 1}));
+    EXPECT_EQ(heights(of(CsgOp::difference, {flat, box})), Heights{}) << "the box takes its faces away, too";
+    EXPECT_EQ(heights(of(CsgOp::clip, {low, flat})), Heights{});
+    EXPECT_EQ(heights(of(CsgOp::merge, {low, inverse(high)})), (Heights{1, 2})) << "turned inside out, they hold them";
+}
+
 TEST(Csg, DeMorgan) {
     test::Draw draw(7);
     int found = 0;

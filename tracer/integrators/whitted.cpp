@@ -41,6 +41,7 @@ template <unsigned F> struct Whitted {
     /// Out of line: a ray that nothing follows pays for a comparison alone. `others` wait for somebody else.
     [[gnu::noinline]] void follow_all(size_t others) {
         while (tracing.pending.size() != others) {
+            if (tracing.stopped()) return void(tracing.pending.resize(others));   // there may be millions
             PendingRay next = tracing.pending.back();
             tracing.pending.pop_back();
             if (next.exponent == 1) trace(next.ray, next.state);
