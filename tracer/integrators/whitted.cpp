@@ -41,7 +41,6 @@ template <unsigned F> struct Whitted {
     /// Out of line: a ray that nothing follows pays for a comparison alone. `others` wait for somebody else.
     [[gnu::noinline]] void follow_all(size_t others) {
         while (tracing.pending.size() != others) {
-            if (tracing.stopped()) return void(tracing.pending.resize(others));   // there may be millions
             PendingRay next = tracing.pending.back();
             tracing.pending.pop_back();
             if (next.exponent == 1) trace(next.ray, next.state);
@@ -98,6 +97,7 @@ template <unsigned F> struct Whitted {
 
     // Out of line, and without the sum that trace() keeps in registers: what nothing follows from pays for a comparison alone.
     [[gnu::noinline]] static void follow(Tracing& tracing, const ShadePoint& point, const Surface& surface, const RayState& state) {
+        if (tracing.stopped()) return;   // those that wait are followed; there could come millions more
         Secondaries& secondaries = tracing.secondaries;
         secondaries.clear();
         surface.secondary(tracing.scene, state, secondaries);
