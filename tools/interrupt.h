@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// SIGINT and SIGTERM: a wish to stop, heard between tiles.
+/// SIGINT and SIGTERM: a wish to stop, heard between rays.
 #pragma once
 
 #include <atomic>

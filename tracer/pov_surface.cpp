@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <bit>
+#include <limits>
 
 namespace alidade {
 namespace {
@@ -110,11 +111,11 @@ PovSurface::PovSurface(const CompiledScene& scene, const ShadePoint& point, cons
     if (bent_to_none) become_black();
 }
 
-/// Where the normal of any layer is no number, POV-Ray's colour is none, either, which its pictures have as black (probed).
+/// Where the normal of any layer is no number, POV-Ray's colour is none, either, nor that of all that shows it, which its pictures have as black (probed).
 void PovSurface::become_black() {
     static const PovFinish kBlack;
     layers_ = {}, textures_ = {};
-    layers_.push_back({&kBlack, Color(0), 1, Color(1), normal_});
+    layers_.push_back({&kBlack, Color(std::numeric_limits<double>::quiet_NaN()), 1, Color(1), normal_});
     textures_.push_back({1, 0, 1, Color(0)});
     sends_on_ = false;
 }
@@ -168,7 +169,7 @@ Color PovSurface::albedo() const {
         }
         for (int c = 0; c < 3; ++c) sum[c] += t.share * (covered[c] > 0 ? seen[c] / covered[c] : layers_[t.begin].color[c]);
     }
-    return sum;
+    return std::isnan(sum.x) ? Color(0) : sum;
 }
 
 bool PovSurface::is_hole() const {

@@ -120,6 +120,7 @@ std::optional<PixelSamples> sample_pixel(const Job& job, Tracing& tracing, int x
         if (job.stopped()) return std::nullopt;
         const double shown = pixel.sum.shows;
         const Color radiance = take_sample(job, tracing, x, y, s, pixel);
+        if (job.stopped()) return std::nullopt;
         if (!job.sample_stop.asks()) continue;
         noise.add(radiance);
         if (tracing.alpha) noise_of_alpha.add(Color(pixel.sum.shows - shown));
@@ -156,6 +157,8 @@ Color in_film(const Color& radiance, Alpha alpha, const RenderSettings& settings
 
 void write_pixel(const Job& job, PixelSamples pixel, int x, int y, Picture& picture) {
     const RenderSettings& settings = job.scene.scene.settings;
+    const Color& sum = pixel.radiance;
+    if (std::isnan(sum.x) || std::isnan(sum.y) || std::isnan(sum.z)) pixel.radiance = Color(0);   // a ray of it meets a surface without a normal (PovSurface): so POV-Ray's pictures have it
     if (is_coded(settings) || job.options.alpha == Alpha::straight) {
         const double count = pixel.samples;
         double shows = pixel.sum.shows / count;
@@ -181,7 +184,7 @@ bool render_block(const Job& job, Tracing& tracing, const Region& square, const 
     rays.comparable = [&](const Color& c) { return settings.srgb_coded ? c : linear(c, settings); };   // as POV-Ray does where no gamma is assumed
     rays.stopped = [&] { return job.stopped(); };
     const auto pixels = supersample(*job.options.supersampling, square, tile, rays);
-    if (!pixels) return false;
+    if (!pixels || job.stopped()) return false;
     auto pixel = pixels->begin();
     for (int y = tile.y0; y < tile.y1; ++y)
         for (int x = tile.x0; x < tile.x1; ++x) write_pixel(job, *pixel++, x, y, picture);
@@ -194,6 +197,7 @@ bool render_block(const Job& job, Tracing& tracing, const Region& square, const 
 bool render_tile(const Job& job, size_t i, Picture& picture, RenderStats& stats) {
     const DefaultFloatMode mode;
     Tracing tracing{job.scene, job.around, job.max_depth, job.options.light_samples, job.scene.scene.settings.adc_bailout, job.options.alpha != Alpha::none, job.layers.any(), stats};
+    tracing.stop = job.stop;
     const Region tile = job.grid.tile(i);
     if (job.options.supersampling) return render_block(job, tracing, job.grid.square(i), tile, picture);
     for (int y = tile.y0; y < tile.y1; ++y)

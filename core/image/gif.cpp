@@ -6,6 +6,7 @@
 #include <gif_lib.h>
 
 #include <algorithm>
+#include <bitset>
 #include <cstring>
 #include <memory>
 
@@ -24,19 +25,21 @@ struct CloseGif {
     void operator()(GifFileType* file) const { DGifCloseFile(file, nullptr); }
 };
 
-/// `clear`: the number of what is transparent in the next picture, if it is told.
-bool read_gif_extension(GifFileType* file, int& clear) {
+/// Which numbers are transparent in the next picture. Of several blocks ahead of it, each may name one, as in POV-Ray.
+using ClearNumbers = std::bitset<256>;
+
+bool read_gif_extension(GifFileType* file, ClearNumbers& clear) {
     int code = 0;
     GifByteType* block = nullptr;
     bool good = DGifGetExtension(file, &code, &block) == GIF_OK;
     GraphicsControlBlock control;
-    if (good && block && code == GRAPHICS_EXT_FUNC_CODE && DGifExtensionToGCB(block[0], block + 1, &control) == GIF_OK) clear = control.TransparentColor;
+    if (good && block && code == GRAPHICS_EXT_FUNC_CODE && DGifExtensionToGCB(block[0], block + 1, &control) == GIF_OK && control.TransparentColor != NO_TRANSPARENT_COLOR) clear.set(size_t(control.TransparentColor));
     while (good && block) good = DGifGetExtensionNext(file, &block) == GIF_OK;
     return good;
 }
 
 /// Goes to the pixels of the first picture; false if there is none.
-bool find_gif_picture(GifFileType* file, int& clear) {
+bool find_gif_picture(GifFileType* file, ClearNumbers& clear) {
     for (GifRecordType type{}; DGifGetRecordType(file, &type) == GIF_OK;) {
         if (type == IMAGE_DESC_RECORD_TYPE) return DGifGetImageDesc(file) == GIF_OK;
         if (type != EXTENSION_RECORD_TYPE || !read_gif_extension(file, clear)) return false;
@@ -59,12 +62,12 @@ std::string gif_error(const GifFileType* file, int code) {
 }
 
 /// Colours that the palette does not have are black.
-void look_up(const ColorMapObject& map, int clear, Stored& stored) {
+void look_up(const ColorMapObject& map, const ClearNumbers& clear, Stored& stored) {
     float* to = stored.picture.values.data();
     for (const uint8_t number : stored.palette) {
         const GifColorType color = number < map.ColorCount ? map.Colors[number] : GifColorType{0, 0, 0};
         for (const GifByteType channel : {color.Red, color.Green, color.Blue}) *to++ = float(channel / 255.0);
-        *to++ = number == clear ? 0.0f : 1.0f;
+        *to++ = clear[number] ? 0.0f : 1.0f;
     }
 }
 
@@ -72,7 +75,8 @@ void look_up(const ColorMapObject& map, int clear, Stored& stored) {
 
 Result<Stored> decode_gif(std::span<const std::byte> bytes) {
     std::span<const std::byte> rest = bytes;
-    int error = 0, clear = NO_TRANSPARENT_COLOR;
+    int error = 0;
+    ClearNumbers clear;
     const std::unique_ptr<GifFileType, CloseGif> file(DGifOpen(&rest, read_some_gif, &error));
     if (!file || !find_gif_picture(file.get(), clear)) return tl::unexpected(gif_error(file.get(), error));
     const GifImageDesc& picture = file->Image;

@@ -17,6 +17,7 @@ namespace {
 struct JpegReader {
     jpeg_decompress_struct info{};
     jpeg_error_mgr errors{};
+    jpeg_progress_mgr progress{};
     std::jmp_buf escape;
     char error[JMSG_LENGTH_MAX] = "";
 
@@ -39,12 +40,23 @@ void on_jpeg_message(j_common_ptr info, int level) {
 
 void say_nothing(j_common_ptr) {}
 
+/// A scan of a few bytes costs as much time as there are pixels. Encoders make 10 scans, the most careful ones some 20.
+constexpr int kMostScans = 100;
+
+void on_jpeg_progress(j_common_ptr info) {
+    if (reinterpret_cast<j_decompress_ptr>(info)->input_scan_number <= kMostScans) return;
+    auto* reader = static_cast<JpegReader*>(info->client_data);
+    std::snprintf(reader->error, sizeof reader->error, "it has more than %d scans", kMostScans);
+    std::longjmp(reader->escape, 1);
+}
+
 bool read_jpeg_header(JpegReader& reader, std::span<const std::byte> bytes) {
     reader.info.err = jpeg_std_error(&reader.errors);
     reader.info.client_data = &reader;
     reader.errors.error_exit = on_jpeg_error, reader.errors.emit_message = on_jpeg_message, reader.errors.output_message = say_nothing;
     if (setjmp(reader.escape)) return false;
     jpeg_create_decompress(&reader.info);
+    reader.progress.progress_monitor = on_jpeg_progress, reader.info.progress = &reader.progress;
     jpeg_mem_src(&reader.info, reinterpret_cast<const unsigned char*>(bytes.data()), bytes.size());
     jpeg_save_markers(&reader.info, JPEG_APP0 + 1, 0xffff);   // Exif
     jpeg_read_header(&reader.info, TRUE);

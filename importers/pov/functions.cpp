@@ -2,6 +2,7 @@
 #include "importers/pov/functions.h"
 
 #include "importers/pov/blocks.h"
+#include "importers/pov/builders/functions.h"
 #include "importers/pov/expressions.h"
 #include "importers/pov/function_values.h"
 #include "importers/pov/space_functions.h"
@@ -124,8 +125,21 @@ Value parse_function(Parser& p, Place at) {
     return Value::of(Kind::function, function);
 }
 
+namespace {
+
+/// Fails for the mistakes of a function that nobody may ever call, which POV-Ray finds where it is declared. What calls others is looked at where it is called.
+void check_alone(Parser& p, const Function& function) {
+    for (const Function::Part& part : function.parts)
+        if ((part.value.kind != Kind::nothing && part.value.kind != Kind::number) || part.token.is_word("internal"_w)) return;
+    Build build(p);
+    build_function(build, function);
+}
+
+}  // namespace
+
 Value parse_declared_function(Parser& p, Place at) {
     Value value = parse_function(p, at);
+    if (value.kind == Kind::function) check_alone(p, value.as<Function>());
     if (value.kind == Kind::function && value.as<Function>().size) p.fail(at, "a function with a size is a picture: it has no name", "it can stand in image_map, image_pattern, bump_map and material_map");
     return value;
 }

@@ -87,6 +87,16 @@ TEST(Jpeg, HugeSizesAreRefusedBeforeAnythingIsDecoded) {
     }
 }
 
+/// Each scan takes the time of all pixels, and may have a few bytes.
+TEST(Jpeg, TooManyScansAreRefused) {
+    const auto tells = [](const JpegKind& kind) {
+        const auto read = decode_stored_picture(jpeg_file(kind));
+        return read ? std::string() : read.error();
+    };
+    EXPECT_EQ(tells({.components = 1, .scans_a_coefficient = 1}), "");
+    EXPECT_THAT(tells({.components = 1, .scans_a_coefficient = 2}), HasSubstr("it has more than 100 scans"));
+}
+
 TEST(Gif, HasTheColoursThatTheModuleReads) {
     const std::string colors("\1\2\3\x40\x50\x60\x90\xa0\xb0\xf0\xe0\xd0", 12), rows("\0\1\2\3\0\1\2\3\0\1\1\1\3\2\0", 15);
     for (const std::string& frames : {gif_frame({3, 5}, rows), gif_frame({3, 5}, rows, true), gif_clear(2) + gif_frame({3, 5}, rows)}) {
@@ -103,6 +113,22 @@ TEST(Gif, HasTheColoursThatTheModuleReads) {
             ASSERT_TRUE(std::equal(here, here + 3, there)) << i;
         }
     }
+}
+
+/// Probed: POV-Ray takes each number that a block ahead of the picture names for clear, and a block that names none changes nothing.
+TEST(Gif, EachControlBlockNamesWhatIsClear) {
+    const std::string colors(12, '\x40'), rows("\0\1\2\3", 4), none("\x21\xf9\4\0\0\0\3\0", 8);
+    const auto clear_in = [&](const std::string& blocks) {
+        const std::string file = gif_file({2, 2}, colors, blocks + gif_frame({2, 2}, rows));
+        const auto read = decode_stored_picture(std::as_bytes(std::span(file)));
+        std::string clear;
+        for (size_t i = 0; read && i < 4; ++i) clear += read->picture.values[4 * i + 3] == 0 ? char('0' + i) : '.';
+        return clear;
+    };
+    EXPECT_EQ(clear_in(none), "....");
+    EXPECT_EQ(clear_in(gif_clear(2)), "..2.");
+    EXPECT_EQ(clear_in(gif_clear(2) + none), "..2.");
+    EXPECT_EQ(clear_in(gif_clear(2) + gif_clear(0)), "0.2.");
 }
 
 TEST(Gif, WhatIsMissingOrHugeIsAnError) {

@@ -15,6 +15,7 @@ struct JpegKind {
     int width = 37, height = 29, components = 3;
     bool progressive = false, subsampled = true;
     int restart_rows = 0;
+    int scans_a_coefficient = 0;   ///< of one component: how many scans of its own each of the 63 behind the first has; 0: as is usual
     std::string exif = {};   ///< what stands behind "Exif\0\0"
 };
 
@@ -22,6 +23,14 @@ inline std::vector<unsigned char> jpeg_row(const JpegKind& kind, int y) {
     std::vector<unsigned char> row(size_t(kind.width) * size_t(kind.components));
     for (size_t i = 0; i < row.size(); ++i) row[i] = static_cast<unsigned char>(i * 7 + size_t(y) * 5 + (i * i + size_t(y) * 31) % 23);
     return row;
+}
+
+/// One scan for the first coefficient, and as many as wanted for each other: all but the last bits, then one bit after the other.
+inline std::vector<jpeg_scan_info> jpeg_scans(int a_coefficient) {
+    std::vector<jpeg_scan_info> scans{{1, {0}, 0, 0, 0, 0}};
+    for (int i = 1; i < 64; ++i)
+        for (int low = a_coefficient - 1; low >= 0; --low) scans.push_back({1, {0}, i, i, low == a_coefficient - 1 ? 0 : low + 1, low});
+    return scans;
 }
 
 inline std::vector<std::byte> jpeg_file(const JpegKind& kind) {
@@ -37,6 +46,8 @@ inline std::vector<std::byte> jpeg_file(const JpegKind& kind) {
     jpeg_set_defaults(&out);
     if (kind.components == 3 && !kind.subsampled) out.comp_info[0].h_samp_factor = out.comp_info[0].v_samp_factor = 1;
     if (kind.progressive) jpeg_simple_progression(&out);
+    const std::vector<jpeg_scan_info> scans = jpeg_scans(kind.scans_a_coefficient);
+    if (kind.scans_a_coefficient > 0) out.scan_info = scans.data(), out.num_scans = int(scans.size());
     out.restart_in_rows = kind.restart_rows;
     jpeg_start_compress(&out, TRUE);
     const std::string exif = std::string("Exif\0\0", 6) + kind.exif;

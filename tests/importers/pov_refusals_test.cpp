@@ -81,6 +81,22 @@ TEST_F(PovBuilders, WhatIsNoFunctionOfAPatternIsAnErrorAtItsPlace) {
     EXPECT_EQ(said(declared + "sphere { 0, 1 texture { function { F(x, y) } texture_map { [0 pigment { rgb 1 }] [1 pigment { rgb 0 }] } } }"), "");
 }
 
+/// What POV-Ray refuses where a function is declared, though nobody calls it, and what it takes (probed).
+TEST_F(PovBuilders, FunctionsAreLookedAtWhereTheyAreDeclared) {
+    for (const char* body : {"x;", "x y", "x+", "", "(x", "sin(x, y)", "atan2(x)", "<x,y>", "x/0", "x/-0", "(x)/0", "x*1/0", "(1+1)/0", "sin(1)/0", "x/0/2", "x/A"})
+        EXPECT_THAT(said(fmt::format("#declare A = 0; #declare F = function {{ {} }}", body)), testing::ContainsRegex("1:[0-9]+: error: ")) << body;
+    for (const char* body : {"1/0", "pi/0", "2*3/0", "x + 1/0", "x*(1/0)", "x/(0)", "x/(-0)", "x/(1*0)", "x/(1 - 1)", "x/sin(0)", "x/(y - y)", "x/1e-20", "0/x", "x/2*0", "mod(x, 0)", "sqrt(-1)"})
+        EXPECT_EQ(said(fmt::format("#declare A = 0; #declare F = function {{ {} }}", body)), "") << body;
+    EXPECT_EQ(said("#include \"functions.inc\""), "");
+}
+
+TEST_F(PovBuilders, KindsOfInterpolationOfPicturesThatAreShown) {
+    for (const char* kind : {"5", "-1"}) {
+        EXPECT_THAT(said(fmt::format("sphere {{ 0, 1 pigment {{ image_map {{ function 4,4 {{ x }} interpolate {} }} }} }}", kind)), HasSubstr("error: there is no such kind of interpolation")) << kind;
+        EXPECT_EQ(said(fmt::format("sphere {{ 0, 1 pigment {{ image_pattern {{ function 4,4 {{ x }} interpolate {} }} }} }}", kind)), "") << kind;
+    }
+}
+
 /// Pictures of functions have neither a palette nor an alpha that is not told (probed).
 TEST_F(PovBuilders, WhatCannotStandBehindTheFunctionOfAPicture) {
     for (const char* look : {"pigment { image_map { function 4,4 { x } filter 0, .3 } }", "pigment { image_map { function 4,4 { x } transmit 0 .3 } }", "pigment { image_map { function 4,4 { x } use_alpha } }", "normal { bump_map { function 4,4 { x } use_alpha } }",

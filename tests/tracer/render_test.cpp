@@ -217,6 +217,26 @@ TEST(Monitors, StopIsHeardWithinAPixel) {
     EXPECT_LT(film.stats.seconds, 20);
 }
 
+/// Nor only between samples: each face of 40 panes of glass mirrors a ray and passes it on, so that one sample is some 2^60 rays.
+TEST(Monitors, StopIsHeardWithinASample) {
+    SceneBuilder b;
+    const MaterialId glass = b.material(b.glass(1.5));
+    for (int i = 0; i < 40; ++i) b.object(Box{{-1, -1, -2.0 * i}, {1, 1, 1 - 2.0 * i}}, glass);
+    b.camera({0.1, 0.2, 5}, {0, 0, 0}, 20);
+    b.scene.settings.adc_bailout = 0;
+    RenderOptions o = small_render();
+    o.spp = 1, o.max_depth = 60;
+    std::atomic<bool> stop = false;
+    std::thread late([&] {
+        std::this_thread::sleep_for(std::chrono::milliseconds(50));
+        stop = true;
+    });
+    const Film film = *render(*compiled(b.scene), o, Monitor{{}, &stop});
+    late.join();
+    EXPECT_FALSE(film.complete);
+    EXPECT_LT(film.stats.seconds, 20);
+}
+
 TEST(Usage, ErrorsAreSentencesThatName) {
     const auto scene = compiled(everything());
     auto error_of = [&](auto change) {

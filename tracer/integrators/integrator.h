@@ -7,6 +7,7 @@
 #include "tracer/surface.h"
 
 #include <array>
+#include <atomic>
 #include <utility>
 
 namespace alidade {
@@ -67,6 +68,10 @@ struct Tracing {
     GridScratch grid{};          ///< scratch of lights with a ShadowGrid
     Occluders occluders{};       ///< and of those
     std::vector<PendingRay> pending{};   ///< scratch of an integrator: empty between camera rays
+    const std::atomic<bool>* stop = nullptr;   ///< null: nobody does
+
+    /// Then what a ray brings counts no more, and need not be whole.
+    bool stopped() const { return stop && stop->load(std::memory_order_relaxed); }
 };
 
 /// What a ray brings that hits nothing, unweighted; where pictures have alpha, `first` gets what shows through.

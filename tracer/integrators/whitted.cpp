@@ -97,6 +97,7 @@ template <unsigned F> struct Whitted {
 
     // Out of line, and without the sum that trace() keeps in registers: what nothing follows from pays for a comparison alone.
     [[gnu::noinline]] static void follow(Tracing& tracing, const ShadePoint& point, const Surface& surface, const RayState& state) {
+        if (tracing.stopped()) return;   // those that wait are followed; there could come millions more
         Secondaries& secondaries = tracing.secondaries;
         secondaries.clear();
         surface.secondary(tracing.scene, state, secondaries);

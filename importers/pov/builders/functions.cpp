@@ -91,9 +91,27 @@ class FunctionCompiler {
         static constexpr std::pair<char, FunctionOp> kTotals[] = {{'+', FunctionOp::add}, {'-', FunctionOp::subtract}};
         operators(kTotals, &FunctionCompiler::factors);
     }
+    /// As POV-Ray has it (probed), by a 0 that is written or declared as a number nothing can be divided but such numbers and their products: x / 0 and (1 + 1) / 0 are errors, 1 / 0 and x / (0) are infinite.
     void factors() {
-        static constexpr std::pair<char, FunctionOp> kFactors[] = {{'*', FunctionOp::multiply}, {'/', FunctionOp::divide}};
-        operators(kFactors, &FunctionCompiler::operand);
+        bool numbers = number_operand();
+        for (;;) {
+            const bool divides = !at_end() && token().is('/');
+            const Place at = at_end() ? f_.place : token().place();
+            if (!take('*') && !take('/')) return;
+            const bool number = number_operand();
+            if (divides && number && !numbers && is_zero(out_.steps.back().op == FunctionOp::negate ? out_.steps[out_.steps.size() - 2] : out_.steps.back())) p_.fail(at, "a division by 0");
+            add({divides ? FunctionOp::divide : FunctionOp::multiply});
+            numbers = numbers && number;
+        }
+    }
+    static bool is_zero(const FunctionStep& step) { return step.op == FunctionOp::number && step.value == 0; }
+    /// Reads an operand; is it a number without brackets, with a sign perhaps?
+    bool number_operand() {
+        const size_t first = out_.steps.size();
+        const bool opens = !at_end() && (token().is('(') || ((token().is('-') || token().is('+')) && at_ + 1 < f_.parts.size() && f_.parts[at_ + 1].token.is('(')));
+        operand();
+        const std::span<const FunctionStep> steps(out_.steps.begin() + std::ptrdiff_t(first), out_.steps.end());
+        return !opens && steps[0].op == FunctionOp::number && (steps.size() == 1 || (steps.size() == 2 && steps[1].op == FunctionOp::negate));
     }
 
     /// With one sign at the most, as POV-Ray has it.

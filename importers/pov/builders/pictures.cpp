@@ -80,10 +80,14 @@ void take_map(Build& build, Cursor& at, PatternPicture& out) {
     else build.p.fail(place, fmt::format("there is no map_type {}", type), "0 is planar, 1 spherical, 2 cylindrical, 5 a torus");
 }
 
-void take_filter(Cursor& at, PatternPicture& out) {
-    const int type = at.integer("the kind of interpolation", 0, 4);
+/// Of an image_map POV-Ray refuses other kinds; behind the other words it takes them.
+void take_filter(Build& build, Cursor& at, PatternPicture& out) {
+    const Place place = at.place();
+    const int type = at.integer("the kind of interpolation", -1, 5);
+    const bool known = type >= 0 && type <= 4;
+    if (!known && at.block().word == "image_map"_w) build.p.fail(place, "there is no such kind of interpolation", "0 is none, 2 is bilinear, 3 bicubic, 4 weighs by distance");
     static constexpr PictureFilter kKinds[] = {PictureFilter::none, PictureFilter::none, PictureFilter::bilinear, PictureFilter::bicubic, PictureFilter::distance};
-    out.filter = kKinds[type];
+    out.filter = known ? kKinds[type] : PictureFilter::none;
 }
 
 /// `filter all F`, `filter N, F`, and the same with transmit.
@@ -100,7 +104,7 @@ bool take_modifier(Build& build, Cursor& at, PatternPicture& out, double* depth)
     if (at.accept("gamma"_w)) take_gamma(build, at, out);
     else if (at.accept("premultiplied"_w)) out.premultiplied = at.flag();
     else if (at.accept("map_type"_w)) take_map(build, at, out);
-    else if (at.accept("interpolate"_w)) take_filter(at, out);
+    else if (at.accept("interpolate"_w)) take_filter(build, at, out);
     else if (at.accept("once"_w)) out.once = true;
     else if (at.accept("filter"_w)) take_clearing(at, true, out);
     else if (at.accept("transmit"_w)) take_clearing(at, false, out);
