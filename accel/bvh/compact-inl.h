@@ -62,12 +62,18 @@ HWY_INLINE HWY_ATTR void load_corners(const CorneredBlock& from, TriangleBlock<f
         }
         return;
     }
-    const auto high = [&](auto v) HWY_ATTR { return hn::RebindMask(d, hn::Gt(v, hn::Set(whole, 7))); };
-    const auto high_a = high(a), high_b = high(b), high_c = high(c);
+    const int vectors = (from.vertices + 7) / 8;
     for (int axis = 0; axis < 3; ++axis) {
-        const auto first = hn::LoadU(d, from.coordinates(axis)), second = hn::LoadU(d, from.coordinates(axis) + 8);
-        const auto spread = [&](auto at, auto is_high, float* to) HWY_ATTR { hn::Store(hn::IfThenElse(is_high, hn::TableLookupLanes(second, at), hn::TableLookupLanes(first, at)), d, to); };
-        spread(at_a, high_a, block.v[axis]), spread(at_b, high_b, block.v[3 + axis]), spread(at_c, high_c, block.v[6 + axis]);
+        const float* const coordinates = from.coordinates(axis);
+        const auto first = hn::LoadU(d, coordinates);
+        auto v_a = hn::TableLookupLanes(first, at_a), v_b = hn::TableLookupLanes(first, at_b), v_c = hn::TableLookupLanes(first, at_c);
+        for (int i = 1; i < vectors; ++i) {
+            const auto more = hn::LoadU(d, coordinates + 8 * i);   // behind the last there is room
+            const auto least = hn::Set(whole, 8 * i - 1);
+            const auto or_more = [&](auto before, auto vertex, auto at) HWY_ATTR { return hn::IfThenElse(hn::RebindMask(d, hn::Gt(vertex, least)), hn::TableLookupLanes(more, at), before); };
+            v_a = or_more(v_a, a, at_a), v_b = or_more(v_b, b, at_b), v_c = or_more(v_c, c, at_c);
+        }
+        hn::Store(v_a, d, block.v[axis]), hn::Store(v_b, d, block.v[3 + axis]), hn::Store(v_c, d, block.v[6 + axis]);
     }
 }
 

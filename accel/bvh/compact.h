@@ -30,7 +30,7 @@ LargeVector<CompactNode> compacted(const LargeVector<WideNode<float>>& nodes, in
 
 /// Eight triangles whose corners follow: each once, for all triangles around it, so that meshes take half of what three corners a triangle do. Read where a ray meets the leaf, and nothing else.
 struct alignas(32) CorneredBlock {
-    static constexpr uint32_t kMost = 16;   ///< what two vectors hold
+    static constexpr uint32_t kMost = 3 * kLanes;
 
     uint32_t id[kLanes];
     uint8_t corner[3][kLanes];   ///< which of the vertices
@@ -41,13 +41,18 @@ struct alignas(32) CorneredBlock {
     /// Of an axis, one after the other; those of the next axis follow.
     const float* coordinates(int axis) const { return reinterpret_cast<const float*>(this + 1) + size_t(axis) * vertices; }
     float* coordinates(int axis) { return reinterpret_cast<float*>(this + 1) + size_t(axis) * vertices; }
+    Corners corners(uint32_t lane) const {
+        Corners c;
+        for (size_t i = 0; i < 3; ++i) c[i] = {double(coordinates(0)[corner[i][lane]]), double(coordinates(1)[corner[i][lane]]), double(coordinates(2)[corner[i][lane]])};
+        return c;
+    }
     static constexpr size_t bytes(uint32_t vertices) { return sizeof(CorneredBlock) + size_t(vertices) * 3 * sizeof(float); }
 };
 static_assert(sizeof(CorneredBlock) == 64 && offsetof(CorneredBlock, places) == offsetof(CompactNode, grid) + offsetof(ByteGrid, places));
 
 /// Triangles by the number, each block either with its corners, or with the boxes of its triangles: then only those whose boxes a ray enters are read from the caller's arrays, which must live as long.
 ///
-/// Corners are kept of as many blocks as there is room for, those with the fewest vertices first.
+/// Corners are kept of as many blocks as there is room for, those with the fewest vertices first; if not of all with so many, then of some all over the tree.
 class NumberedBlocks {
   public:
     /// Bytes that blocks may take where corners are kept: of a large mesh. A small one is near at hand itself, and instances of it have a structure of their own to pay for.
@@ -66,7 +71,7 @@ class NumberedBlocks {
     const CorneredBlock& cornered(uint32_t number) const { return *reinterpret_cast<const CorneredBlock*>(&units_[number]); }
     const void* address(uint32_t number) const { return &units_[number]; }
     uint32_t id(uint32_t place) const { return has_boxes(place / kLanes) ? boxes(place / kLanes).child[place % kLanes] : cornered(place / kLanes).id[place % kLanes]; }
-    Corners corners(uint32_t place) const { return source_.corners(id(place)); }
+    Corners corners(uint32_t place) const { return has_boxes(place / kLanes) ? source_.corners(id(place)) : cornered(place / kLanes).corners(place % kLanes); }
     /// What a block of PackedBlocks has in `lanes`; zeros in the others.
     TriangleBlock<float> block(uint32_t number, uint32_t lanes) const;
     TriangleBlock<float> operator[](uint32_t number) const { return block(number, (1u << kLanes) - 1); }

@@ -31,17 +31,17 @@ LargeVector<CompactNode> compacted(const LargeVector<WideNode<float>>& nodes, in
     return made;
 }
 
-/// The vertices of a block, each once, up to one more than CorneredBlock::kMost.
+/// The vertices of a block, each once.
 struct NumberedBlocks::Vertices {
-    std::array<uint32_t, CorneredBlock::kMost + 1> vertex;
+    std::array<uint32_t, CorneredBlock::kMost> vertex;
     uint32_t count = 0;
 
-    /// Its place; kMost if there is none left.
+    /// Its place.
     uint32_t add(uint32_t index) {
         for (uint32_t i = 0; i < count; ++i)
             if (vertex[i] == index) return i;
-        if (count <= CorneredBlock::kMost) vertex[count++] = index;
-        return count - 1;
+        vertex[count] = index;
+        return count++;
     }
 };
 
@@ -72,7 +72,7 @@ NumberedBlocks::NumberedBlocks(const TriangleSource<float>& source, const std::v
 
 /// Numbers the blocks, and marks those that have boxes.
 void NumberedBlocks::lay_out(const std::vector<uint32_t>& order, int threads, size_t room) {
-    std::vector<uint8_t> vertices(numbers_.size(), CorneredBlock::kMost + 1);
+    std::vector<uint8_t> vertices(numbers_.size(), CorneredBlock::kMost);
     if (room > 0) {
         for_ranges(numbers_.size(), threads, [&](size_t first, size_t end) {
             for (size_t b = first; b < end; ++b) {
@@ -83,23 +83,24 @@ void NumberedBlocks::lay_out(const std::vector<uint32_t>& order, int threads, si
             }
         });
     }
-    std::array<size_t, CorneredBlock::kMost + 2> with{};
+    std::array<size_t, CorneredBlock::kMost + 1> with{}, kept{}, seen{};   // blocks with so many vertices
     for (const uint8_t count : vertices) ++with[count];
-    const uint32_t of_boxes = units(sizeof(CompactNode));
+    const size_t of_boxes = units(sizeof(CompactNode));
     size_t all = numbers_.size() * of_boxes;
-    uint32_t most = 0;   // vertices of a block whose corners are kept
-    for (uint32_t count = 1; count <= CorneredBlock::kMost; ++count) {
-        const size_t with_these = all - with[count] * of_boxes + with[count] * units(CorneredBlock::bytes(count));
-        if (with_these * sizeof(Unit) > room) break;
-        all = with_these, most = count;
+    for (uint32_t count = 1; count <= CorneredBlock::kMost && all * sizeof(Unit) <= room; ++count) {
+        const size_t own = units(CorneredBlock::bytes(count));
+        kept[count] = own <= of_boxes ? with[count] : std::min(with[count], (room / sizeof(Unit) - all) / (own - of_boxes));
+        all = all - kept[count] * of_boxes + kept[count] * own;
+        if (kept[count] < with[count]) break;
     }
     units_.resize(all + 1);
     std::memset(static_cast<void*>(&units_[all]), 0, sizeof(Unit));
     uint32_t next = 0;
     for (size_t b = 0; b < numbers_.size(); ++b) {
-        const bool boxed = vertices[b] > most;
+        const size_t count = vertices[b], number = seen[count]++;
+        const bool boxed = number * kept[count] / with[count] == (number + 1) * kept[count] / with[count];   // evenly spread
         numbers_[b] = next, units_[next].bytes[0] = boxed;
-        next += boxed ? of_boxes : units(CorneredBlock::bytes(vertices[b]));
+        next += boxed ? uint32_t(of_boxes) : units(CorneredBlock::bytes(uint32_t(count)));
     }
 }
 

@@ -118,13 +118,21 @@ template <class R> class Divider {
         }
     }
 
-    /// The right ones, then the left ones, each in their order, in what was spare. Returns how many are right.
+    /// On one thread, spare memory is used for the left ones alone down to this depth: of what is never touched there is none, and it would be as much as the references are.
+    static constexpr uint32_t kInPlaceDepth = 2;
+
+    /// The right ones, then the left ones, each in their order. May exchange the task's memory with its spare. Returns how many are right.
     size_t partition(BvhTask<R>& task, const CentroidMap<R>& map, const Split& split, CentroidBounds<R>& left, CentroidBounds<R>& right) {
         if (!uses_threads(task)) {
             uint32_t rights = 0;
             for (int b = split.bin; b < map.count; ++b) rights += bins_.count[split.axis][b];
-            passes_.scatter(task.references(), task.spare + rights, task.spare, map, split.axis, split.bin, left, right);
-            task.swap_memory();
+            if (task.depth < kInPlaceDepth) {
+                passes_.scatter(task.references(), task.spare, task.first, map, split.axis, split.bin, left, right);
+                std::copy(task.spare, task.spare + (task.count - rights), task.first + rights);
+            } else {
+                passes_.scatter(task.references(), task.spare + rights, task.spare, map, split.axis, split.bin, left, right);
+                task.swap_memory();
+            }
             return rights;
         }
         struct Chunk {
