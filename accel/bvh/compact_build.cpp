@@ -86,6 +86,7 @@ void NumberedBlocks::lay_out(const std::vector<uint32_t>& order, int threads, si
     std::array<size_t, CorneredBlock::kMost + 1> with{}, kept{}, seen{};   // blocks with so many vertices
     for (const uint8_t count : vertices) ++with[count];
     const size_t of_boxes = units(sizeof(CompactNode));
+    room -= std::min(room, numbers_.size() * sizeof(CompactNode) / (kWide - 1));   // for the nodes above: where triangles are in several blocks, there are more of both
     size_t all = numbers_.size() * of_boxes;
     for (uint32_t count = 1; count <= CorneredBlock::kMost && all * sizeof(Unit) <= room; ++count) {
         const size_t own = units(CorneredBlock::bytes(count));
