@@ -50,8 +50,8 @@ double optical_distance(const Fog& fog, NoiseGenerator noise, const Vec3& origin
     double length = distance;
     if (const auto& t = fog.turbulence) {
         constexpr double kUnseen = 1e-17;   // what is less is lost beside 1
-        const double near = std::exp(-distance / fog.distance);
-        if (!(near < kUnseen && fog.turbulence_depth >= 0)) {
+        const double near = std::exp(-distance / fog.distance), most = t->octaves * std::abs(fog.turbulence_depth);   // noise does not pass 1
+        if (!(near * most < kUnseen && std::abs(t->omega) <= 1)) {
             const Vec3 middle = (origin + direction * (distance / 2)) * t->amount;
             length *= 1 - near * std::min(1.0, turbulence(middle, *t, noise) * fog.turbulence_depth);
         }

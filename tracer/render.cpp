@@ -34,9 +34,16 @@ struct Job {
     SampleStop sample_stop;
     const std::atomic<bool>* stop;
     std::optional<SignalId> normal;   ///< of the camera
+    bool is_pov;                      ///< has it materials of POV scenes?
 
     bool stopped() const { return stop && stop->load(std::memory_order_relaxed); }
 };
+
+bool has_pov_materials(const Scene& scene) {
+    return std::any_of(scene.materials.begin(), scene.materials.end(), [](const Material& m) {
+        return std::any_of(m.layers.begin(), m.layers.end(), [](const auto& layer) { return std::holds_alternative<PovFinish>(layer); });
+    });
+}
 
 /// The first few by their numbers, and by their names if they have any.
 std::string list_of_cameras(const CompiledScene& scene) {
@@ -158,7 +165,7 @@ Color in_film(const Color& radiance, Alpha alpha, const RenderSettings& settings
 void write_pixel(const Job& job, PixelSamples pixel, int x, int y, Picture& picture) {
     const RenderSettings& settings = job.scene.scene.settings;
     const Color& sum = pixel.radiance;
-    if (std::isnan(sum.x) || std::isnan(sum.y) || std::isnan(sum.z)) pixel.radiance = Color(0);   // a ray of it meets a surface without a normal (PovSurface): so POV-Ray's pictures have it
+    if (job.is_pov && (std::isnan(sum.x) || std::isnan(sum.y) || std::isnan(sum.z))) pixel.radiance = Color(0);   // a ray of it meets a surface without a normal (PovSurface): so POV-Ray's pictures have it
     if (is_coded(settings) || job.options.alpha == Alpha::straight) {
         const double count = pixel.samples;
         double shows = pixel.sum.shows / count;
@@ -272,7 +279,7 @@ tl::expected<Film, std::string> render(const CompiledScene& scene, const RenderO
         return tl::unexpected(fmt::format("{} samples a pixel times {} a light are more than {}", spp, options.light_samples, kMostSamples));
     const int depth = options.max_depth >= 0 ? options.max_depth : scene.scene.settings.max_depth.value_or(8);
     const Camera seen_by = with_lens(**camera, options);
-    const Job job{scene, options, CameraRays(seen_by, options.width, options.height), StartInside(scene, seen_by), *kernel, *layers, *grid, sampler->pair, spp, depth, SampleStop(options, spp), monitor.stop, (**camera).normal};
+    const Job job{scene, options, CameraRays(seen_by, options.width, options.height), StartInside(scene, seen_by), *kernel, *layers, *grid, sampler->pair, spp, depth, SampleStop(options, spp), monitor.stop, (**camera).normal, has_pov_materials(scene.scene)};
     Film film;
     film.picture = empty_picture(options, layers->channels());
     if (options.alpha != Alpha::none)   // what is not rendered is black, not missing

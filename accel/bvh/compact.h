@@ -3,6 +3,7 @@
 #pragma once
 
 #include "accel/bvh/byte_grid.h"
+#include "accel/bvh/wide.h"
 #include "accel/bvh/watertight_boxes.h"
 
 #include <cstddef>
@@ -55,8 +56,9 @@ static_assert(sizeof(CorneredBlock) == 64 && offsetof(CorneredBlock, places) == 
 /// Corners are kept of as many blocks as there is room for, those with the fewest vertices first; if not of all with so many, then of some all over the tree.
 class NumberedBlocks {
   public:
-    /// Bytes that blocks may take where corners are kept: of a large mesh. A small one is near at hand itself, and instances of it have a structure of their own to pay for.
-    static size_t room(size_t triangles) { return triangles > kSmallMesh ? kRoom * triangles : 0; }
+    /// Bytes that blocks may take where corners are kept: of a large mesh. A small one is near at hand itself, and instances of it have a structure of their own to pay for;
+    /// of the largest (3e8 triangles) there would be more units than leaves can number.
+    static size_t room(size_t triangles) { return triangles > kSmallMesh && kRoom * triangles < WideLeaf::kMaxBlocks * sizeof(Unit) ? kRoom * triangles : 0; }
 
     NumberedBlocks(const TriangleSource<float>& source, const std::vector<uint32_t>& order, int threads, bool watertight = false) : NumberedBlocks(source, order, threads, watertight, room(source.size())) {}
     NumberedBlocks(const TriangleSource<float>& source, const std::vector<uint32_t>& order, int threads, bool watertight, size_t room);

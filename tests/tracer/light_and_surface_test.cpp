@@ -71,6 +71,40 @@ TEST(Surface, PointLitLambertPlane) {
     }
 }
 
+/// Lights that are left out unasked, because they stand behind a surface of POV-Ray's, bring nothing: by illuminate() and scatter(), wherever they stand.
+TEST(Surface, OfPovRayIsBlackForLightsThatItFacesAway) {
+    SceneBuilder b;
+    PovFinish finish;
+    finish.pigment = b.constant(Vec4(1)), finish.phong = 0.5, finish.specular = 0.5, finish.diffuse = 0.7;
+    b.scene.materials.push_back({"plain", {finish}, {}});
+    b.object(square(), MaterialId{uint32_t(b.scene.materials.size() - 1)});
+    const auto scene = compiled(b.scene);
+    Ray ray;
+    ray.origin = {0.3, 0.1, 1}, ray.dir = normalized(Vec3(0.3, 0.2, -1));
+    Hit hit;
+    WorkCounters work;
+    ASSERT_TRUE(scene->top->intersect(ray, hit, work));
+    const ShadePoint p = shade_point(*scene, ray, hit);
+    const Surface s = shade<kAllFeatures>(*scene, p, ray.dir);
+    Draws draws(RandomKey(7, 0, 0));
+    int away = 0, lit = 0;
+    for (const decltype(Light::kind)& kind : {decltype(Light::kind)(PointLight()), {SpotLight()}, {ConeLight()}, {CylinderLight()}, {DirectionalLight()}, {AreaLight()}})
+        for (const bool parallel : {false, true})
+            for (int i = 0; i < 200; ++i) {
+                Light light;
+                light.kind = kind, light.parallel = parallel;
+                const Vec3 place = draws.in_box(Vec3(-3), Vec3(3)), axis = draws.direction();
+                const PlacedLight placed(light, Transform::translate(place) * Transform::rotate(axis, draws.uniform(0, 2 * kPi)));
+                const Illumination arrives = illuminate(placed, p.position, {0.5, 0.5});
+                const bool black = is_black(arrives.irradiance) || is_black(s.scatter(arrives.direction));
+                const bool left_out = placed.from_its_place && s.faces_away(placed.position - p.position);
+                EXPECT_TRUE(black || !left_out) << light.kind.index() << ' ' << parallel << ' ' << i;
+                away += left_out, lit += !black;
+            }
+    EXPECT_GT(away, 200);
+    EXPECT_GT(lit, 200);
+}
+
 /// The whole hemisphere of a white surface sends back at most what arrives, at any roughness: the integral of scatter over wi.
 TEST(Surface, ReflectsNoMoreThanArrives) {
     SceneBuilder b;
