@@ -32,7 +32,7 @@ void shorten(double a, double g, double c, double& low, double& high) {
     high = std::min(high, (-g + std::sqrt(square)) / (2 * a));
 }
 
-/// Without products and two zeros among the squares, and with as few negative squares as it can have.
+/// Has it no products, and at most one zero among the squares?
 bool is_round(const Quadric& q) {
     return !has_products(q) && int(q.squares.x == 0) + int(q.squares.y == 0) + int(q.squares.z == 0) < 2;
 }
@@ -47,6 +47,7 @@ Quadric without_roundings(Quadric q) {
     return q;
 }
 
+/// The same surface with as many positive squares as negative ones at least.
 Quadric turned_out(const Quadric& q) {
     int signs = 0;
     for (int i = 0; i < 3; ++i) signs += (q.squares[i] > 0) - (q.squares[i] < 0);
