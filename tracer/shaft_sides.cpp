@@ -41,6 +41,14 @@ struct Local {
     const Plane* plane() const { return std::get_if<Plane>(geometry.source); }
 };
 
+/// In the instance's own space its box is tighter than that in the world, where it is turned. Where rays are corrected on their way there, boxes are not: nothing is known.
+CsgSide side_of_finite(const Local& local, const Shaft& shaft) {
+    const Bounds from = local(shaft.from()), to = local(shaft.to());
+    const Instance& instance = local.instance;
+    if (!instance.in_place && !instance.inexact && from.finite() && to.finite() && !Shaft(from, to).meets(local.geometry.bounds)) return CsgSide::outside;
+    return local.geometry.ops->convex && holds(local.geometry, to) && holds(local.geometry, from) ? CsgSide::inside : CsgSide::varies;
+}
+
 }  // namespace
 
 bool ShaftSides::leaves_plane(uint32_t id) const {
@@ -53,10 +61,10 @@ CsgSide ShaftSides::side(uint32_t id) const {
     const Geometry& geometry = local.geometry;
     if (geometry.mesh || geometry.ops->costly) return CsgSide::varies;   // a costly search, once a point, gains nothing
     if (local.plane()) {
-        const CsgSide side = side_of_plane(*local.plane(), local(shaft_.from()));
-        return side_of_plane(*local.plane(), local(shaft_.to())) == side ? side : CsgSide::varies;
+        const CsgSide side = side_of_plane(*local.plane(), local(shaft_.to()));
+        return id == stood_on_ || side_of_plane(*local.plane(), local(shaft_.from())) == side ? side : CsgSide::varies;
     }
-    if (local.finite) return geometry.ops->convex && holds(geometry, local(shaft_.to())) && holds(geometry, local(shaft_.from())) ? CsgSide::inside : CsgSide::varies;
+    if (local.finite) return side_of_finite(local, shaft_);
     if (!geometry.ops->narrow) return CsgSide::varies;
     const Bounds hull = local(shaft_.hull());
     if (geometry.ops->narrow(*geometry.source, false, hull).empty()) return CsgSide::outside;

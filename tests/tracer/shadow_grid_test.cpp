@@ -229,10 +229,42 @@ TEST(Occluders, AreNotWhatSurroundsAndWhatIsStoodOn) {
     EXPECT_EQ(lit.stats.work.primitives, asked.stats.work.primitives);
 }
 
+/// Where nothing so near counts that it could be one place with what is stood on, that is left in solids, too: a room of two planes, one half of it cut away.
+TEST(Occluders, AreNotPartsOfSolidsThatAreStoodOn) {
+    const auto primitives = [](double clearance, bool shadows) {
+        SceneBuilder b;
+        const MaterialId plain = b.material(b.lambert(Color(1)));
+        b.scene.settings.shadow_clearance = clearance;
+        Node room;
+        room.csg = CsgKind::union_;
+        for (const Plane& plane : {Plane{{0, 1, 0}, 0}, Plane{{0, 0, 1}, -8}}) {
+            Node n;
+            n.what = b.shape(plane), n.materials = {plain};
+            room.children.push_back(b.node(n, false));
+        }
+        Node clip;
+        clip.what = b.shape(Box{{-40, -2, -40}, {40, 50, 40}});
+        room.clips = {b.node(clip, false)};
+        b.node(room);
+        b.light(PointLight(), Color(40), Transform::translate({0, 3, 0}));
+        b.scene.lights[0].shadowless = !shadows;
+        b.scene.lights[0].shadow_grid = grid_of(4, 4);
+        b.scene.lights[0].shadow_grid->axis1 = {1, 0, 0}, b.scene.lights[0].shadow_grid->axis2 = {0, 0, 1};
+        b.camera({0, 2, 2}, {0, 0, -6}, 60);   // which sees both
+        const Film film = rendered(b.scene, centre_rays(32));
+        EXPECT_TRUE(!shadows || film.stats.shadow_rays > 5000);
+        return film.stats.work.primitives;
+    };
+    EXPECT_EQ(primitives(0.001, true), primitives(0.001, false));
+    EXPECT_GT(primitives(0, true), primitives(0, false)) << "without a clearance it is not known";
+}
+
 /// In a solid, faces at one place are one: a plane that is stood on counts with those beside it. Rooms of planes, with a floor that is there twice, and looked at along an edge.
 TEST(Occluders, OfSolidsWhoseFacesMeetUnderThePoint) {
-    for (const double twice : {0.0, 7e-14, 2e-13, 1.0}) {
+    for (int i = 0; i < 8; ++i) {
+        const double twice = std::array{0.0, 7e-14, 2e-13, 1.0}[size_t(i % 4)];
         SceneBuilder b;
+        b.scene.settings.shadow_clearance = i < 4 ? 0 : 0.001;
         const MaterialId plain = b.material(b.lambert(Color(1)));
         Node room;
         room.csg = CsgKind::intersection, room.inverse = true;
@@ -248,10 +280,10 @@ TEST(Occluders, OfSolidsWhoseFacesMeetUnderThePoint) {
         b.camera({0, -1 + (twice == 1 ? 1 : 0), 6}, {0, -1 + (twice == 1 ? 1 : 0), -4}, 60);
         CompileOptions each, once;
         each.accel = "brute", once.accel = "bvh";
-        EXPECT_EQ(rendered(b.scene, centre_rays(33), each).picture.values, rendered(b.scene, centre_rays(33), once).picture.values) << twice;
+        EXPECT_EQ(rendered(b.scene, centre_rays(33), each).picture.values, rendered(b.scene, centre_rays(33), once).picture.values) << i;
         b.scene.cameras.clear(), b.scene.nodes.pop_back(), b.scene.roots.pop_back();
         b.camera({0, 1, 6}, {0, -0.5, 0}, 60);
-        EXPECT_EQ(rendered(b.scene, centre_rays(33), each).picture.values, rendered(b.scene, centre_rays(33), once).picture.values) << twice;
+        EXPECT_EQ(rendered(b.scene, centre_rays(33), each).picture.values, rendered(b.scene, centre_rays(33), once).picture.values) << i;
     }
 }
 

@@ -17,7 +17,7 @@ ShapeGeometry shape(int kind, Draw& draw) {
         case 2: return Box{draw.vector(1) - Vec3(size), draw.vector(1) + Vec3(size)};
         case 3: return Cylinder{{0, -size, 0}, {draw(-1, 1), size, 0}, size, draw.below(3) == 0};
         case 4: return Quadric{Vec3(1, 1, draw.below(2) ? -1 : 0), Vec3(0), Vec3(0), -size};
-        default: return Cone{{0, -size, 0}, {0, size, 0}, size, 0.5 * size};   // of which nothing is known
+        default: return Cone{{0, -size, 0}, {0, size, 0}, size, 0.5 * size};   // of which the box alone is known
     }
 }
 
@@ -56,8 +56,23 @@ TEST(ShaftSides, HoldForAllRays) {
         }
     }
     for (const int kind : {0, 1, 2, 3, 4}) EXPECT_GT(inside[kind], 20) << kind;
-    for (const int kind : {1, 4}) EXPECT_GT(outside[kind], 20) << kind;
-    EXPECT_EQ(inside[5] + outside[5], 0);
+    for (const int kind : {1, 2, 4, 5}) EXPECT_GT(outside[kind], 20) << kind;   // those of the others are not moved: the shaft itself is asked of their boxes
+    EXPECT_EQ(inside[5], 0);
+}
+
+/// What is turned fills less of the world than the box around it: a rod from corner to corner of that box.
+TEST(ShaftSides, OfWhatIsTurned) {
+    SceneBuilder b;
+    b.object(Box{{-0.1, -9, -0.1}, {0.1, 9, 0.1}}, b.material(b.lambert(Color(1))), Transform::rotate({0, 0, 1}, kPi / 4));
+    const auto scene = compiled(b.scene);
+    const auto side = [&](const Vec3& from, const Vec3& to) {
+        const Shaft shaft({from - Vec3(1e-15), from + Vec3(1e-15)}, {to - Vec3(0.1), to + Vec3(0.1)});
+        EXPECT_TRUE(shaft.meets(scene->instances[0].bounds));
+        return ShaftSides(*scene, shaft).side(0);
+    };
+    EXPECT_EQ(side({3, 4, 0}, {-1, 8, 0}), CsgSide::outside);
+    EXPECT_EQ(side({3, 4, 0}, {-5, -4, 0}), CsgSide::varies);
+    EXPECT_EQ(side({-3, 4, 0}, {-3, 1, 0}), CsgSide::varies);
 }
 
 /// A plane that rays start on is left, not one beside it.
@@ -70,6 +85,8 @@ TEST(ShaftSides, OfAPlaneThatIsStoodOn) {
     const auto leaves = [&](double height, uint32_t id) {
         const Shaft shaft({Vec3(-1e-15), Vec3(1e-15)}, {{-1, height - 1, -1}, {1, height + 1, 1}});
         EXPECT_EQ(ShaftSides(*scene, shaft).side(id), CsgSide::varies);
+        const CsgSide stood_on = ShaftSides(*scene, shaft, 0).side(id);
+        EXPECT_EQ(stood_on, id != 0 || std::abs(height) < 1 ? CsgSide::varies : height > 0 ? CsgSide::outside : CsgSide::inside);
         return ShaftSides(*scene, shaft).leaves_plane(id);
     };
     EXPECT_TRUE(leaves(3, 0));
