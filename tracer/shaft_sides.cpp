@@ -41,11 +41,25 @@ struct Local {
     const Plane* plane() const { return std::get_if<Plane>(geometry.source); }
 };
 
+/// Do all segments between the boxes surely miss the ball? At t they are in a ball around the segment between the middles, with a radius between those of the boxes: its distance from the other ball is a
+/// quadratic in t, which is positive all along.
+bool misses(const Sphere& ball, const Bounds& from, const Bounds& to) {
+    const Vec3 way = to.center() - from.center(), off = ball.center - from.center();
+    const double radius = length(from.extent()) * 0.5, widening = length(to.extent()) * 0.5 - radius, touching = std::abs(ball.radius) + radius;
+    const double a = dot(way, way) - widening * widening, b = -2 * (dot(off, way) + touching * widening), c = dot(off, off) - touching * touching;
+    const double least = kPad * (dot(way, way) + dot(off, off) + touching * touching + widening * widening);   // far more than roundings
+    const bool turns = a > 0 && b < 0 && -b < 2 * a;   // the quadratic, between the ends
+    return c > least && a + b + c > least && (!turns || c - b * b / (4 * a) > least);
+}
+
 /// In the instance's own space its box is tighter than that in the world, where it is turned. Where rays are corrected on their way there, boxes are not: nothing is known.
 CsgSide side_of_finite(const Local& local, const Shaft& shaft) {
     const Bounds from = local(shaft.from()), to = local(shaft.to());
     const Instance& instance = local.instance;
-    if (!instance.in_place && !instance.inexact && from.finite() && to.finite() && !Shaft(from, to).meets(local.geometry.bounds)) return CsgSide::outside;
+    if (!instance.inexact && from.finite() && to.finite()) {
+        const auto* ball = std::get_if<Sphere>(local.geometry.source);
+        if (ball ? misses(*ball, from, to) : !instance.in_place && !Shaft(from, to).meets(local.geometry.bounds)) return CsgSide::outside;
+    }
     return local.geometry.ops->convex && holds(local.geometry, to) && holds(local.geometry, from) ? CsgSide::inside : CsgSide::varies;
 }
 

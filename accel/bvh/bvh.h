@@ -67,13 +67,16 @@ template <class Leaf, class Node> class WideBvh {
         if constexpr (std::is_same_v<Node, CompactNode>) nodes_ = compacted(wide, options.threads);
         else nodes_ = std::move(wide);
         clock.ended("widen");
+        if constexpr (std::is_same_v<Leaf, CustomLeaf>) {
+            if (nodes_.size() == 1 && places_of(nodes_[0]) == 1 && WideLeaf::is(nodes_[0].child[0])) lone_ = nodes_[0].child[0];
+        }
         if (input.order.size() / Leaf::kBlock >= WideLeaf::kMaxBlocks) throw std::length_error("more primitives than the tree can number");
     }
 
     /// Of nodes that were saved. `watertight`: their boxes are those of make_watertight(), which other tests may have as well.
     WideBvh(LargeArray<Node> nodes, bool watertight, const AccelOptions& options) : nodes_(std::move(nodes)), watertight_(watertight), traversals_(wide_traversals<Node, Leaf>(options.isa)), group_(GroupOf<Node, Leaf>::traversal(options.isa)) {}
 
-    WideTree<Node, Leaf> tree(const Leaf& leaf, const RayBounds& bounds, uint32_t unbounded) const { return {nodes_.data(), leaf, bounds, unbounded}; }
+    WideTree<Node, Leaf> tree(const Leaf& leaf, const RayBounds& bounds, uint32_t unbounded) const { return {nodes_.data(), leaf, bounds, unbounded, lone_}; }
     const WideTraversals<Node, Leaf>& traversals() const { return traversals_; }
     /// Of rays together, or null.
     GroupTraversal<Node, Leaf> group() const { return group_; }
@@ -90,6 +93,7 @@ template <class Leaf, class Node> class WideBvh {
         else return nullptr;
     }
 
+    uint32_t lone_ = 0;   ///< WideTree::lone
     const WideTraversals<Node, Leaf>& traversals_;
     GroupTraversal<Node, Leaf> group_;
 };

@@ -127,6 +127,7 @@ template <class Node, class Leaf> struct WideTree {
     const Leaf& leaf;
     const RayBounds& bounds;
     uint32_t unbounded;
+    uint32_t lone = 0;   ///< of a set: the WideLeaf that is all of the tree, if one is. Its box is `bounds`
 };
 
 /// A near ray need not be clipped to the bounds: the boxes of the root are.

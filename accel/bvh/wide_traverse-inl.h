@@ -303,7 +303,13 @@ template <class Machine, class Query, class Node, class Leaf, class... Results> 
         query.prepare();
         if (query.visit(0, tree.unbounded)) return query.finish();
     }
-    if (local.enters_box()) ++work.rays, wide_traverse<Machine>(tree.nodes, local, tree.bounds.doubled_size, query, work);
+    if (local.enters_box()) {
+        ++work.rays;
+        if constexpr (std::is_same_v<Leaf, CustomLeaf>) {
+            if (tree.lone) return query.visit(WideLeaf::block(tree.lone), WideLeaf::count(tree.lone)), query.finish();   // in the bounds the ray is in the leaf's box
+        }
+        wide_traverse<Machine>(tree.nodes, local, tree.bounds.doubled_size, query, work);
+    }
     return query.finish();
 }
 

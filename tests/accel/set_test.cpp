@@ -50,6 +50,7 @@ std::vector<NamedSet> sets() {
             {"stacked boxes", stacked_boxes(), 0.4},
             {"with planes", with(random_solids(100, 0.2, 4), planes), 0.6},
             {"planes alone", planes, 0.6},
+            {"one sphere and planes", with(planes, {{Kind::sphere, Vec3(0.3, 0, 0), Vec3(0.6)}}), 0.6},
             {"with NaN bounds", with(bad, with(random_solids(100, 0.3, 5), bad)), 0.4}};
 }
 
@@ -165,6 +166,21 @@ TEST(Sets, WorkIsAtMostThreePercent) {
         EXPECT_GT(work.primitives, 0u) << entry->name;
         fmt::print("{}: {:.1f} boxes or cells, {:.1f} solids a ray\n", entry->name, double(work.boxes) / double(count), double(work.primitives) / double(count));
         EXPECT_LE(double(work.primitives) / double(count), 0.03 * 4000) << entry->name;
+    }
+}
+
+/// A ray that is in the bounds of a single leaf is in its box: no node is asked.
+TEST(Sets, OfASingleLeafHaveNoBoxesToTest) {
+    const std::vector<ToySolid> plane{{Kind::plane, Vec3(0, 0, 1.5), Vec3(0, 0, 1)}};
+    for (const size_t count : {1u, 40u}) {
+        const auto accelerator = find_accelerator("bvh")->over_set(std::make_shared<ToySet>(with(plane, random_solids(count, 0.8, 9))), {});
+        WorkCounters work;
+        for (size_t i = 0; i < 2000; ++i) {
+            Hit hit;
+            accelerator->intersect(ray_at_set(i), hit, work), accelerator->occluded(ray_at_set(i), work);
+        }
+        EXPECT_EQ(work.boxes == 0, count == 1) << count;
+        EXPECT_GT(work.rays, 100u);
     }
 }
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 /// POV-Ray's lights with a form, against closed forms. (tests/scenes/pov_pictures_test.cpp compares whole pictures with POV-Ray.)
+#include "tests/core/draw.h"
 #include "tests/tracer/scene_builder.h"
 #include "tracer/integrators/shadow_grid.h"
 #include "tracer/lights.h"
@@ -45,6 +46,15 @@ TEST(GridMean, AsksWhatItNeedsAndNothingTwice) {
     asked = 0;
     mean_of(grid_of(9, 9), [](int u, int) { return u % 2; }, &asked);
     EXPECT_EQ(asked, 81);
+}
+
+/// Of equal values it is that value, bit for bit, however they are added up.
+TEST(GridMean, OfEqualValuesIsExact) {
+    Draw draw(5);
+    for (int i = 0; i < 2000; ++i) {
+        const double value = draw(-1, 1) * std::exp2(draw(-40, 40));
+        for (const int adaptive : {-1, 1}) EXPECT_EQ(mean_of(grid_of(1 + i % 7, 1 + i % 5, adaptive), [&](int, int) { return value; }), value);
+    }
 }
 
 /// Each mean asks for itself, whatever the scratch holds of those before: of grids larger and smaller, and after the rounds were counted once around.

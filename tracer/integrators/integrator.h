@@ -44,6 +44,7 @@ struct GridScratch {
     };
     std::vector<Point> points{};
     uint32_t round = 0;
+    std::vector<uint32_t> asked_of_equal{};   ///< by light: how many of its points are asked where all have the same value; 0: not known yet
 
     void begin(size_t count) {
         ++round;

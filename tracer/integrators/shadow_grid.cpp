@@ -61,6 +61,14 @@ std::optional<Bounds> GridPoints::box(const Vec3& p, const Illumination& arrivin
 
 namespace {
 
+/// How many points of the light's grid are asked where all have the same value: then the mean is that value, bit for bit (a sum of four equal numbers is exact).
+uint32_t asked_of_equal(GridScratch& scratch, const ShadowGrid& grid, size_t index) {
+    auto& known = scratch.asked_of_equal;
+    if (known.size() <= index) known.resize(index + 1);
+    if (known[index] == 0) GridMean(grid, scratch, [&](int, int) { return ++known[index], Color(0); })();
+    return known[index];
+}
+
 /// The mean over the grid of what comes through to `point`, of the light `full`, from `tracing.scene.lights[index]`.
 Color through_grid(Tracing& tracing, const ShadePoint& point, const RayState& state, size_t index, const Illumination& arriving, const Color& full) {
     constexpr uint64_t kGridBranch = uint64_t(1) << 41;   // behind the branches of rays
@@ -70,9 +78,8 @@ Color through_grid(Tracing& tracing, const ShadePoint& point, const RayState& st
     const SampleKey key = state.key.child(kGridBranch + index);
     const auto place = points.box(point.position, arriving);
     Occluders* among = place && tracing.occluders.find(tracing.scene, point, *place) ? &tracing.occluders : nullptr;
-    const bool open = among && is_open(tracing, *among, state, index);
+    if (among && is_open(tracing, *among, state, index)) return tracing.stats.shadow_rays += asked_of_equal(tracing.grid, grid, index), full;
     return GridMean(grid, tracing.grid, [&](int u, int v) {
-        if (open) return ++tracing.stats.shadow_rays, full;
         const Vec2 jitter = grid.jitter ? key.pair(uint64_t(u) * uint64_t(grid.size2) + uint64_t(v)) - Vec2(0.5) : Vec2(0);
         const Vec3 to_light = points.towards(point.position, arriving, points.offset(u + jitter.x, v + jitter.y));
         const double distance = length(to_light);
