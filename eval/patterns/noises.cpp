@@ -32,6 +32,18 @@ template <int kCount> void doubled(const Vec3& p, NoiseGenerator generator, doub
     }
 }
 
+constexpr int kGraniteOctaves = 6;
+
+/// What granite makes of its octaves.
+double granite_of(const double* n, NoiseGenerator generator) {
+    double sum = 0, frequency = 1;
+    for (int k = 0; k < kGraniteOctaves; ++k, frequency *= 2) {
+        const double folded = generator == NoiseGenerator::original ? std::abs(0.5 - n[k]) : std::min(0.5, std::abs(1 - 2 * n[k]));
+        sum += folded / frequency;
+    }
+    return sum;
+}
+
 }  // namespace
 
 double plain_noise(const Vec3& p, const PatternInput& in) { return noise(p, in.noise); }
@@ -41,14 +53,24 @@ double dents(const Vec3& p, const PatternInput& in) {
     return n * n * n;
 }
 
+void four_noises(const Vec3* p, const PatternInput& in, double* out) { noises(p, 4, in.noise, out); }
+
 double granite(const Vec3& p, const PatternInput& in) {
-    double n[6], sum = 0, frequency = 1;
+    double n[kGraniteOctaves];
     doubled(p * 4.0, in.noise, n);
-    for (int k = 0; k < 6; ++k, frequency *= 2) {
-        const double folded = in.noise == NoiseGenerator::original ? std::abs(0.5 - n[k]) : std::min(0.5, std::abs(1 - 2 * n[k]));
-        sum += folded / frequency;
+    return granite_of(n, in.noise);
+}
+
+void four_granites(const Vec3* p, const PatternInput& in, double* out) {
+    double n[4][kGraniteOctaves];
+    for (int k = 0; k < kGraniteOctaves; ++k) {
+        Vec3 places[4];
+        double octave[4];
+        for (int i = 0; i < 4; ++i) places[i] = p[i] * 4.0 * double(1 << k);
+        noises(places, 4, in.noise, octave);
+        for (int i = 0; i < 4; ++i) n[i][k] = octave[i];
     }
-    return sum;
+    for (int i = 0; i < 4; ++i) out[i] = granite_of(n[i], in.noise);
 }
 
 double wrinkles(const Vec3& p, const PatternInput& in) {

@@ -70,9 +70,8 @@ Vec3 Pattern::place(const Vec3& p) const {
     return glm::clamp(q, Vec3(-1e17), Vec3(1e17));
 }
 
-double Pattern::value_at(const Vec3& place) const {
-    if (!row_->value && !source_) return 0;
-    double v = source_.picture ? source_.picture->value(place) : source_.grey ? source_.grey(place) : row_->value(place, input_);
+/// A number of the row or the source, after frequency, phase and wave.
+double Pattern::finished(double v) const {
     constexpr double kPeriod = 1.00001;   // so that 1 itself does not fall to 0
     if (frequency_ != 0) {
         v = v * frequency_ + input_.phase;
@@ -80,6 +79,20 @@ double Pattern::value_at(const Vec3& place) const {
     }
     if (v < 0) v -= std::floor(v);
     return shaped(wave_, wave_exponent_, v);
+}
+
+double Pattern::value_at(const Vec3& place) const {
+    if (!row_->value && !source_) return 0;
+    return finished(source_.picture ? source_.picture->value(place) : source_.grey ? source_.grey(place) : row_->value(place, input_));
+}
+
+void Pattern::values_at(const Vec3* places, double* values) const {
+    if (!row_->four || source_) {
+        for (int i = 0; i < 4; ++i) values[i] = value_at(places[i]);
+        return;
+    }
+    row_->four(places, input_, values);
+    for (int i = 0; i < 4; ++i) values[i] = finished(values[i]);
 }
 
 }  // namespace alidade

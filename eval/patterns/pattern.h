@@ -55,6 +55,8 @@ class Pattern {
     /// The number at a place: after frequency, phase and wave.
     double value_at(const Vec3& place) const;
     double value(const Vec3& p) const { return value_at(place(p)); }
+    /// The same at four places near each other.
+    void values_at(const Vec3* places, double* values) const;
 
     /// All entries count, by their weights; there is no value.
     bool is_average() const { return !row_->value && !row_->relief && !source_; }
@@ -71,6 +73,8 @@ class Pattern {
     const Mat3& normal_out() const { return normal_out_; }
 
   private:
+    double finished(double v) const;
+
     const PatternOps* row_ = nullptr;
     PatternInput input_;
     PatternSource source_;

@@ -52,6 +52,7 @@ struct PatternOps {
     SourceKind source = SourceKind::none;
     bool colored = false;                                     ///< its colours stand for a map: those of its picture
     bool embossed = false;                                    ///< it bends normals by the rise of its picture
+    void (*four)(const Vec3* p, const PatternInput& in, double* out) = nullptr;   ///< `value` of four points near each other, the same bits in less time; null where there is nothing to gain
 };
 
 /// One row for each pattern.
@@ -104,6 +105,9 @@ double wood(const Vec3&, const PatternInput&);
 double spiral1(const Vec3&, const PatternInput&);
 double spiral2(const Vec3&, const PatternInput&);
 double crackle(const Vec3&, const PatternInput&);
+void four_noises(const Vec3* p, const PatternInput&, double* out);
+void four_granites(const Vec3* p, const PatternInput&, double* out);
+void four_crackles(const Vec3* p, const PatternInput&, double* out);
 /// The point of crackle's that is nearest.
 Vec3 nearest_point(const Vec3&, double metric);
 

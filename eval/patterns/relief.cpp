@@ -33,11 +33,6 @@ tl::expected<Relief, std::string> Relief::make(const ReliefSignal& signal, Patte
     return out;
 }
 
-double Relief::height(const Vec3& place) const {
-    const double value = pattern_.value_at(place);
-    return slopes_.empty() ? value : height_at(slopes_, value);
-}
-
 /// To the right and up as bump_map has it, for a unit normal; where that is vertical, as if it leaned towards -z.
 Vec3 Relief::embossed(const Vec3& place, const Vec3& n) const {
     const double across = std::hypot(n.x, n.z);
@@ -52,8 +47,11 @@ Vec3 Relief::bent(const Vec3& place, const Vec3& n) const {
     if (pattern_.row().relief) return pattern_.relief(place, n, amount_);
     static constexpr Vec3 kTowards[] = {{0.942809041, -0.333333333, 0}, {-0.471404521, -0.333333333, 0.816496581}, {-0.471404521, -0.333333333, -0.816496581}, {0, 1, 0}};
     const double k = -5 * amount_ * (0.02 / accuracy_);
-    Vec3 out = n;
-    for (const Vec3& towards : kTowards) out += towards * (k * height(place + accuracy_ * towards));
+    Vec3 places[4], out = n;
+    double heights[4];
+    for (int i = 0; i < 4; ++i) places[i] = place + accuracy_ * kTowards[i];
+    pattern_.values_at(places, heights);
+    for (int i = 0; i < 4; ++i) out += kTowards[i] * (k * (slopes_.empty() ? heights[i] : height_at(slopes_, heights[i])));
     return out;
 }
 

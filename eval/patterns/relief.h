@@ -24,7 +24,6 @@ class Relief {
     Vec3 bent(const Vec3& place, const Vec3& n) const;
 
   private:
-    double height(const Vec3& place) const;
     Vec3 embossed(const Vec3& place, const Vec3& n) const;
 
     Pattern pattern_;

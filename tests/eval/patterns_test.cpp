@@ -70,6 +70,38 @@ TEST(Patterns, CrackleLeavesOutOnlyCellsThatAreTooFar) {
         for (const Vec3& p : pattern_points(5000, 11)) ASSERT_EQ(pattern::nearest_point(p, metric), nearest_of_all(p, metric)) << metric << ": " << p.x << " " << p.y << " " << p.z;
 }
 
+/// Four places at once have the values of each alone, bit for bit: in one cell and across cells, on the planes between them, far away, and where there is no number.
+TEST(Patterns, FourPlacesAreAsEachAlone) {
+    std::vector<PatternSignal> signals;
+    for (const PatternOps& row : patterns()) {
+        if (!row.four) continue;
+        for (const NoiseGenerator generator : {NoiseGenerator::original, NoiseGenerator::range_corrected, NoiseGenerator::perlin}) {
+            PatternSignal signal;
+            signal.pattern = row.name, signal.noise = generator, signal.frequency = 1.7, signal.wave = Wave::sine;
+            signals.push_back(signal);
+        }
+    }
+    ASSERT_EQ(signals.size(), 12u) << "bozo, spotted, granite, crackle";
+    for (const std::vector<double>& parameters : {std::vector<double>{1, 0, 0}, {-1, 1, 0}, {0.3, -0.4, 0.9, 2, 0.1}, {1, 0, 0, 1}, {-1, 1, 0, 3}, {0, 0, 0, 2, 0, 1}}) {
+        PatternSignal signal;
+        signal.pattern = "crackle", signal.parameters = parameters;
+        signals.push_back(signal);
+    }
+    std::vector<Vec3> points = pattern_points(1500, 23);
+    for (const double far : {1e8, 3e9, 1e12, 1e300}) points.push_back({far, -far, 0.3}), points.push_back({0.1, 0.2, -far});
+    points.push_back(Vec3(std::numeric_limits<double>::quiet_NaN(), 0, 0));
+    for (const PatternSignal& signal : signals) {
+        const Pattern pattern = made(signal);
+        for (size_t i = 0; i < points.size(); ++i) {
+            const double size = std::vector<double>{0.02, 0.02, 0.3, 1e-6, 3}[i % 5];
+            const Vec3 places[4] = {points[i] + Vec3(size, -size / 3, 0), points[i] + Vec3(-size / 2, -size / 3, size), points[i] + Vec3(-size / 2, -size / 3, -size), points[i] + Vec3(0, size, 0)};
+            double together[4];
+            pattern.values_at(places, together);
+            for (int k = 0; k < 4; ++k) ASSERT_TRUE(same(together[k], pattern.value_at(places[k]), 0)) << signal.pattern << " " << i << " " << k;
+        }
+    }
+}
+
 TEST(Patterns, EveryRowHasACase) {
     std::set<std::string> tested = {"average", "facets"};   // have no number: pictures beside POV-Ray's
     for (const PatternCase& c : pattern_cases()) tested.insert(c.signal.pattern);
