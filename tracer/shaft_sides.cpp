@@ -19,8 +19,14 @@ CsgSide side_of_plane(const Plane& plane, const Bounds& box) {
     return height > reach ? CsgSide::outside : height < -reach ? CsgSide::inside : CsgSide::varies;
 }
 
+/// Is the box in what is convex? Of a ball the farthest corner tells it.
 bool holds(const Geometry& geometry, const Bounds& box) {
     if (!geometry.bounds.contains(box.min) || !geometry.bounds.contains(box.max)) return false;
+    if (const auto* ball = std::get_if<Sphere>(geometry.source)) {
+        const Vec3 farthest = glm::max(glm::abs(box.min - ball->center), glm::abs(box.max - ball->center));
+        return dot(farthest, farthest) <= (1 - kPad) * ball->radius * ball->radius;
+    }
+    if (std::holds_alternative<Box>(*geometry.source)) return true;
     for (int corner = 0; corner < 8; ++corner) {
         const Vec3 at(corner & 1 ? box.max.x : box.min.x, corner & 2 ? box.max.y : box.min.y, corner & 4 ? box.max.z : box.min.z);
         if (!geometry.ops->inside(*geometry.source, at)) return false;
