@@ -4,6 +4,8 @@
 #include "eval/noise/noise.h"
 #include "eval/patterns/registry.h"
 
+#include <algorithm>
+
 namespace alidade::pattern {
 
 namespace {
