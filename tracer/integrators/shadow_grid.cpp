@@ -17,6 +17,14 @@ void facing_axes(const Vec3& to_light, Vec3& first, Vec3& second) {
 /// A place of the grid from 0 to `size` - 1, as a number around 0.
 double centred(double place, int size, double centre) { return size > 1 ? place / (size - 1) - centre : 0; }
 
+/// How many points of the light's grid are asked where all have the same value: then the mean is that value, bit for bit (a sum of four equal numbers is exact).
+uint32_t asked_of_equal(GridScratch& scratch, const ShadowGrid& grid, size_t index) {
+    auto& known = scratch.asked_of_equal;
+    if (known.size() <= index) known.resize(index + 1);
+    if (known[index] == 0) GridMean(grid, scratch, [&](int, int) { return ++known[index], Color(0); })();
+    return known[index];
+}
+
 /// Is it plain without a ray that all of the light comes through?
 bool is_open(const Tracing& tracing, const Occluders& among, const RayState& state, size_t index) {
     const CompiledScene& scene = tracing.scene;
@@ -60,14 +68,6 @@ std::optional<Bounds> GridPoints::box(const Vec3& p, const Illumination& arrivin
 }
 
 namespace {
-
-/// How many points of the light's grid are asked where all have the same value: then the mean is that value, bit for bit (a sum of four equal numbers is exact).
-uint32_t asked_of_equal(GridScratch& scratch, const ShadowGrid& grid, size_t index) {
-    auto& known = scratch.asked_of_equal;
-    if (known.size() <= index) known.resize(index + 1);
-    if (known[index] == 0) GridMean(grid, scratch, [&](int, int) { return ++known[index], Color(0); })();
-    return known[index];
-}
 
 /// The mean over the grid of what comes through to `point`, of the light `full`, from `tracing.scene.lights[index]`.
 Color through_grid(Tracing& tracing, const ShadePoint& point, const RayState& state, size_t index, const Illumination& arriving, const Color& full) {
