@@ -52,7 +52,7 @@ bool begins_value(const Token& token) {
 
 void check_behind_comma(Parser& p, WordId block, std::span<const OpenItem> before, char close, const Token& comma, const Token& next) {
     if (next.is(',')) p.fail(next.place(), "a value is expected before the ,");
-    if (!was_tried(block) || begins_value(next) || may_end_with_comma(block, before)) return;
+    if (begins_value(next) || !was_tried(block) || may_end_with_comma(block, before)) return;      // the first is what most are: a mesh has millions
     const bool of_entry = close == ']';
     if (of_entry && !next.is(close)) return;
     p.fail(comma.place(), fmt::format("a value is expected behind the , and not {}: POV-Ray refuses it, too", p.describe(next)), "leave the comma out");
