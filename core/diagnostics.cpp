@@ -44,7 +44,8 @@ std::string Diagnostics::text(const Diagnostic& d) const {
         if (d.at.column) out += fmt::format("    {:>{}}\n", "^", d.at.column);
     }
     if (!d.hint.empty()) out += fmt::format("hint: {}\n", d.hint);
-    for (const SourcePos& at : d.included_from) out += fmt::format("    included from {}\n", where(at));
+    for (const SourcePos& at : d.included_from)
+        out += at.pointer.empty() ? fmt::format("    included from {}\n", where(at)) : fmt::format("    in macro {}, called from {}\n", at.pointer, where({at.file, at.line, at.column, {}}));
     return out;
 }
 

@@ -18,7 +18,7 @@ struct Diagnostic {
     std::string message;               ///< one line, no full stop
     std::string hint;                  ///< what to do about it; may be empty
     std::string excerpt;               ///< the source line that `at` names; may be empty
-    std::vector<SourcePos> included_from;   ///< innermost first
+    std::vector<SourcePos> included_from;   ///< innermost first; `pointer`: the macro that was called there, if it was no #include
 };
 
 class Diagnostics {
@@ -40,7 +40,7 @@ class Diagnostics {
     const std::vector<Diagnostic>& list() const { return list_; }
     const std::vector<SourceFile>& files() const { return files_; }
 
-    /// `path:line:col: error: message`, the excerpt with a caret, `hint: ...`, the include stack; a JSON pointer stands as `path:/pointer: error: ...`.
+    /// `path:line:col: error: message`, the excerpt with a caret, `hint: ...`, the stack of includes and macro calls; a JSON pointer stands as `path:/pointer: error: ...`.
     std::string text(const Diagnostic& d) const;
     /// All of them, and how many were left out.
     std::string text() const;

@@ -37,6 +37,9 @@ class Builder {
             else if (has_shape) below.parts.push_back(std::move(e));
             else if (below.parts.empty()) return std::nullopt;
             e = std::move(below);
+        } else if (node.csg != CsgKind::none) {
+            e.leaf.id = kNoId;                                   // a set without parts: nothing, or, since all points are in all of no parts, everything
+            e.inverse = node.csg == CsgKind::intersection || node.csg == CsgKind::difference;
         } else if (!has_shape) {
             return std::nullopt;
         }

@@ -94,9 +94,10 @@ ImportResult import_scene(const std::string& path, const ImportOptions& options)
     if (!std::filesystem::is_regular_file(status)) return failure(path, "is a device or a pipe, not a file");
     try {
         const std::vector<std::byte> head = read_head(path);
-        if (head.empty()) return failure(path, "the file is empty or cannot be read");
         const ImporterEntry* entry = choose(path, head);
         if (!entry) entry = named(options.format);
+        const bool may_be_empty = entry && entry->import == import_pov;        // POV-Ray renders a scene of nothing
+        if (head.empty() && !may_be_empty) return failure(path, "the file is empty or cannot be read");
         if (!entry) return failure(path, "the format is not recognised", "known formats: " + known_formats());
         return validated(entry->import(path, options));
     } catch (const std::bad_alloc&) {

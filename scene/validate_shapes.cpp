@@ -11,10 +11,19 @@ template <class V> bool finite_components(const V& value) {
     return true;
 }
 
+/// In the order of ShapeGeometry.
+constexpr const char* kKinds[] = {"sphere", "plane", "box", "disc", "cylinder", "cone", "torus", "quadric", "polynomial", "polygon", "extrusion", "mesh"};
+static_assert(std::size(kKinds) == std::variant_size_v<ShapeGeometry>);
+
+/// A shape whose line is told needs no number.
+Label label_of(const ShapeEntry& entry, size_t index) {
+    return entry.from.line ? label(kKinds[entry.geometry.index()], std::nullopt, entry.name) : label("shape", index, entry.name);
+}
+
 /// Examines one shape; what it says starts with the shape's name.
 class ShapeCheck {
   public:
-    ShapeCheck(Validation& v, const ShapeEntry& entry, size_t index) : v_(v), from_(entry.from), who_(label("shape", index, entry.name).text()) {}
+    ShapeCheck(Validation& v, const ShapeEntry& entry, size_t index) : v_(v), from_(entry.from), who_(label_of(entry, index).text()) {}
 
     void operator()(const Sphere& s) const {
         if (!is_finite(s.center) || !std::isfinite(s.radius)) return not_finite();
@@ -103,8 +112,10 @@ class ShapeCheck {
     }
 
   private:
-    void error(const std::string& what, std::string hint = {}) const { v_.error(from_, who_ + " " + what, std::move(hint)); }
-    void warning(const std::string& what, std::string hint = {}) const { v_.warning(from_, who_ + " " + what, std::move(hint)); }
+    /// Not "sphere is a sphere of radius 0".
+    std::string sentence(const std::string& what) const { return from_.line && what.starts_with("is ") ? what.substr(3) : who_ + " " + what; }
+    void error(const std::string& what, std::string hint = {}) const { v_.error(from_, sentence(what), std::move(hint)); }
+    void warning(const std::string& what, std::string hint = {}) const { v_.warning(from_, sentence(what), std::move(hint)); }
     void not_finite() const { warning("has a number that is not finite: it is left out"); }
 
     void has_length(const Vec3& a, const Vec3& b, const char* kind) const {

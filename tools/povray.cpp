@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 /// `alidade povray`: a drop-in for POV-Ray in scripts.
+#include "tools/file_gamma.h"
 #include "tools/interrupt.h"
 #include "tools/load.h"
 #include "tools/output.h"
@@ -131,13 +132,35 @@ int finished(const PovrayRequest& r, const std::string& output, const RenderStat
     return wrong.empty() ? kDone : fail(wrong);
 }
 
+/// Scenes whose colours are codes already, as old ones without assumed_gamma, are written as they are.
+std::optional<double> gamma_of_file(const PovrayRequest& r, const CompiledScene& scene) { return scene.scene.settings.srgb_coded ? std::nullopt : r.file_gamma; }
+
+tl::expected<std::vector<std::byte>, std::string> bytes_of(const PovrayRequest& r, const CompiledScene& scene, const Picture& picture, const std::string& output) {
+    const std::string ending = lower_ending(output);
+    const int bits = r.bits > 8 ? 16 : 8;
+    const auto gamma = gamma_of_file(r, scene);
+    return gamma ? encode_with_gamma(picture, ending, bits, *gamma) : encode_picture(picture, ending, bits);
+}
+
+/// "" or what went wrong.
+std::string write_output(const PovrayRequest& r, const CompiledScene& scene, const Picture& picture, const std::string& output) {
+    if (!gamma_of_file(r, scene)) {
+        const auto files = write_film(output, picture, r.bits > 8 ? 16 : 8);
+        return files ? std::string() : files.error();
+    }
+    const auto bytes = bytes_of(r, scene, picture, output);
+    if (!bytes) return bytes.error();
+    const auto done = write_file(output, *bytes);
+    return done ? std::string() : done.error();
+}
+
 /// A picture that leaves no file: POV-Ray's `+O-`, to stdout, and `-F`.
 int render_without_file(const PovrayRequest& r, const CompiledScene& scene, const RenderOptions& options, const Monitor& monitor, const std::string& output) {
     const auto film = render(scene, options, monitor);
     if (!film) return fail(film.error());
     if (!film->complete) return interrupted(output, false);
     if (r.to_file) {
-        const auto bytes = encode_picture(film->picture, std::filesystem::path(output).extension().string(), r.bits > 8 ? 16 : 8);
+        const auto bytes = bytes_of(r, scene, film->picture, output);
         if (!bytes) return fail(bytes.error());
         if (std::fwrite(bytes->data(), 1, bytes->size(), stdout) != bytes->size() || std::fflush(stdout) != 0) return fail("the picture cannot be written to stdout");
     }
@@ -157,7 +180,7 @@ int render_to_file(const PovrayRequest& r, const CompiledScene& scene, const Ren
     const auto film = render(scene, options, monitor);
     if (!film) return fail(film.error());
     if (!film->complete && !state) return interrupted(output, false);
-    if (const auto files = write_film(output, film->picture, r.bits > 8 ? 16 : 8); !files) return fail(fmt::format("{}: {}", output, files.error()));
+    if (const std::string wrong = write_output(r, scene, film->picture, output); !wrong.empty()) return fail(fmt::format("{}: {}", output, wrong));
     if (!film->complete) return interrupted(output, true);
     if (state) state->remove();
     return finished(r, output, film->stats);

@@ -106,7 +106,6 @@ template <const char* const& Sentence> std::string told(PovrayRequest& r, const 
     return kTaken;
 }
 constexpr const char* kNoGray = "+FNg (Grayscale_Output): pictures are written in colour";
-constexpr const char* kNoFileGamma = "File_Gamma: pictures are encoded as sRGB";
 constexpr const char* kNoIni = "+GI (Create_Ini): no INI file is written";
 constexpr const char* kNoCommands = "commands around frames are not run";
 
@@ -137,7 +136,12 @@ template <MessageStream Stream> std::string message_file(PovrayRequest& r, const
     return kTaken;
 }
 
-std::string file_gamma(PovrayRequest& r, const PovrayWord& w) { return lower(w.value) == "srgb" ? kTaken : told<kNoFileGamma>(r, w); }
+std::string file_gamma(PovrayRequest& r, const PovrayWord& w) {
+    r.file_gamma = std::nullopt;
+    if (lower(w.value) == "srgb") return kTaken;
+    const auto x = parse_number(w.value, 0);
+    return x && *x > 0 ? (r.file_gamma = *x, kTaken) : "sRGB, or a number above 0";
+}
 
 /// The manual's order: every row is a word of POV-Ray.
 constexpr PovrayRow kTable[] = {

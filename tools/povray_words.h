@@ -23,6 +23,7 @@ struct PovrayRequest {
     std::string input, output;
     char file_type = 'N';
     int bits = 8;
+    std::optional<double> file_gamma;     ///< of the picture's codes; none: sRGB's curve
     int width = 160, height = 120;
     bool to_file = true, antialias = false, verbose = false, alpha = false;
     bool continued = false;               ///< +C: what an earlier process has left is taken

@@ -7,6 +7,12 @@
 
 namespace alidade::pov {
 
+void check_element(Parser& p, Array& array, const Value& value, Place at) {
+    const ElementKind kind = element_kind_of(value);
+    if (array.element_kind.kind == Kind::nothing) array.element_kind = kind;
+    else if (!(kind == array.element_kind)) p.fail(at, fmt::format("the elements of an array are of one kind: this is {}, and the first one was {}", kind.name(), array.element_kind.name()));
+}
+
 namespace {
 
 /// What subscripts and sizes are increased by before they are cut, as in POV-Ray (by experiment): A[.29*100] is A[29].
@@ -24,6 +30,7 @@ void parse_initialisers(Parser& p, Array& array, size_t level, size_t first, siz
             Ref<Slot> slot(new Slot);
             const Place at = p.peek().place();
             slot->value = owned(p, parse_value(p), at);
+            check_element(p, array, slot->value, at);
             array.slots[first] = std::move(slot);
         }
         p.accept(',');
@@ -68,6 +75,7 @@ Value owned(Parser& p, Value value, Place at) {
     p.check_array_elements(array.slots.size(), at);
     Ref<Array> copy(new Array(p.elements));
     copy->resize(array.sizes, array.slots.size());
+    copy->element_kind = array.element_kind;
     for (size_t i = 0; i < array.slots.size(); ++i)
         if (array.slots[i]) {
             copy->slots[i] = Ref<Slot>(new Slot);

@@ -2,9 +2,11 @@
 #include "importers/pov/blocks.h"
 
 #include "importers/pov/builtins/builtins.h"
+#include "importers/pov/commas.h"
 #include "importers/pov/expressions.h"
 #include "importers/pov/functions.h"
 #include "importers/pov/old_textures.h"
+#include "importers/pov/suggestions.h"
 
 #include <fmt/format.h>
 
@@ -139,13 +141,27 @@ void check_part(Parser& p, const OpenItem& item) {
     p.check_depth(item.value, item.place);
 }
 
+std::string text_of(const Parser& p, Place at) { return p.said.where(p.stream.source(uint16_t(at.source)).position(at.offset)); }
+
+[[noreturn]] void fail_unclosed(Parser& p, const OpenBlock& block, char close, Place at) {
+    const auto noticed = first_out_of_place(block.word, block.items());
+    const std::string before = noticed ? fmt::format(", perhaps before {} at {}", kWords[noticed->first], text_of(p, noticed->second)) : "";
+    p.fail_limit(at, fmt::format("{} is not closed", kWords[block.word]), fmt::format("{} is missing{}", close, before));
+}
+
 void read_items(Parser& p, OpenBlock& block, char close, Place at) {
+    std::optional<Token> comma;        // that the last item stands before
     for (;;) {
         const Token token = p.next();
+        if (comma && token.kind != TokenKind::end) check_behind_comma(p, block.word, block.items(), close, *comma, token), comma.reset();
         if (token.is(close)) return;
-        if (token.is(',') && block.items().empty()) p.fail(token.place(), "a value is expected before the ,");
-        if (token.is(',')) continue;
-        if (token.kind == TokenKind::end) p.fail_limit(at, fmt::format("{} is not closed", kWords[block.word]), fmt::format("{} is missing", close));
+        if (token.is(',')) {
+            if (block.items().empty()) p.fail(token.place(), "a value is expected before the ,");
+            comma = token;
+            continue;
+        }
+        if (token.kind == TokenKind::end) fail_unclosed(p, block, close, at);
+        if (close == ']' && (token.is('[') || token.is('}'))) p.fail(token.place(), fmt::format("] is expected, not {}", token.mark), fmt::format("its [ is at {}", text_of(p, at)));
         p.check_items(token.place());
         OpenItem item = read_item(p, block, token);
         check_part(p, item);

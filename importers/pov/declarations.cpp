@@ -21,12 +21,12 @@ Ref<Deprecation> read_deprecation(Parser& p, Token& name) {
     return deprecation;
 }
 
-/// The element `name[i]...` that is assigned to, or empty if a whole identifier is.
-Ref<Slot> element(Parser& p, const Token& name) {
+/// The element `name[i]...` that is assigned to, or empty if a whole identifier is. `holder`: its array.
+Ref<Slot> element(Parser& p, const Token& name, Ref<Array>& holder) {
     Slot* slot = p.symbols.find(name.id);
     if (slot) refuse_subscript(p, name, slot->value);
     if (!slot || slot->value.kind != Kind::array || !p.peek_behind_value().is('[')) return {};
-    return parse_reference(p, name, true);
+    return parse_reference(p, name, true, &holder);
 }
 
 /// Behind floats, vectors and colours a semicolon must stand, and a second one may, as where a macro that gives the value ends with one; behind all else one may.
@@ -60,16 +60,19 @@ void declare(Parser& p, const Token& directive) {
     if (name.kind != TokenKind::name) p.fail(name.place(), fmt::format("a name is expected behind #{}, not {}", kWords[directive.directive.word], p.describe(name)));
     const bool local = directive.directive.word == "local"_w;
     const size_t depth = p.symbols.depth();
-    Ref<Slot> into = element(p, name);
+    Ref<Array> holder;
+    Ref<Slot> into = element(p, name, holder);
     const bool of_outer_level = into && local && !p.symbols.is_at_this_level(name.id);
     if (!into && !local) into = Ref<Slot>(p.symbols.find(name.id));    // now: a macro in the value may hide the name
     p.expect('=', "behind the name that is declared");
+    const Place at = p.peek_behind_value().place();
     Value value = declared_value(p, name);
     Slot& slot = into ? *into : local ? p.symbols.local(name.id, depth) : p.symbols.global(name.id);
     const bool needs_semicolon = value.numeric();
     if (of_outer_level && into->value.kind != Kind::nothing) {     // by experiment
         p.warn(name.place(), "#local leaves an element as it is of an array that was not declared in the same macro or file, as in POV-Ray: #declare sets it");
     } else {
+        if (holder) check_element(p, *holder, value, at);
         slot.value = std::move(value);
         slot.deprecation = std::move(deprecation);
     }
@@ -79,7 +82,8 @@ void declare(Parser& p, const Token& directive) {
 void undefine(Parser& p, const Token&) {
     const Token name = p.raw_token();
     if (name.kind != TokenKind::name) p.fail(name.place(), fmt::format("a name is expected behind #undef, not {}", p.describe(name)));
-    if (const Ref<Slot> part = element(p, name)) part->value = {};
+    Ref<Array> holder;
+    if (const Ref<Slot> part = element(p, name, holder)) part->value = {};
     else if (!p.symbols.undefine(name.id)) p.warn(name.place(), fmt::format("{} is not declared, so #undef has nothing to do", p.names.text(name.id)));
 }
 

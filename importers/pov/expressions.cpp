@@ -7,8 +7,8 @@
 #include "importers/pov/builtins/builtins.h"
 #include "importers/pov/functions.h"
 #include "importers/pov/operators.h"
+#include "importers/pov/suggestions.h"
 
-#include <filesystem>
 #include <fmt/format.h>
 
 namespace alidade::pov {
@@ -58,29 +58,11 @@ Value vector_literal(Parser& p, Place at) {
     return v;
 }
 
-bool is_included(const Parser& p, const std::string& file) {
-    for (size_t i = 0; i < p.stream.sources(); ++i)
-        if (std::filesystem::path(p.stream.source(uint16_t(i)).path()).filename() == file) return true;
-    return false;
-}
-
-std::string undeclared_hint(Parser& p, std::string_view text) {
-    if (const std::string file = include_that_declares(text); !file.empty() && !is_included(p, file)) return fmt::format("{0} declares it: #include \"{0}\"", file);
-    constexpr size_t kShortestMeant = 4;   // shorter ones are near to everything, but for rbg
-    const auto is_meant = [&](WordId id) {
-        const std::string_view name = p.names.text(id);
-        const bool near = text.size() >= kShortestMeant || (name.size() == text.size() && std::is_permutation(text.begin(), text.end(), name.begin()));
-        return near && (id < kWordCount ? !is_directive(id) : p.symbols.find(id) != nullptr);
-    };
-    const std::string_view near = p.names.nearest(text, is_meant);
-    return near.empty() ? "" : fmt::format("did you mean {}?", near);
-}
-
 [[noreturn]] void fail_undeclared(Parser& p, const Token& name) {
     const std::string_view text = p.names.text(name.id);
     if (p.failed_names.count(name.id)) throw Failure{{}, false, true};
     const auto [hint, added] = p.undeclared_hints.try_emplace(name.id);
-    if (added) hint->second = undeclared_hint(p, text);
+    if (added) hint->second = hint_for_undeclared(p, name);
     p.fail(name.place(), fmt::format("{} is not declared", text), hint->second);
 }
 
@@ -252,13 +234,14 @@ bool truth_of(Parser& p, const Value& value, Place at) {
 
 }  // namespace
 
-Ref<Slot> parse_reference(Parser& p, const Token& name, bool make) {
+Ref<Slot> parse_reference(Parser& p, const Token& name, bool make, Ref<Array>* holder) {
     Slot* found = p.symbols.find(name.id);
     if (!found) fail_undeclared(p, name);
     Ref<Slot> slot(found);
     while (slot && slot->value.kind == Kind::array) {
         const Value array = slot->value;          // which may be declared anew by the subscript
         if (!p.peek_behind_value().is('[')) break;
+        if (holder) *holder = Ref<Array>(&array.as<Array>());
         slot = parse_subscripts(p, array.as<Array>(), make);
     }
     return slot;

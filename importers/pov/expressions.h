@@ -42,8 +42,8 @@ bool parse_condition(Parser& p);
 bool begins_expression(const Parser& p, const Token& token);
 
 /// The slot that a name and its subscripts mean, empty for an array element that was never assigned to; the name has been taken.
-/// With `make`, that element is made (and the array is no longer shared).
-Ref<Slot> parse_reference(Parser& p, const Token& name, bool make);
+/// With `make`, that element is made (and the array is no longer shared). `holder`: the array that holds it.
+Ref<Slot> parse_reference(Parser& p, const Token& name, bool make, Ref<Array>* holder = nullptr);
 
 /// `color ...`, `rgb ...`, `red .3 green .2`
 bool begins_colour(const Token& token);

@@ -57,6 +57,20 @@ Block::~Block() {
     std::destroy_n(reinterpret_cast<Item*>(this + 1), count_);
 }
 
+ElementKind element_kind_of(const Value& value) {
+    if (value.kind == Kind::vector) return value.terms == value.c.size() ? ElementKind{Kind::colour} : ElementKind{Kind::vector, value.terms};
+    if (value.kind != Kind::block) return {value.kind};
+    const WordId word = value.as<Block>().word;
+    return {Kind::block, is_object(word) ? WordId("object"_w) : word};
+}
+
+std::string ElementKind::name() const {
+    if (kind == Kind::block) return fmt::format("{} {}", std::string_view("aeio").find(kWords[detail][0]) == std::string_view::npos ? "a" : "an", kWords[detail]);
+    Value like;
+    like.kind = kind, like.terms = uint8_t(detail);
+    return kind_name(like);
+}
+
 std::string kind_name(const Value& value) {
     switch (value.kind) {
         case Kind::nothing: return "nothing";

@@ -127,6 +127,15 @@ struct Meter : Shared {
 };
 
 /// A rectangle of slots; one that was never assigned to is empty.
+/// What an array's elements have in common: objects and lights are one kind, vectors of five are colours.
+struct ElementKind {
+    Kind kind = Kind::nothing;
+    WordId detail = 0;            ///< the terms of a vector, the word of a block
+    bool operator==(const ElementKind&) const = default;
+    std::string name() const;
+};
+ElementKind element_kind_of(const Value& value);
+
 struct Array : Shared {
     explicit Array(Ref<Meter> m) : meter(std::move(m)) {}
     Array(const Array&) = delete;
@@ -137,6 +146,7 @@ struct Array : Shared {
     std::vector<uint32_t> sizes;
     std::vector<Ref<Slot>> slots;
     Ref<Meter> meter;
+    ElementKind element_kind;     ///< of the first that was given, which all others are of
 };
 
 /// A long vector literal `<...>` (a matrix, a polynomial) in a block.

@@ -14,6 +14,7 @@ TEST(Diagnostics, TextOfALineWithCaretHintAndIncludes) {
     d.message = "cylinder has no length: both ends are <0,0,0>";
     d.hint = "give it two different ends, or use a disc";
     d.excerpt = "cylinder { 0, 0, 1 }";
+    d.included_from.push_back({room, 9, 1, "Wall"});
     d.included_from.push_back({main, 7, 1, ""});
     said.add(d);
     EXPECT_EQ(said.text(),
@@ -21,6 +22,7 @@ TEST(Diagnostics, TextOfALineWithCaretHintAndIncludes) {
               "    cylinder { 0, 0, 1 }\n"
               "                  ^\n"
               "hint: give it two different ends, or use a disc\n"
+              "    in macro Wall, called from room.pov:9:1\n"
               "    included from main.pov:7:1\n");
 }
 

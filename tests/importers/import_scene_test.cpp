@@ -24,6 +24,7 @@ TEST_F(ImportScene, SaysWhyAFileCannotBeOne) {
     EXPECT_THAT(outcome(folder_.string()), HasSubstr("error: is a directory, not a scene"));
     EXPECT_THAT(outcome("/dev/null"), HasSubstr("error: is a device or a pipe, not a file"));
     EXPECT_THAT(outcome(put("empty.gltf", "")), HasSubstr("error: the file is empty"));
+    EXPECT_EQ(outcome(put("empty.pov", "")), "loaded") << "as in POV-Ray: nothing is seen";
     EXPECT_THAT(outcome(put("a.docx", "PK\x03\x04")), HasSubstr("error: the format is not recognised\nhint: known formats: glTF 2.0"));
 }
 

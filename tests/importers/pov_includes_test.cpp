@@ -56,6 +56,12 @@ TEST(PovIncludes, AreNamedWhereTheyAreMissing) {
     EXPECT_EQ(hint("sphere { 0, 1 finish { Shiny } }"), "finish.inc declares it: #include \"finish.inc\"");
     EXPECT_EQ(hint("#declare Diameter = 2; sphere { 0, Diametre }"), "did you mean Diameter?");
     EXPECT_EQ(hint("sphere { 0, Fo }"), "") << "short names are near to everything";
+    for (const char* no_word_fits : {"sphere { 0, Radius }", "sphere { 0, Colour }", "sphere { 0, Transform }"}) EXPECT_EQ(hint(no_word_fits), "") << no_word_fits;
+    EXPECT_EQ(hint("#declare Raduis = 1; sphere { 0, Radius }"), "did you mean Raduis?") << "not the word radius";
+    EXPECT_EQ(hint("#declare Pigmen = 1; sphere { 0, 1 pigmnt { rgb 1 } }"), "did you mean pigment?");
+    EXPECT_EQ(hint("#declare R = 2 * sqrtt(2);"), "did you mean sqrt?");
+    EXPECT_EQ(hint("Sphere { 0, 1 }"), "did you mean sphere?") << "and not the Sphere of shapes_old.inc";
+    EXPECT_EQ(hint("light_source { 0, rbg 1 }"), "did you mean rgb?");
     EXPECT_EQ(hint("#include \"colrs.inc\""), "did you mean colors.inc?");
     EXPECT_EQ(hint("#include \"COLRS.INC\""), "did you mean colors.inc?");
     EXPECT_THAT(hint("#include \"some other.inc\""), testing::HasSubstr("say where it lies"));

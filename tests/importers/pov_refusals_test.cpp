@@ -192,6 +192,65 @@ TEST_F(PovBuilders, WhatIsTooManyOrTooFewIsTold) {
     EXPECT_THAT(said("sphere { 0,\0 1 }"s), HasSubstr("1:12: warning: a byte 0 is taken as a blank"));
 }
 
+/// POV-Ray says the first two with their lines, and of the others the line of the word that is named here.
+TEST_F(PovBuilders, WhatIsNotClosedIsToldWithWhereItShows) {
+    for (const Refusal& r : {Refusal{"plane { y, 0 pigment { gradient x color_map { [0 rgb 1\n[1 rgb 0] } } }", "2:1: error: ] is expected, not ["}, {"plane { y, 0 pigment { gradient x color_map { [0 rgb 1]\n[1 rgb 0 } } }\nsphere { 0, 1 }", "2:10: error: ] is expected, not }"},
+                             {"plane { y, 0 pigment { gradient x color_map { [0 rgb 1] [1 rgb 0 } } }", "hint: its [ is at "}, {"sphere { 0, 1 pigment { rgb 1 }\n camera { location -3*z }", "hint: } is missing, perhaps before camera at "},
+                             {"sphere { 0, 1 pigment { rgb 1 }\n camera { location -3*z }", ":2:2\n"}, {"sphere { 0, 1 pigment { rgb 1\n finish { ambient 1 } }\ncamera { location z }", "perhaps before finish at "},
+                             {"union {\n sphere { 0, 1 pigment { rgb 1 }\n}\nlight_source { 0, 1 }\nbox { 0, 1 }\nbackground { rgb 1 }", "perhaps before background at "},
+                             {"sphere { 0, 1\nbox { 0, 1 }", "perhaps before box at "}, {"union { sphere { 0, 1 }", "hint: } is missing\n"}})
+        EXPECT_THAT(said(r.scene), HasSubstr(r.message)) << r.scene;
+}
+
+/// Each was put to POV-Ray, which may leave commas out, and takes them between values alone.
+TEST_F(PovBuilders, CommasStandBetweenValues) {
+    for (const char* refused : {"sphere { 0,, 1 }", "sphere { 0, 1, pigment { rgb 1 } }", "sphere { 0, 1, }", "sphere { 0, 1 scale 2, }", "sphere { 0, 1 translate x, rotate y }", "disc { 0, z, 1, .2, pigment { rgb 1 } }", "triangle { -x, x, y, pigment { rgb 1 } }",
+                                "mesh { triangle { -x, x, y }, triangle { -x, x, -y } }", "mesh { triangle { -x, x, y, } }", "union { sphere { 0, 1 }, sphere { 1, 1 } }", "sphere { 0, 1 pigment { rgb 1, } }", "sphere { 0, 1 pigment { gradient x, color_map { [0 rgb 1] [1 rgb 0] } } }",
+                                "sphere { 0, 1 pigment { gradient x color_map { [0 rgb 1], [1 rgb 0] } } }", "sphere { 0, 1 pigment { gradient x color_map { [0 rgb 1,] [1 rgb 0] } } }", "sphere { 0, 1 finish { ambient 1, diffuse 0 } }", "sphere { 0, 1 finish { ambient 1, } }",
+                                "light_source { 0, 1, shadowless }", "light_source { 0, 1 area_light x, y, 2, 2, adaptive 1 }", "camera { location -5*z, look_at 0 }", "background { rgb 1, }", "global_settings { max_trace_level 5, }",
+                                "sphere { 0, 1 normal { bumps .5, scale .1 } }", "sphere { 0, 1 pigment { brick rgb 1, rgb 0, brick_size 2, mortar .1 } }", "mesh2 { vertex_vectors { 3,, -x, x, y } face_indices { 1, <0,1,2> } }",
+                                "sphere { 0, 1 interior { ior 1.5, caustics 1 } }", "rainbow { angle 42, width 5 distance 10 direction z }", "sphere { 0, 1 transform { translate x, scale 2 } }"})
+        EXPECT_THAT(said(refused), HasSubstr("a value is expected be")) << refused;
+    for (const char* fine : {"mesh2 { vertex_vectors { 3, -x, x, y, } face_indices { 1, <0,1,2>, } pigment { rgb 1 } }", "disc { 0, z, 1, pigment { rgb 1 } }", "disc { 0, z, 1, }", "sphere { 0, 1 pigment { checker rgb 1, rgb 0, } }", "sphere { 0, 1 pigment { hexagon rgb 1, rgb 0, rgb 1, scale 2 } }",
+                             "sphere { 0, 1 pigment { checker pigment { rgb 1 }, pigment { rgb 0 }, } }", "sphere { 0, 1 pigment { object { sphere { 0, 1 } pigment { rgb 1 }, pigment { rgb 0 } } } }", "sphere { 0, 1 pigment { object { box { -1, 1 } rgb 1, rgb 0, } } }", "sphere { 0, 1 finish { diffuse .5, phong 1 } }", "sphere { 0, 1 finish { diffuse .5, } }", "sphere { 0, 1 finish { reflection { .5, falloff 1 } } }", "sphere { 0, 1 normal { bumps, scale 2 } }",
+                             "camera { spherical location -5*z angle 40, look_at 0 }", "sphere { 0, 1 pigment { gradient x color_map { [0, rgb 1] [1, color rgb 0] } } }", "sphere { <0, 0, 0> 1 }", "light_source { 0, color rgb 1 }", "polynomial { 2, xyz(2,0,0):1, xyz(0,0,0):-1, }"})
+        EXPECT_THAT(said(fine), Not(HasSubstr("error"))) << fine;
+}
+
+/// POV-Ray says the same of each.
+TEST_F(PovBuilders, NamesStandWherePovRayTakesThem) {
+    const std::string declared = "#declare S = sphere { 0, 1 } #declare B = box { -1, 1 } #declare T = texture { pigment { rgb 1 } } #declare Tr = transform { scale 2 } #declare C = camera { location -5*z look_at 0 } #declare P = pigment { rgb 1 } #declare A = array[2] { S, B } ";
+    for (const Refusal& r : {Refusal{"union { S B }", "the name of an object that begins a union stands alone"}, {"union { S S pigment { rgb 1 } }", "hint: write object { NAME } for a part"}, {"union { B object { S } }", "begins a union"}, {"difference { S sphere { 1, 1 } }", "begins a difference"},
+                             {"#macro U(a, b) union { a b } #end U(S, B)", "begins a union"}, {"union { A[0] A[1] }", "begins a union"}, {"camera { C angle 30 }", "nothing but transformations"}, {"camera { C location x }", "nothing but transformations"}, {"camera { C normal { bumps 1 } }", "nothing but transformations"},
+                             {"camera { location x C }", "at the beginning of a camera alone"}, {"camera { C C }", "at the beginning of a camera alone"}, {"object { S Tr }", "transform is expected before the name"}, {"sphere { 0, 1 Tr }", "transform is expected before"}, {"object { S texture { T Tr } }", "transform is expected before"},
+                             {"object { S pigment { checker Tr } }", "transform is expected before"}, {"camera { location x Tr }", "transform is expected before"}, {"mesh { triangle { -x, x, y texture { pigment { rgb 1 } } } }", "the texture of a triangle is texture { NAME }"},
+                             {"mesh { triangle { -x, x, y texture { T scale 2 } } }", "without a word more"}, {"mesh { triangle { -x, x, y texture { T T } } }", "without a word more"}, {"mesh { triangle { -x, x, y T } }", "the texture of a triangle"}, {"mesh { triangle { -x, x, y texture { P } } }", "the texture of a triangle"},
+                             {"mesh { triangle { -x, x, y texture { } } }", "the texture of a triangle"}})
+        EXPECT_THAT(said(declared + r.scene), HasSubstr(r.message)) << r.scene;
+    for (const char* fine : {"union { S }", "union { S scale 2 pigment { rgb 1 } }", "union { object { S } B }", "difference { object { S } B }", "merge { sphere { 0, 1 } S box { -1, 1 } }", "#macro M() S #end union { object { B } M() }", "light_group { S B light_source { 0, 1 } }", "union { object { S } A[1] }",
+                             "camera { C translate x transform Tr transform { Tr scale 2 } }", "#version 3.1; camera { C angle 30 }", "object { S transform Tr }", "object { S transform { Tr translate y Tr } }", "object { S transform { translate y transform Tr inverse } }", "mesh { triangle { -x, x, y texture { T } texture { T } } }",
+                             "mesh2 { vertex_vectors { 3, -x, x, y } texture_list { 1, texture { T scale 2 } } face_indices { 1, <0,1,2>, 0 } }", "triangle { -x, x, y texture { pigment { rgb 1 } } }"})
+        EXPECT_THAT(said(declared + fine), Not(HasSubstr("error"))) << fine;
+}
+
+TEST_F(PovBuilders, ElementsOfAnArrayAreOfOneKind) {
+    const std::string declared = "#declare S = sphere { 0, 1 } #declare T = texture { pigment { rgb 1 } } ";
+    for (const Refusal& r : {Refusal{"#declare A = array[2] { x, rgb 1 }", "this is a colour, and the first one was a vector of 3"}, {"#declare A = array[2] { 1, x }", "this is a vector of 3, and the first one was a float"}, {"#declare A = array[2]; #declare A[0] = \"a\"; #declare A[1] = 1;", "this is a float, and the first one was a string"},
+                             {"#declare A = array[2]; #declare A[0] = <1,1>; #declare A[1] = x;", "the first one was a vector of 2"}, {"#declare A = array[2] { 1, 2 } #declare A[0] = x;", "of one kind"}, {"#declare A = array[2]; #declare A[0] = 1; #undef A[0] #declare A[1] = x;", "of one kind"},
+                             {"#declare A = array[2][2] { { 1, 2 }, { x, y } }", "of one kind"}, {"#declare A = array[2] { array[1] { 1 }, 1 }", "the first one was an array"}, {"#declare A = array[2] { S, T }", "this is a texture, and the first one was an object"}, {"#declare A = array[2] { 1, function { y } }", "of one kind"},
+                             {"#declare A = array[1] { 1 } #declare B = A; #declare B[0] = x;", "of one kind"}, {"#declare A = array[2] { camera { location x }, S }", "this is an object, and the first one was a camera"}})
+        EXPECT_THAT(said(declared + r.scene), HasSubstr(r.message)) << r.scene;
+    for (const char* fine : {"#declare A = array[2] { 1, 2 } #declare A = x;", "#declare A = array[2] { array[1] { 1 }, array[1] { x } }", "#declare A = array[2] { S, light_source { 0, 1 } }", "#declare A = array[2] { <1,1,1,1,1>, rgb 1 }", "#declare A = array[2] { function { x }, function { y } }", "#declare A = array[2] { 1, x.y }",
+                             "#declare A = array[2] { rgb 1, rgbt 1 }"})
+        EXPECT_THAT(said(declared + fine), Not(HasSubstr("error"))) << fine;
+}
+
+TEST_F(PovBuilders, ShapesThatAreNotFiniteAreNamedByTheirKind) {
+    for (const Refusal& r : {Refusal{"\nsphere { 0, 1e999 }", "2:1: warning: sphere has a number that is not finite: it is left out"}, {"box { 0, 1e999 }", "1:1: warning: box has a number"}, {"torus { 1, 1e999 }", "torus has a number"},
+                             {"sphere { 0, 0 }", "1:1: warning: a sphere of radius 0: it cannot be seen"}})
+        EXPECT_THAT(said(r.scene), HasSubstr(r.message)) << r.scene;
+}
+
 TEST_F(PovBuilders, SurroundingsThatAreNotFiniteHaveTheirPlace) {
     for (const Refusal& r : {Refusal{"\nglobal_settings { adc_bailout 1e999 }", "2:1: error: global_settings has a number that is not finite"}, {"background { rgb 1e999 }", "1:1: error: background has a number that is not finite"},
                              {"fog { distance 1 } fog { distance 1e999 }", "1:20: error: fog has a number that is not finite"}})

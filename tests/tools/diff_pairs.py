@@ -2,6 +2,7 @@
 """Pairs of pictures with known answers: what `alidade diff` must say of each, and (run as a program) what idiff and ImageMagick's compare say, as the
 table of docs/diff.md."""
 import pathlib
+import struct
 import subprocess
 import sys
 import tempfile
@@ -50,6 +51,10 @@ def pairs():
          pfm_bytes(put(light, {(x, y) for x in range(96) for y in range(64)}, NAN)), ["--fail", "9"], "fail", "nan"),
         ("an infinity in the test", pfm, pfm_bytes(put(light, {(90, 60)}, INF)), ["--fail", "9"], "fail", "inf"),
         ("another size", png, png_bytes([row[:-1] for row in base]), [], "incomparable", "size"),
+        ("another size, by the header alone", png, png_bytes([row[:-1] for row in base])[:60], [], "incomparable", "size"),
+        ("another size of another format", b"P6 # made\n# twice\n 95 64 255 ", png, [], "incomparable", "size"),
+        ("another size of a GIF", png, b"GIF89a" + struct.pack("<HH", 95, 64) + bytes(20), [], "incomparable", "size"),
+        ("the same size, cut off", png, png[:60], [], "error", "file"),
         ("gray against colour", png, png_bytes(gray), [], "incomparable", "channels"),
         ("gray in one and in three channels", png_bytes(gray), png_bytes(changed(gray, lambda x, y, pixel: pixel * 3)), [], "pass", ""),
         ("alpha in one alone", png, png_bytes(half), [], "incomparable", "alpha"),

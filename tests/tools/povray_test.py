@@ -1,8 +1,10 @@
 # SPDX-License-Identifier: Apache-2.0
 """`alidade povray`: POV-Ray's own words."""
 import re
+import struct
 import subprocess
 import unittest
+import zlib
 
 from program import PROGRAM, InFolder, run
 
@@ -136,6 +138,42 @@ class Povray(InFolder):
         for word, most in (("+FP", b"255"), ("+FP16", b"65535")):
             self.render("+Is.pov", "+W8", "+H6", word)
             self.assertEqual((self.folder / "s.ppm").read_bytes().split()[:4], [b"P6", b"8", b"6", most])
+
+    def chunks(self, name):
+        """Names of the chunks of a PNG file, whose checksums are right, and the gamma that it says."""
+        data, at, names, gamma = (self.folder / name).read_bytes(), 8, [], None
+        while at < len(data):
+            size = struct.unpack(">I", data[at:at + 4])[0]
+            kind, content = data[at + 4:at + 8], data[at + 8:at + 8 + size]
+            self.assertEqual(struct.unpack(">I", data[at + 8 + size:at + 12 + size])[0], zlib.crc32(kind + content), kind)
+            names.append(kind.decode())
+            gamma = struct.unpack(">I", content)[0] if kind == b"gAMA" else gamma
+            at += 12 + size
+        return names, gamma
+
+    def test_the_curve_of_files(self):
+        """Codes, and gAMA of PNG files, are those that POV-Ray 3.7 wrote of these scenes with the same words."""
+        wrote = {
+            ("3.7", "assumed_gamma 1", "1.0"): (100000, "8 24 40 56 72 88 104 120 135 151 167 183 199 215 231 247"),
+            ("3.7", "assumed_gamma 1", "2.2"): (45455, "53 87 110 128 143 157 169 181 191 201 211 219 228 236 244 251"),
+            ("3.7", "assumed_gamma 1", "sRGB"): (None, "49 86 110 129 145 158 171 182 193 202 212 220 229 237 244 251"),
+            ("3.7", "assumed_gamma 1", "0.5"): (200000, "0 2 6 12 20 30 42 56 72 90 110 132 156 182 209 239"),
+            ("3.6", "assumed_gamma 2.2", "1.8"): (55556, "4 14 26 40 54 69 85 101 118 135 152 170 189 207 226 245"),
+            ("3.6", "", "1.8"): (None, "8 24 40 56 72 88 104 120 135 151 167 183 199 215 231 247"),
+        }
+        for (version, settings, gamma), (chunk, codes) in wrote.items():
+            (self.folder / "g.pov").write_text(f"#version {version}; global_settings {{ max_trace_level 5 {settings} }} camera {{ orthographic location -z direction z right x up y }}\n"
+                                               "plane { z, 0 pigment { gradient x color_map { [0 rgb 0] [1 rgb 1] } translate -.5*x } finish { ambient 1 diffuse 0 } }\n")
+            self.render("+Ig.pov", "+W16", "+H1", "+FP", "-A", "File_Gamma=" + gamma)
+            self.assertEqual(list(self.picture("g.ppm")[2]), [int(code) for code in codes.split()], (version, settings, gamma))
+            self.render("+Ig.pov", "+W16", "+H1", "-A", "File_Gamma=" + gamma)
+            names, said = self.chunks("g.png")
+            if chunk:
+                self.assertEqual((said, "sRGB" in names), (chunk, False), gamma)
+            else:
+                self.assertIn("sRGB", names)
+        for wrong in ("0", "-1", "abc"):
+            self.assertIn("sRGB, or a number above 0", self.render("+Ig.pov", "File_Gamma=" + wrong, code=1))
 
     def test_values_are_read_as_by_povray(self):
         """Fractions of whole numbers are cut, a line of an INI file is one setting, and a scene may have any name."""

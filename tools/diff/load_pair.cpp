@@ -2,6 +2,7 @@
 #include "tools/diff/load_pair.h"
 
 #include "core/image_colors.h"
+#include "tools/diff/header_size.h"
 
 #include <fmt/format.h>
 
@@ -277,12 +278,16 @@ bool same_bytes(const std::string& a, const std::string& b) {
 
 tl::expected<LoadedPair, NoPair> load_pair(const std::string& reference_path, const std::string& test_path, const PairOptions& options) {
     const std::string paths[2] = {reference_path, test_path};
+    const auto other_size = [&](uint64_t width, uint64_t height, uint64_t test_width, uint64_t test_height) {
+        return incomparable("size", fmt::format("{} has {} x {} pixels, {} has {} x {}", paths[0], width, height, paths[1], test_width, test_height));
+    };
+    const auto told = header_size(paths[0]), test_told = header_size(paths[1]);       // a large picture takes seconds
+    if (told && test_told && *told != *test_told) return other_size(told->first, told->second, test_told->first, test_told->second);
     auto reference = read_side(paths[0], options.layer), test = read_side(paths[1], options.layer);
     if (!reference) return tl::unexpected(reference.error());
     if (!test) return tl::unexpected(test.error());
     const Picture &a = reference->picture, &b = test->picture;
-    if (a.width != b.width || a.height != b.height)
-        return incomparable("size", fmt::format("{} has {} x {} pixels, {} has {} x {}", paths[0], a.width, a.height, paths[1], b.width, b.height));
+    if (a.width != b.width || a.height != b.height) return other_size(uint64_t(a.width), uint64_t(a.height), uint64_t(b.width), uint64_t(b.height));
 
     LoadedPair out;
     out.same_files = same_bytes(paths[0], paths[1]);

@@ -145,7 +145,20 @@ bool take_word(Build& build, CameraWords& words, Cursor& at) {
     }
 }
 
+/// `camera { NAME ... }`: from version 3.5 on it goes on with transformations alone.
+void check_named(Build& build, const Block& block) {
+    const auto is_camera = [](const Item& item) { return item.kind == Item::Kind::value && item.value_kind() == Kind::block && item.block().word == "camera"_w; };
+    const std::span<const Item> items = block.items();
+    for (size_t i = 1; i < items.size(); ++i)
+        if (is_camera(items[i])) build.p.fail(items[i].place, "the name of a camera stands at the beginning of a camera alone: POV-Ray refuses it elsewhere, too");
+    if (items.empty() || !is_camera(items[0]) || block.version < 3.5F) return;
+    Cursor at(build, block);
+    for (at.next(); !at.done(); at.transform())
+        if (!at.at_transform()) build.p.fail(at.place(), "behind the name of a camera nothing but transformations stands: POV-Ray refuses it, too", "declare the camera anew with all its words");
+}
+
 void read_words(Build& build, const Block& block, CameraWords& words) {
+    check_named(build, block);
     const bool in_order = block.version < 3.5F;
     for (Cursor at(build, block); !at.done();) {
         const Place place = at.place();

@@ -143,11 +143,20 @@ void set_slots(Mesh& mesh, const Index3& corners) {
     mesh.corner_slots.insert(mesh.corner_slots.end(), {corners.x, corners.y, corners.z});
 }
 
+/// That of a triangle is `texture { NAME }`, and no more.
+void check_triangle_texture(Build& build, const Block& texture, const Cursor& at) {
+    const bool is_name = &named(texture) != &texture && texture.items()[0].kind == Item::Kind::value;
+    if (at.at_declared() || !is_name) build.p.fail(at.place(), "the texture of a triangle is texture { NAME }, without a word more: POV-Ray refuses it, too", "declare the texture before the mesh");
+}
+
 /// What may stand behind the corners of a mesh's triangle.
 void take_triangle_modifiers(Build& build, Cursor& at, Slots& slots, Mesh& mesh) {
     Index3 corners(0u);
     while (!at.done()) {
-        if (const Block* texture = at.block_at("texture"_w)) at.next(), corners = Index3(slots.of(named(*texture)));
+        if (const Block* texture = at.block_at("texture"_w)) {
+            check_triangle_texture(build, *texture, at);
+            at.next(), corners = Index3(slots.of(named(*texture)));
+        }
         else if (const Block* list = at.block_at("texture_list"_w)) {
             Cursor textures(build, *list);
             const std::vector<uint32_t> three = take_textures(build, textures, slots, true);

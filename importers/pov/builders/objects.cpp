@@ -157,6 +157,9 @@ void take_cutaway(Build& build, Draft& d, Place place) {
 
 void refuse_object(const Build& build, const Cursor& at) {
     const WordId word = at.block().word;
+    const Item& first = at.block().items().front();
+    if (csg_of(word) != CsgKind::none && first.kind == Item::Kind::value)      // POV-Ray: the set is what is named, and has no parts
+        build.p.fail(first.place, fmt::format("the name of an object that begins a {} stands alone there", kWords[word]), "write object { NAME } for a part");
     build.p.fail(at.place(), fmt::format("{} cannot stand here in {}", kWords[at.any_block()->word], kWords[word]), csg_of(word) != CsgKind::none ? "the parts of a set stand before what modifies it" : "a } is missing before it, or a union around both");
 }
 
@@ -272,11 +275,11 @@ bool takes_global_lights(const Block& group) {
 
 bool is_object_at(const Block& block, size_t i) { return i < block.items().size() && block.items()[i].value_kind() == Kind::block && is_object(block.items()[i].block().word); }
 
-/// `sphere { Ball ... }` is Ball. POV-Ray does not ask of what kind that is: `quadric { Ellipsoid }`, `union { Ball }`. Where it stands among parts it is one.
+/// `sphere { Ball ... }` is Ball. POV-Ray does not ask of what kind that is: `quadric { Ellipsoid }`, `union { Ball }`. Where it stands behind other parts of a set it is one.
 bool names_an_object(const Block& block, const Cursor& at) {
     if (!is_object_at(block, 0)) return false;
     if (block.word == "light_group"_w) return at.at_declared() && block.items()[0].block().word == block.word;
-    if (csg_of(block.word) != CsgKind::none) return at.at_declared() && !is_object_at(block, 1);
+    if (csg_of(block.word) != CsgKind::none) return at.at_declared();
     return at.at_declared() || block.items()[0].block().word == block.word;
 }
 
@@ -291,7 +294,9 @@ bool draft(Build& build, const Block& block, Draft& d) {
         if (block.word == "light_group"_w) d.node.global_lights = build.lit_globally > 0;   // what the named group says of itself is not kept
     } else if (const CsgKind csg = csg_of(block.word); csg != CsgKind::none) {
         d.node.csg = csg;
-        if (take_children(build, d, at) < 2) build.p.warn(block.place, fmt::format("{} has fewer than two parts", kWords[block.word]));
+        const size_t parts = take_children(build, d, at);
+        if (parts < 2) build.p.warn(block.place, fmt::format("{} has fewer than two parts", kWords[block.word]));
+        if (parts > 0 && d.node.children.empty()) d.node.children.push_back(build.add_node({}));      // what is left out does not make it a set of nothing
     } else if (block.word == "text"_w) {
         d.node.csg = CsgKind::union_;
         d.node.children = build_text(build, at).letters;

@@ -53,7 +53,11 @@ bool begins_transform(const Item& item) {
 
 Transform take_transform(Parser& p, const Block& block, size_t& i) {
     const Item& item = block.items()[i++];
-    if (const Block* inner = as_transform(item)) return build_transform(p, *inner);
+    if (const Block* inner = as_transform(item)) {
+        const bool by_name = item.kind == Item::Kind::value;
+        if (by_name && block.word != "transform"_w) p.fail(item.place, "transform is expected before the name of a transformation: POV-Ray refuses it, too");
+        return build_transform(p, *inner);
+    }
     if (!begins_transform(item)) p.fail(item.place, "this is no transformation");
     if (i >= block.items().size()) p.fail(item.place, fmt::format("a value is expected behind {}", kWords[item.word]));
     const Item& value = block.items()[i++];
