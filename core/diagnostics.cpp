@@ -21,7 +21,7 @@ void Diagnostics::append(const Diagnostics& other) {
     for (Diagnostic d : other.list_) {
         auto moved = [&](SourcePos& at) { at.file = at.file < other.files_.size() ? add_file(other.files_[at.file].path) : kNoFile; };
         moved(d.at);
-        for (SourcePos& at : d.included_from) moved(at);
+        for (Caller& caller : d.called_from) moved(caller.at);
         add(std::move(d));
     }
     auto left_out = [](size_t n) { return n > kKept ? n - kKept : 0; };
@@ -44,8 +44,8 @@ std::string Diagnostics::text(const Diagnostic& d) const {
         if (d.at.column) out += fmt::format("    {:>{}}\n", "^", d.at.column);
     }
     if (!d.hint.empty()) out += fmt::format("hint: {}\n", d.hint);
-    for (const SourcePos& at : d.included_from)
-        out += at.pointer.empty() ? fmt::format("    included from {}\n", where(at)) : fmt::format("    in macro {}, called from {}\n", at.pointer, where({at.file, at.line, at.column, {}}));
+    for (const Caller& caller : d.called_from)
+        out += caller.macro.empty() ? fmt::format("    included from {}\n", where(caller.at)) : fmt::format("    in macro {}, called from {}\n", caller.macro, where(caller.at));
     return out;
 }
 

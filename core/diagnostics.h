@@ -12,13 +12,19 @@ namespace alidade {
 
 enum class Severity { note, warning, error };
 
+/// Where a file was included, or a macro was called.
+struct Caller {
+    SourcePos at;
+    std::string macro;   ///< its name; empty: an #include
+};
+
 struct Diagnostic {
     Severity severity = Severity::error;
     SourcePos at;
     std::string message;               ///< one line, no full stop
     std::string hint;                  ///< what to do about it; may be empty
     std::string excerpt;               ///< the source line that `at` names; may be empty
-    std::vector<SourcePos> included_from;   ///< innermost first; `pointer`: the macro that was called there, if it was no #include
+    std::vector<Caller> called_from;   ///< innermost first
 };
 
 class Diagnostics {

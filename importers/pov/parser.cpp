@@ -147,9 +147,9 @@ Diagnostic Parser::diagnostic(Severity severity, Place at, std::string message, 
     if (column != d.at.column) d.excerpt.clear();          // a caret would stand at the wrong place in the cut line
     constexpr size_t kShown = 8;
     const std::vector<Frame>& frames = stream.frames();
-    for (size_t i = frames.size(); i-- > 1 && d.included_from.size() < kShown;) {
-        d.included_from.push_back(stream.source(uint16_t(frames[i].called_from.source)).position(frames[i].called_from.offset));
-        if (frames[i].macro) d.included_from.back().pointer = names.text(frames[i].macro->name);
+    for (size_t i = frames.size(); i-- > 1 && d.called_from.size() < kShown;) {
+        SourcePos caller = stream.source(uint16_t(frames[i].called_from.source)).position(frames[i].called_from.offset);
+        d.called_from.push_back({std::move(caller), frames[i].macro ? std::string(names.text(frames[i].macro->name)) : std::string()});
     }
     return d;
 }

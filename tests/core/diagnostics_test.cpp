@@ -14,8 +14,8 @@ TEST(Diagnostics, TextOfALineWithCaretHintAndIncludes) {
     d.message = "cylinder has no length: both ends are <0,0,0>";
     d.hint = "give it two different ends, or use a disc";
     d.excerpt = "cylinder { 0, 0, 1 }";
-    d.included_from.push_back({room, 9, 1, "Wall"});
-    d.included_from.push_back({main, 7, 1, ""});
+    d.called_from.push_back({{room, 9, 1, ""}, "Wall"});
+    d.called_from.push_back({{main, 7, 1, ""}, ""});
     said.add(d);
     EXPECT_EQ(said.text(),
               "room.pov:2:15: error: cylinder has no length: both ends are <0,0,0>\n"
