@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "accel/local_ray.h"
+#include "core/clamp.h"
 #include "tracer/instance_set.h"
 #include "tracer/integrators/direct_light.h"
 #include "tracer/pov_sky.h"
@@ -58,16 +59,25 @@ bool surface_by_surface(const CompiledScene& scene, Ray ray, std::vector<Hit>& h
 
 /// That which hid the light from a ray before is forgotten once it has missed so many: to ask it costs a quarter of what is saved where it hides the light again.
 constexpr int kMostMisses = 4;
+/// To learn what hides a ray costs as much as to find that it is hidden.
+constexpr int kLongestPause = 63;
+
+/// Does the ray pass through the box?
+bool enters(const Ray& ray, const Bounds& box) {
+    const LineInterval in_box = inside_bounds(ray, box);
+    return !in_box.empty() && in_box.exit >= ray.tmin && in_box.entry <= ray.tmax;
+}
 
 /// Does what hid the light before end the ray, with no filter near before it?
 bool hides_again(const CompiledScene& scene, const Ray& ray, LastHider& last, WorkCounters& work) {
     if (last.id == kNoId || !can_hit(ray, kLargestCoordinate<double>)) return false;
     Hit hit;
     ++work.filtered;
-    const bool hides = scene.set->intersect(std::span(&last.id, 1), ray, hit, work) && !filter_is_near(scene, ray, hit.t, work);
-    last.missed = hides ? 0 : last.missed + 1;
-    if (last.missed == kMostMisses) last = LastHider();
-    return hides;
+    if (enters(ray, scene.set->bounds(last.id)) && scene.set->intersect(std::span(&last.id, 1), ray, hit, work) && !filter_is_near(scene, ray, hit.t, work)) return last.missed = last.pause = 0, true;
+    if (++last.missed < kMostMisses) return false;
+    last.id = kNoId;
+    last.left = last.pause = std::min(2 * last.pause + 1, kLongestPause);
+    return false;
 }
 
 /// Does an opaque surface that no filter is near before end the ray? `near`: else, is there one that a filter is near before? Then no other was looked for.
@@ -78,9 +88,16 @@ bool is_hidden(Tracing& tracing, const Ray& ray, size_t light, bool& near) {
     if (remembers && light >= tracing.hiders.size()) tracing.hiders.resize(scene.lights.size());
     LastHider unused, &last = remembers ? tracing.hiders[light] : unused;
     if (hides_again(scene, ray, last, work)) return true;
+    if (!scene.top->occluded(ray, work)) return false;
+    if (!remembers || last.left > 0) {
+        last.left -= remembers;
+        Ray among_filters = ray;
+        among_filters.mask = kMaskFilter;
+        if (!scene.filters->occluded(among_filters, work)) return true;
+    }
     Hit nearest;
-    if (!scene.top->occluded(ray, work) || !scene.top->intersect(ray, nearest, work)) return false;
-    last = {scene.set->whole(nearest.instance)};
+    if (!scene.top->intersect(ray, nearest, work)) return false;
+    if (last.left == 0) last.id = scene.set->whole(nearest.instance), last.missed = 0;
     near = filter_is_near(scene, ray, nearest.t, work);
     return !near;
 }

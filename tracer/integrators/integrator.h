@@ -57,6 +57,8 @@ struct GridScratch {
 struct LastHider {
     uint32_t id = kNoId;   ///< as CompiledScene::set numbers them
     int missed = 0;        ///< rays in a row that it was asked for, and did not hide it from
+    int pause = 0;         ///< of hidden rays from which nobody learned what hides them: the longer, the less what was learned has helped
+    int left = 0;          ///< of the pause
 };
 
 /// No light: of shadow rays to the sky.
