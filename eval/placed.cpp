@@ -1,16 +1,25 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "eval/placed.h"
 
-#ifdef __x86_64__
-#include <immintrin.h>
-#endif
+#include "core/lanes.h"
 
 namespace alidade {
 
+/// Source   T. Ogita, S. M. Rump and S. Oishi, "Accurate Sum and Dot Product", SIAM Journal on Scientific Computing 26(6), 2005: algorithm 5.3 (Dot2). The roundings of all products and sums are known, and
+///          are themselves added up in plain numbers.
 Vec3 corrected_plainly(const Mat3& to_world, const Mat3& to_local, const Vec3& shift, const Vec3& world, const Vec3& near) {
-    TwiceVec rest = TwiceVec::difference(world, shift);
-    for (int column = 0; column < 3; ++column) rest = rest.moved(Twice(-near[column]), TwiceVec(to_world[column]));
-    return near + to_local * Vec3(rest.v[0].value(), rest.v[1].value(), rest.v[2].value());
+    Vec3 left;
+    for (int row = 0; row < 3; ++row) {
+        Twice sum = Twice::sum(world[row], -shift[row]);
+        double lost = sum.low;
+        for (int column = 0; column < 3; ++column) {
+            const Twice moved = Twice::product(near[column], to_world[column][row]);
+            sum = Twice::sum(sum.high, -moved.high);
+            lost += sum.low - moved.low;
+        }
+        left[row] = sum.high + lost;
+    }
+    return near + to_local * left;
 }
 
 #ifdef __x86_64__
@@ -19,42 +28,29 @@ Vec3 corrected_plainly(const Mat3& to_world, const Mat3& to_local, const Vec3& s
 namespace avx2 {
 namespace {
 
-using Lanes [[gnu::vector_size(32)]] = double;
-
-[[gnu::target("avx2,fma"), gnu::always_inline]] inline void load(const Vec3& v, Lanes& to) { to = Lanes{v.x, v.y, v.z, 0}; }
-
-struct TwiceLanes {
-    Lanes high, low;
-
-    [[gnu::target("avx2,fma"), gnu::always_inline]] inline void sum(const Lanes& a, const Lanes& b) {
-        const Lanes s = a + b, of_b = s - a;
-        low = (a - (s - of_b)) + (b - of_b), high = s;
-    }
-    [[gnu::target("avx2,fma"), gnu::always_inline]] inline void product(const Lanes& a, const Lanes& b) {
-        high = a * b;
-        low = _mm256_fmsub_pd(a, b, high);
-    }
-    [[gnu::target("avx2,fma"), gnu::always_inline]] inline void add(const TwiceLanes& b) {
-        TwiceLanes first, second;
-        first.sum(high, b.high), second.sum(low, b.low);
-        sum(first.high, first.low + second.high);
-        sum(high, low + second.low);
-    }
-};
+/// a - b, and what rounding has taken from it.
+[[gnu::target("avx2,fma"), gnu::always_inline]] inline __m256d difference(__m256d a, __m256d b, __m256d& taken) {
+    const __m256d s = a - b, of_b = s - a;
+    taken = (a - (s - of_b)) - (b + of_b);
+    return s;
+}
 
 [[gnu::target("avx2,fma")]] Vec3 corrected(const Mat3& to_world, const Mat3& to_local, const Vec3& shift, const Vec3& world, const Vec3& near) {
-    Lanes a, b, column;
-    TwiceLanes rest, moved;
-    load(world, a), load(-shift, b);
-    rest.sum(a, b);
+    const __m256d n[] = {_mm256_set1_pd(near.x), _mm256_set1_pd(near.y), _mm256_set1_pd(near.z)};
+    const __m256d columns[] = {lanes_and_next(to_world[0]), lanes_and_next(to_world[1]), lanes_of(to_world[2])};
+    __m256d lost, taken, sum = difference(lanes_of(world), lanes_of(shift), lost);
     for (int i = 0; i < 3; ++i) {
-        load(Vec3(-near[i]), a), load(to_world[i], column);
-        moved.product(a, column);
-        rest.add(moved);
+        const __m256d moved = n[i] * columns[i];
+        sum = difference(sum, moved, taken);
+        lost += taken - _mm256_fmsub_pd(n[i], columns[i], moved);
     }
-    const Lanes left = rest.high + rest.low;
-    return near + to_local * Vec3(left[0], left[1], left[2]);
+    const __m256d left = sum + lost;
+    const __m256d off = lanes_and_next(to_local[0]) * _mm256_permute4x64_pd(left, 0x00) + lanes_and_next(to_local[1]) * _mm256_permute4x64_pd(left, 0x55) + lanes_of(to_local[2]) * _mm256_permute4x64_pd(left, 0xaa);
+    const __m256d out = lanes_of(near) + off;
+    return {out[0], out[1], out[2]};
 }
+
+const bool kHasFusedLanes = kHasLanes && __builtin_cpu_supports("fma");
 
 }  // namespace
 }  // namespace avx2
@@ -63,8 +59,7 @@ struct TwiceLanes {
 
 Vec3 corrected(const Mat3& to_world, const Mat3& to_local, const Vec3& shift, const Vec3& world, const Vec3& near) {
 #ifdef __x86_64__
-    static const bool has_lanes = __builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma");
-    if (has_lanes) return avx2::corrected(to_world, to_local, shift, world, near);
+    if (avx2::kHasFusedLanes) return avx2::corrected(to_world, to_local, shift, world, near);
 #endif
     return corrected_plainly(to_world, to_local, shift, world, near);
 }

@@ -339,7 +339,9 @@ void choose_kernel(CompiledScene& out, const AcceleratorEntry& accel, const Comp
     if (out.filters_light) {
         tell_opaque_from_clear(out);
         for (const SlotMaterial& slot : out.slots) out.uniform_filters.push_back(uniform_filter(out, slot));
-        out.filters = accel.over_set(std::make_shared<InstanceSet>(out, kMaskFilter), {options.precision, options.isa, options.threads});
+        const auto filters = std::make_shared<InstanceSet>(out, kMaskFilter);
+        for (uint32_t id = 0; id < filters->size(); ++id) out.filter_bounds.extend(filters->bounds(id));
+        out.filters = accel.over_set(filters, {options.precision, options.isa, options.threads});
     }
     if (options.full_kernel) reasons.need(kAllFeatures, "--full-kernel");
     out.features = reasons.mask();

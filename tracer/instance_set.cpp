@@ -8,13 +8,15 @@
 #include "tracer/instance_leaves.h"
 #include "tracer/object_boxes.h"
 
+#include <numeric>
+
 namespace alidade {
 
 Vec3 Instance::corrected(const Vec3& point) const { return alidade::corrected(to_world.linear, to_local.linear, to_world.translation, point, to_local.point(point)); }
 
 Ray Instance::corrected(const Ray& ray) const {
     Ray local = to_local.ray(ray);
-    local.origin = corrected(ray.origin);
+    local.origin = alidade::corrected(to_world.linear, to_local.linear, to_world.translation, ray.origin, local.origin);
     local.dir = alidade::corrected(to_world.linear, to_local.linear, Vec3(0), ray.dir, local.dir);
     return local;
 }
@@ -54,6 +56,15 @@ bool looked_for(const CompiledScene& scene, const Instance& instance, const Ray&
 }
 
 }  // namespace
+
+InstanceSet::InstanceSet(const CompiledScene& scene, Mask seen_by) : scene_(scene), seen_by_(seen_by) {
+    if (scene.solids.empty()) return;
+    wholes_.resize(scene.instances.size());
+    std::iota(wholes_.begin(), wholes_.end(), 0u);
+    for (uint32_t id = uint32_t(wholes_.size()); id < size(); ++id)
+        for (const CsgNode& node : solid(id).tree.nodes())
+            if (node.op == CsgOp::leaf && node.leaf != kNoId) wholes_[node.leaf] = id;
+}
 
 bool InstanceSet::is_seen_before(const Ray& ray, double t, uint32_t instance, uint32_t primitive, const Hit& hit) const {
     const std::vector<Bounds>& boxes = scene_.object_boxes;

@@ -11,7 +11,7 @@ namespace alidade {
 class InstanceSet final : public PrimitiveSet {
   public:
     /// Those alone that rays with a bit of `seen_by` see: the others keep their numbers, and have no bounds. `scene` must outlive the set.
-    explicit InstanceSet(const CompiledScene& scene, Mask seen_by = kMaskAll) : scene_(scene), seen_by_(seen_by) {}
+    explicit InstanceSet(const CompiledScene& scene, Mask seen_by = kMaskAll);
     size_t size() const override { return scene_.instances.size() + scene_.solids.size(); }
     Bounds bounds(uint32_t id) const override {
         if (!(mask(id) & seen_by_)) return {};
@@ -29,11 +29,14 @@ class InstanceSet final : public PrimitiveSet {
 
     bool is_solid(uint32_t id) const { return id >= scene_.instances.size(); }
     const Solid& solid(uint32_t id) const { return scene_.solids[id - scene_.instances.size()]; }
+    /// The solid that the instance is a part of, or its own number.
+    uint32_t whole(uint32_t instance) const { return wholes_.empty() ? instance : wholes_[instance]; }
     Mask mask(uint32_t id) const { return is_solid(id) ? solid(id).mask : scene_.instances[id].mask; }
 
   private:
     const CompiledScene& scene_;
     Mask seen_by_;
+    std::vector<uint32_t> wholes_;   ///< by instance; empty if there are no solids
 };
 
 }  // namespace alidade

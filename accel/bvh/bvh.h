@@ -57,7 +57,8 @@ template <class Leaf, class Node> class WideBvh {
         if (!triangles(input) && input.ids.size() <= kSmallSet) builder = BvhBuilder::sah;
         const double growth = !triangles(input) ? 0 : builder == BvhBuilder::fast ? kPresplitGrowth : kSplitGrowth;
         const double favour = std::is_same_v<Node, CompactNode> ? 1 : kPlaneFavour;   // a compact tree is chosen for its memory
-        const BvhLimits limits{Leaf::kBlock, std::max(4u, Leaf::kBlock), options.isa, growth, options.threads, kSahDepth, favour};
+        const bool alone = !triangles(input) && input.ids.size() <= kWide;   // the root has a place for each primitive
+        const BvhLimits limits{Leaf::kBlock, alone ? 1 : std::max(4u, Leaf::kBlock), options.isa, growth, options.threads, kSahDepth, favour};
         PhaseClock clock(stats);
         auto references = bvh_references<T>(input, options.threads, growth);
         const auto nodes = builder == BvhBuilder::fast ? build_bvh_fast(std::move(references), limits, input.order, stats, triangles(input)) : build_bvh(std::move(references), limits, input.order, stats, triangles(input));

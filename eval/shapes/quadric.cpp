@@ -104,6 +104,8 @@ double near_tangent(const Quadric& q, const Ray& ray, double t) {
 /// A tangent is one crossing twice. A line on which the squares vanish, as the axis of a paraboloid, has one crossing.
 [[gnu::always_inline]] inline Crossings crossings_inline(const Quadric& q, const Bounds& own, const Ray& ray, Wanted wanted) {
     Crossings out;
+    const LineInterval inside = inside_bounds(ray, own);   // a cylinder is endless: accelerators ask it on lines that pass it by, too
+    if (inside.empty() || (wanted != Wanted::all && (inside.exit < ray.tmin || inside.entry > ray.tmax))) return out;
     const Approach nearest = approach_inline(Vec3(0), ray);
     const double speed = std::sqrt(dot(ray.dir, ray.dir));
     if (!is_finite(ray) || !std::isfinite(nearest.shift) || !(speed > 0)) return out;
@@ -111,8 +113,6 @@ double near_tangent(const Quadric& q, const Ray& ray, double t) {
     double roots[2];
     const int count = line.rough_crossings(roots, out.begins_inside);
     if (count == 0) return out;
-    const LineInterval inside = inside_bounds(ray, own);
-    if (inside.empty()) return out;
     const RoughCrossings rough(ray, std::abs(nearest.shift) + max_abs(nearest.nearest) / speed);
     const auto t_at = [&](double s) { return nearest.shift + (nearest.rest + s / speed); };
     const bool together = count == 2 && !rough.surely_before(t_at(roots[0]), t_at(roots[1]));

@@ -184,6 +184,19 @@ TEST(Sets, WorkIsAtMostThreePercent) {
     }
 }
 
+/// The boxes of a few primitives fit into a node, so that a ray asks those alone that it may meet, also where all have one centre.
+TEST(Sets, OfAFewAreNotAskedTogether) {
+    const auto set = std::make_shared<ToySet>(std::vector<ToySolid>{{Kind::sphere, Vec3(0), Vec3(10)}, {Kind::box, Vec3(0), Vec3(0.1, 2, 0.1)}, {Kind::box, Vec3(0), Vec3(2, 0.1, 0.1)}, {Kind::sphere, Vec3(0), Vec3(0.2)}});
+    for (const char* name : {"bvh", "hlbvh", "compact"}) {
+        const auto accelerator = find_accelerator(name)->over_set(set, {});
+        WorkCounters work;
+        Hit hit;
+        EXPECT_TRUE(accelerator->intersect({Vec3(3, 3, 3), Vec3(-1, -1.1, 0.1)}, hit, work)) << name;
+        EXPECT_EQ(work.filtered, 1u) << name;
+        EXPECT_EQ(hit.instance, 0u) << name;
+    }
+}
+
 /// From so far away that a position on the ray is known no better than a cell of a grid: still the same answers, and still not all of the set.
 /// Boxes, because theirs are the crossings that keep the promise of PrimitiveSet to the last bit from anywhere.
 TEST(Sets, AreNotTestedAllFromAfar) {

@@ -232,6 +232,55 @@ TEST(Shadows, SurfacesCountThatAreApart) {
         }
 }
 
+/// A room with panes and balls of glass, near and in front of what is opaque, parts of sets among it, and a light without and two with something before them.
+SceneBuilder glass_before_walls() {
+    SceneBuilder b;
+    GltfPbr pane = b.lambert(Color(0.75));
+    pane.base_color = b.constant(Vec4(1, 0.9, 0.8, 0.25)), pane.alpha_mode = AlphaMode::blend;
+    const MaterialId clear = b.material(pane), grey = b.material(b.lambert(Color(0.5)));
+    b.object(Plane{{0, 1, 0}, 0}, grey);
+    b.object(Sphere{{0, 0, 0}, 1}, grey, Transform::scale({40, 9, 40}));   // the second light is outside of it
+    for (int i = 0; i < 12; ++i) {
+        const Vec3 at(i % 4 - 1.5, 0.7 + i % 3 * 0.8, i / 4 - 1.0);
+        b.object(Sphere{at, 0.3}, i % 2 ? clear : grey);
+        if (i % 2 == 0) b.object(Sphere{at, 0.3 + i * 0.01}, clear);   // a skin of glass, as thin as the clearance or thicker
+    }
+    Node set;
+    set.csg = CsgKind::difference;
+    for (const double size : {0.4, 0.35}) {
+        Node part;
+        part.what = b.shape(Box{Vec3(0, 2, 0) - Vec3(size), Vec3(0.2 + size, 2.6, size)});
+        part.materials = {grey};
+        set.children.push_back(b.node(part, false));
+    }
+    b.node(set);
+    for (const Vec3& at : {Vec3(3, 7, 2), Vec3(-6, 30, 1), Vec3(0.3, 5, -4)}) b.light(PointLight(), Color(40), Transform::translate(at));
+    b.camera({1, 3, 6}, {0, 1, 0}, 60);
+    b.scene.settings.shadow_clearance = 0.03;
+    return b;
+}
+
+/// What hid a light is asked first at the next point, but for where layers show the work of each pixel by itself: that changes no bit, and saves work.
+TEST(Shadows, ThatWhichHidALightIsAskedAgain) {
+    const SceneBuilder b = glass_before_walls();
+    for (const AcceleratorEntry& accel : accelerators()) {
+        CompileOptions options;
+        options.accel = accel.name;
+        constexpr int kSize = 64;
+        const Film got = rendered(b.scene, centre_rays(kSize), options), want = rendered(b.scene, centre_rays(kSize, {"depth"}), options);
+        double dark = 0;
+        for (int y = 0; y < kSize; ++y)
+            for (int x = 0; x < kSize; ++x)
+                for (const char* channel : {"R", "G", "B"}) {
+                    const double value_there = value(want.picture, x, y, channel);
+                    ASSERT_EQ(value(got.picture, x, y, channel), value_there) << accel.name << ' ' << x << ' ' << y;
+                    dark += value_there < 0.01;
+                }
+        EXPECT_GT(dark, 30) << "there must be shadows";
+        EXPECT_LT(got.stats.work.primitives, want.stats.work.primitives) << accel.name;
+    }
+}
+
 /// A sphere scaled to an ellipsoid: the normal is the gradient, not the scaled normal.
 TEST(Transforms, NormalsOfAnEllipsoid) {
     SceneBuilder b;

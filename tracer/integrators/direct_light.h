@@ -10,12 +10,12 @@ namespace alidade {
 
 enum class Shadows { cast, ignored };
 
-/// What comes through everything on a shadow ray that starts inside of `inside`. `among`: what alone it can meet, if that is known.
-Color filtered_light(Tracing& tracing, Ray ray, const InteriorStack& inside, Occluders* among);
+/// What comes through everything on a shadow ray to the light of that index, or kNoLight, that starts inside of `inside`. `among`: what alone it can meet, if that is known.
+Color filtered_light(Tracing& tracing, Ray ray, const InteriorStack& inside, size_t light, Occluders* among);
 
-/// What of the light `distance` away in the unit direction `direction` comes to the point. `kFilters` false: nothing in the scene lets a part of it through.
+/// What of the light of that index, `distance` away in the unit direction `direction` comes to the point. `kFilters` false: nothing in the scene lets a part of it through.
 /// Inline: once a light and a point, whatever the kernel can do else.
-template <bool kFilters> [[gnu::always_inline]] inline Color visible(Tracing& tracing, const ShadePoint& point, const RayState& state, const Vec3& direction, double distance, Occluders* among = nullptr) {
+template <bool kFilters> [[gnu::always_inline]] inline Color visible(Tracing& tracing, const ShadePoint& point, const RayState& state, size_t light, const Vec3& direction, double distance, Occluders* among = nullptr) {
     ++tracing.stats.shadow_rays;
     if (!(distance > 0)) return Color(1);
     Ray ray = spawn_ray(point, direction, distance);
@@ -23,11 +23,14 @@ template <bool kFilters> [[gnu::always_inline]] inline Color visible(Tracing& tr
     ray.time = state.time;
     ray.tmin = tracing.scene.scene.settings.shadow_clearance;
     if constexpr (kFilters) {
-        if (tracing.scene.filters_light) return filtered_light(tracing, ray, state.inside, among);
+        if (tracing.scene.filters_light) return filtered_light(tracing, ray, state.inside, light, among);
     }
     if (among) return among->occluded(tracing.scene, ray, tracing.stats.work) ? Color(0) : Color(1);
     return tracing.scene.top->occluded(ray, tracing.stats.work) ? Color(0) : Color(1);
 }
+
+/// Is it less than any film holds, so that nobody need know whether it is in a shadow? All of glass is, but for its highlights: a power of a thousand vanishes a little way off them.
+inline bool is_nothing(const Color& scattered) { return max_abs(scattered) < 1e-60; }
 
 /// How far the way to the light `index` goes, of `distance` in the unit direction `direction`: the whole, or to what it is projected through; nothing where the light
 /// does not come.
@@ -87,10 +90,10 @@ template <unsigned F> class DirectLight {
         if (light.light.shadow_grid) return light_from_grid(tracing_, point_, surface_, state_, i, arriving, shadows_ == Shadows::cast);
         if (is_black(arriving.irradiance)) return Color(0);
         const Color scattered = surface_.scatter(arriving.direction, !light.light.shadowless) * arriving.irradiance;
-        if (is_black(scattered)) return scattered;
+        if (is_nothing(scattered)) return scattered;
         const auto way = way_to_light(tracing_, point_, i, arriving.direction, arriving.distance - light.light.clearance);
         if (!way) return Color(0);
-        return light.light.shadowless ? scattered : scattered * through(arriving.direction, *way);
+        return light.light.shadowless ? scattered : scattered * through(i, arriving.direction, *way);
     }
 
     // Out of line, as above.
@@ -102,12 +105,12 @@ template <unsigned F> class DirectLight {
         const double cosine = dot(surface_.normal(), sky.direction);
         if (!(cosine > 0 && sky.density > 0) || dot(facing, sky.direction) <= 0) return Color(0);
         const Color scattered = surface_.diffuse() * sky.radiance * (cosine / (kPi * sky.density));
-        return is_black(scattered) ? scattered : scattered * through(sky.direction, kInf);
+        return is_black(scattered) ? scattered : scattered * through(kNoLight, sky.direction, kInf);
     }
 
-    Color through(const Vec3& direction, double distance) const {
+    Color through(size_t light, const Vec3& direction, double distance) const {
         if (shadows_ == Shadows::ignored) return Color(1);
-        return visible<(F & (kAlpha | kTransmission)) != 0>(tracing_, point_, state_, direction, distance);
+        return visible<(F & (kAlpha | kTransmission)) != 0>(tracing_, point_, state_, light, direction, distance);
     }
 
     Tracing& tracing_;

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "accel/local_ray.h"
+#include "core/clamp.h"
 #include "tracer/instance_set.h"
 #include "tracer/integrators/direct_light.h"
 #include "tracer/pov_sky.h"
@@ -20,18 +22,27 @@ void keep_apart(const CompiledScene& scene, const Ray& ray, std::vector<Hit>& hi
     hits.resize(kept);
 }
 
+/// Is a filter so near before the opaque surface that the ray meets at t that it may keep it from counting?
+bool filter_is_near(const CompiledScene& scene, Ray ray, double t, WorkCounters& work) {
+    const double clearance = scene.scene.settings.shadow_clearance, reach = clearance * length(ray.dir) + 0x1p-40 * (max_abs(ray.origin) + std::abs(t) * max_abs(ray.dir));   // the second: roundings
+    const Vec3 at = ray.at(t);
+    const Bounds& box = scene.filter_bounds;
+    for (int a = 0; a < 3; ++a)
+        if (at[a] < box.min[a] - reach || at[a] > box.max[a] + reach) return false;
+    ray.mask = kMaskFilter;
+    ray.tmin = std::max(ray.tmin, t - clearance), ray.tmax = t;
+    return scene.filters->occluded(ray, work);
+}
+
 /// May a filter keep the nearest opaque surface from counting? Rays that meet one seldom meet filters, and hardly ever one so close before it.
-bool in_a_clearance(Tracing& tracing, Ray ray, Occluders* among) {
+bool in_a_clearance(Tracing& tracing, Ray ray, Occluders& among) {
     const CompiledScene& scene = tracing.scene;
     WorkCounters& work = tracing.stats.work;
     ray.mask = kMaskFilter;
-    if (!(among ? among->occluded(scene, ray, work) : scene.filters->occluded(ray, work))) return false;
+    if (!among.occluded(scene, ray, work)) return false;
     ray.mask = kMaskOpaque;
     Hit opaque;
-    if (!scene.top->intersect(ray, opaque, work)) return true;
-    ray.mask = kMaskFilter;
-    ray.tmin = std::max(ray.tmin, opaque.t - scene.scene.settings.shadow_clearance), ray.tmax = opaque.t;
-    return scene.filters->occluded(ray, work);
+    return !scene.top->intersect(ray, opaque, work) || filter_is_near(scene, ray, opaque.t, work);
 }
 
 /// Goes from hit to hit that counts, for rays that meet something opaque in the clearance behind a filter. False where an opaque one counts.
@@ -46,15 +57,63 @@ bool surface_by_surface(const CompiledScene& scene, Ray ray, std::vector<Hit>& h
     return true;
 }
 
+/// That which hid the light from a ray before is forgotten once it has missed so many: to ask it costs a quarter of what is saved where it hides the light again.
+constexpr int kMostMisses = 4;
+/// To learn what hides a ray costs as much as to find that it is hidden.
+constexpr int kLongestPause = 63;
+
+/// Does the ray pass through the box?
+bool enters(const Ray& ray, const Bounds& box) {
+    const LineInterval in_box = inside_bounds(ray, box);
+    return !in_box.empty() && in_box.exit >= ray.tmin && in_box.entry <= ray.tmax;
+}
+
+/// Does what hid the light before end the ray, with no filter near before it?
+bool hides_again(const CompiledScene& scene, const Ray& ray, LastHider& last, WorkCounters& work) {
+    if (last.id == kNoId || !can_hit(ray, kLargestCoordinate<double>)) return false;
+    Hit hit;
+    ++work.filtered;
+    if (enters(ray, scene.set->bounds(last.id)) && scene.set->intersect(std::span(&last.id, 1), ray, hit, work) && !filter_is_near(scene, ray, hit.t, work)) return last.missed = last.pause = 0, true;
+    if (++last.missed < kMostMisses) return false;
+    last.id = kNoId;
+    last.left = last.pause = std::min(2 * last.pause + 1, kLongestPause);
+    return false;
+}
+
+/// Does an opaque surface that no filter is near before end the ray? `near`: else, is there one that a filter is near before? Then no other was looked for.
+bool is_hidden(Tracing& tracing, const Ray& ray, size_t light, bool& near) {
+    const CompiledScene& scene = tracing.scene;
+    WorkCounters& work = tracing.stats.work;
+    const bool remembers = light != kNoLight && !tracing.describes;   // the work of a pixel, which is a layer, must not depend on others
+    if (remembers && light >= tracing.hiders.size()) tracing.hiders.resize(scene.lights.size());
+    LastHider unused, &last = remembers ? tracing.hiders[light] : unused;
+    if (hides_again(scene, ray, last, work)) return true;
+    if (!scene.top->occluded(ray, work)) return false;
+    if (!remembers || last.left > 0) {
+        last.left -= remembers;
+        Ray among_filters = ray;
+        among_filters.mask = kMaskFilter;
+        if (!scene.filters->occluded(among_filters, work)) return true;
+    }
+    Hit nearest;
+    if (!scene.top->intersect(ray, nearest, work)) return false;
+    if (last.left == 0) last.id = scene.set->whole(nearest.instance), last.missed = 0;
+    near = filter_is_near(scene, ray, nearest.t, work);
+    return !near;
+}
+
 /// All hits that count, in order, as tracing.passed; false if one of them is opaque. What is opaque is asked for first: it needs no list of hits.
-bool find_surfaces(Tracing& tracing, Ray ray, Occluders* among) {
+bool find_surfaces(Tracing& tracing, Ray ray, size_t light, Occluders* among) {
     const CompiledScene& scene = tracing.scene;
     WorkCounters& work = tracing.stats.work;
     const bool spaced = scene.scene.settings.shadow_clearance > 0;
     tracing.passed.clear();
     ray.mask = kMaskOpaque;
-    const bool blocked = among ? among->occluded(scene, ray, work) : scene.top->occluded(ray, work);
-    if (blocked) return spaced && in_a_clearance(tracing, ray, among) && surface_by_surface(scene, ray, tracing.passed, work);
+    bool near = false;   // is there something opaque, near behind a filter?
+    if (among) {
+        if (among->occluded(scene, ray, work) && !(near = spaced && in_a_clearance(tracing, ray, *among))) return false;
+    } else if (spaced ? is_hidden(tracing, ray, light, near) : scene.top->occluded(ray, work)) return false;
+    if (near) return surface_by_surface(scene, ray, tracing.passed, work);
     ray.mask = kMaskFilter;
     if (among) among->all_hits(scene, ray, tracing.passed, work);
     else scene.filters->all_hits(ray, tracing.passed, work);
@@ -80,8 +139,8 @@ PassedSurface passed_surface(const CompiledScene& scene, const Ray& ray, const H
 }  // namespace
 
 /// Filters are multiplied in the order of hits, so the product is the same, bit for bit, whatever structure found them.
-Color filtered_light(Tracing& tracing, Ray ray, const InteriorStack& start, Occluders* among) {
-    if (!find_surfaces(tracing, ray, among)) return Color(0);
+Color filtered_light(Tracing& tracing, Ray ray, const InteriorStack& start, size_t light, Occluders* among) {
+    if (!find_surfaces(tracing, ray, light, among)) return Color(0);
     InteriorStack inside = start;
     Color through(1);
     double t = 0;

@@ -54,6 +54,17 @@ struct GridScratch {
     }
 };
 
+/// What hid a light from a shadow ray: it often hides it from the next one, too, and is asked first, which changes no answer.
+struct LastHider {
+    uint32_t id = kNoId;   ///< as CompiledScene::set numbers them
+    int missed = 0;        ///< rays in a row that it was asked for, and did not hide it from
+    int pause = 0;         ///< of hidden rays from which nobody learned what hides them: the longer, the less what was learned has helped
+    int left = 0;          ///< of the pause
+};
+
+/// No light: of shadow rays to the sky.
+inline constexpr size_t kNoLight = std::numeric_limits<size_t>::max();
+
 /// One thread's view of a render.
 struct Tracing {
     const CompiledScene& scene;
@@ -68,6 +79,7 @@ struct Tracing {
     Secondaries secondaries{};   ///< scratch of an integrator
     GridScratch grid{};          ///< scratch of lights with a ShadowGrid
     Occluders occluders{};       ///< and of those
+    std::vector<LastHider> hiders{};   ///< by light; none until one is asked for
     std::vector<PendingRay> pending{};   ///< scratch of an integrator: empty between camera rays
     const std::atomic<bool>* stop = nullptr;   ///< null: nobody does
 

@@ -85,7 +85,7 @@ Color through_grid(Tracing& tracing, const ShadePoint& point, const RayState& st
         const double distance = length(to_light);
         const Vec3 direction = to_light / distance;
         const auto way = way_to_light(tracing, point, index, direction, distance - light.light.clearance);
-        return way ? full * visible<true>(tracing, point, state, direction, *way, among) : Color(0);
+        return way ? full * visible<true>(tracing, point, state, index, direction, *way, among) : Color(0);
     })();
 }
 
@@ -110,7 +110,7 @@ Color light_from_grid(Tracing& tracing, const ShadePoint& point, const Surface& 
     shadows = shadows && !light.light.shadowless;
     if (light.light.shadow_grid->illuminates) {
         const Color scattered = scattered_from_grid(light, point, surface, arriving);
-        return shadows && !is_black(scattered) ? scattered * through_grid(tracing, point, state, index, arriving, Color(1)) : scattered;
+        return shadows && !is_nothing(scattered) ? scattered * through_grid(tracing, point, state, index, arriving, Color(1)) : scattered;
     }
     if (is_black(arriving.irradiance)) return Color(0);
     const Color scattered = surface.scatter(arriving.direction, !light.light.shadowless);
