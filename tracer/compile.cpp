@@ -58,6 +58,7 @@ Bounds bounds_of(const ShapeOps& ops, const ShapeGeometry& shape) {
 struct PlacedSolid {
     CsgExpression what;
     NodeId node;
+    SolidSpace space;
 };
 
 /// Walks the graph once and fills a CompiledScene with instances, lights and cameras.
@@ -103,10 +104,11 @@ class Placer : private CsgParts {
     /// What rays see a solid is said by the nodes down to it.
     void place_solid(Visit visit) {
         const Mask mask = mask_of_path(out_.scene, visit.path);
+        space_ = {visit.to_world, {}};
         auto solid = csg_expression(out_.scene, visit, mask, *this);
         if (!solid) return;
         solid->mask = mask;
-        solids_.push_back({std::move(*solid), visit.node});
+        solids_.push_back({std::move(*solid), visit.node, std::move(space_)});
     }
 
     bool enters(const Visit& visit) override {
@@ -116,10 +118,13 @@ class Placer : private CsgParts {
         return false;
     }
 
-    uint32_t place(const Visit& visit) override {
+    uint32_t place(const Visit& visit, const Transform& to_set) override {
         const size_t before = out_.instances.size();
         place(visit, out_.scene.nodes[visit.node.index]);
-        return out_.instances.size() > before ? uint32_t(before) : kNoId;
+        if (out_.instances.size() == before) return kNoId;
+        const Geometry& geometry = out_.geometries[out_.instances.back().geometry];
+        if (!geometry.mesh && !geometry.bounds.finite()) space_.endless.emplace(uint32_t(before), to_set);
+        return uint32_t(before);
     }
 
     void place_shape(const Visit& visit, const Node& node, ShapeId shape) {
@@ -200,6 +205,7 @@ class Placer : private CsgParts {
     size_t solid_depth_ = std::numeric_limits<size_t>::max();   // of the solid whose parts are being passed over
     size_t levels_to_object_ = 0;   // nodes on the path down to the last object
     std::vector<PlacedSolid> solids_;
+    SolidSpace space_;          // of the solid that is being placed
     BoundedPaths bounded_;
     bool too_deep_ = false;
     std::map<std::vector<uint32_t>, uint32_t> carrier_of_;
@@ -229,7 +235,7 @@ void build_solids(CompiledScene& out, std::vector<PlacedSolid> solids, Diagnosti
     for (PlacedSolid& solid : solids) {
         find_cutaways(out, solid.what);
         describe_leaves(out, solid.what);
-        out.solids.push_back({CsgTree(solid.what, narrow), solid.what.mask});
+        out.solids.push_back({CsgTree(solid.what, narrow, own_space(out, solid.space)), solid.what.mask});
         if (out.solids.back().tree.levels() > kDeepestTree) said.error(out.scene.nodes[solid.node.index].from, fmt::format("different set operations stand more than {} levels deep in one another", kDeepestTree));
     }
     for (const Solid& solid : out.solids)
