@@ -13,12 +13,9 @@ enum class Shadows { cast, ignored };
 /// What comes through everything on a shadow ray that starts inside of `inside`. `among`: what alone it can meet, if that is known.
 Color filtered_light(Tracing& tracing, Ray ray, const InteriorStack& inside, Occluders* among);
 
-/// What of the light `distance` away in the unit direction `direction` comes to the point. `kFilters` false: nothing in the scene lets a part of it through.
+/// What of the light at the end of `ray`, which begins at a surface, comes to that. `kFilters` false: nothing in the scene lets a part of it through.
 /// Inline: once a light and a point, whatever the kernel can do else.
-template <bool kFilters> [[gnu::always_inline]] inline Color visible(Tracing& tracing, const ShadePoint& point, const RayState& state, const Vec3& direction, double distance, Occluders* among = nullptr) {
-    ++tracing.stats.shadow_rays;
-    if (!(distance > 0)) return Color(1);
-    Ray ray = spawn_ray(point, direction, distance);
+template <bool kFilters> [[gnu::always_inline]] inline Color visible_along(Tracing& tracing, Ray& ray, const RayState& state, Occluders* among) {
     ray.mask = kMaskShadow;
     ray.time = state.time;
     ray.tmin = tracing.scene.scene.settings.shadow_clearance;
@@ -27,6 +24,14 @@ template <bool kFilters> [[gnu::always_inline]] inline Color visible(Tracing& tr
     }
     if (among) return among->occluded(tracing.scene, ray, tracing.stats.work) ? Color(0) : Color(1);
     return tracing.scene.top->occluded(ray, tracing.stats.work) ? Color(0) : Color(1);
+}
+
+/// The same of the light `distance` away in the unit direction `direction` from the point.
+template <bool kFilters> [[gnu::always_inline]] inline Color visible(Tracing& tracing, const ShadePoint& point, const RayState& state, const Vec3& direction, double distance) {
+    ++tracing.stats.shadow_rays;
+    if (!(distance > 0)) return Color(1);
+    Ray ray = spawn_ray(point, direction, distance);
+    return visible_along<kFilters>(tracing, ray, state, nullptr);
 }
 
 /// How far the way to the light `index` goes, of `distance` in the unit direction `direction`: the whole, or to what it is projected through; nothing where the light
