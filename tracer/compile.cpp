@@ -11,6 +11,7 @@
 #include "tracer/cameras.h"
 #include "tracer/cutaway.h"
 #include "tracer/environment.h"
+#include "tracer/filters.h"
 #include "tracer/instance_leaves.h"
 #include "tracer/instance_set.h"
 #include "tracer/interior_carrier.h"
@@ -312,26 +313,6 @@ void default_camera(CompiledScene& out, Diagnostics& said) {
     out.cameras.push_back({framing_camera(bounds)});
 }
 
-/// A solid lets light through if one of its parts does.
-void tell_opaque_from_clear(CompiledScene& out) {
-    std::map<uint32_t, bool> known;
-    const auto lets_through = [&](uint32_t material) {
-        const auto [at, added] = known.try_emplace(material, false);
-        if (added) at->second = lets_light_through(out.scene, material);
-        return at->second;
-    };
-    const auto is_clear = [&](const Instance& i) {
-        const auto first = out.slots.begin() + i.first_slot, end = first + slot_count(out.scene.shapes[out.geometries[i.geometry].shape.index].geometry);
-        return std::any_of(first, end + (i.inside_slot != kNoId), [&](const SlotMaterial& slot) { return lets_through(slot.material); });
-    };
-    for (Instance& i : out.instances) i.mask &= ~(is_clear(i) ? kMaskOpaque : kMaskFilter);
-    for (Solid& solid : out.solids) {
-        const auto nodes = solid.tree.nodes();
-        const bool clear = std::any_of(nodes.begin(), nodes.end(), [&](const CsgNode& n) { return n.op == CsgOp::leaf && n.leaf != kNoId && is_clear(out.instances[n.leaf]); });
-        solid.mask &= ~(clear ? kMaskOpaque : kMaskFilter);
-    }
-}
-
 bool is_air(const CompiledInterior& in) {
     return in.ior == 1 && in.refraction == 1 && !(in.fade_distance > 0) && in.media.empty() && (!std::isfinite(in.attenuation_distance) || in.attenuation_color == Color(1));
 }
@@ -342,11 +323,7 @@ void choose_kernel(CompiledScene& out, const AcceleratorEntry& accel, const Comp
         if (l.sampled()) reasons.need(kSampledLights, fmt::format("light '{}'", l.light.name));
     out.all_air = !out.scene.atmosphere.is_hazy() && std::all_of(out.interiors.begin(), out.interiors.end(), is_air);
     out.filters_light = (reasons.mask() & (kAlpha | kTransmission)) != 0;
-    if (out.filters_light) {
-        tell_opaque_from_clear(out);
-        for (const SlotMaterial& slot : out.slots) out.uniform_filters.push_back(uniform_filter(out, slot));
-        out.filters = accel.over_set(std::make_shared<InstanceSet>(out, kMaskFilter), {options.precision, options.isa, options.threads});
-    }
+    if (out.filters_light) build_filters(out, accel, {options.precision, options.isa, options.threads});
     if (options.full_kernel) reasons.need(kAllFeatures, "--full-kernel");
     out.features = reasons.mask();
     out.kernel = reasons.text();
@@ -392,6 +369,7 @@ std::shared_ptr<const CompiledScene> compile(Scene scene, const CompileOptions& 
     default_light(*out, options, said);
     placer.finish();
     choose_kernel(*out, *accel, options, reasons);
+    out->plain_surfaces = plain_surfaces(*out);
     return out;
 }
 

@@ -53,7 +53,7 @@ bool find_surfaces(Tracing& tracing, Ray ray, Occluders* among) {
     const bool spaced = scene.scene.settings.shadow_clearance > 0;
     tracing.passed.clear();
     ray.mask = kMaskOpaque;
-    const bool blocked = among ? among->occluded(scene, ray, work) : scene.top->occluded(ray, work);
+    const bool blocked = among ? among->occluded(scene, ray, work) : (scene.opaques ? scene.opaques : scene.top)->occluded(ray, work);
     if (blocked) return spaced && in_a_clearance(tracing, ray, among) && surface_by_surface(scene, ray, tracing.passed, work);
     ray.mask = kMaskFilter;
     if (among) among->all_hits(scene, ray, tracing.passed, work);

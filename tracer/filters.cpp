@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "tracer/filters.h"
+
+#include "tracer/instance_set.h"
+#include "tracer/materials.h"
+#include "tracer/pov_surface.h"
+
+#include <algorithm>
+#include <map>
+
+namespace alidade {
+
+namespace {
+
+/// A solid lets light through if one of its parts does.
+void tell_opaque_from_clear(CompiledScene& out) {
+    std::map<uint32_t, bool> known;
+    const auto lets_through = [&](uint32_t material) {
+        const auto [at, added] = known.try_emplace(material, false);
+        if (added) at->second = lets_light_through(out.scene, material);
+        return at->second;
+    };
+    const auto is_clear = [&](const Instance& i) {
+        const auto first = out.slots.begin() + i.first_slot, end = first + slot_count(out.scene.shapes[out.geometries[i.geometry].shape.index].geometry);
+        return std::any_of(first, end + (i.inside_slot != kNoId), [&](const SlotMaterial& slot) { return lets_through(slot.material); });
+    };
+    for (Instance& i : out.instances) i.mask &= ~(is_clear(i) ? kMaskOpaque : kMaskFilter);
+    for (Solid& solid : out.solids) {
+        const auto nodes = solid.tree.nodes();
+        const bool clear = std::any_of(nodes.begin(), nodes.end(), [&](const CsgNode& n) { return n.op == CsgOp::leaf && n.leaf != kNoId && is_clear(out.instances[n.leaf]); });
+        solid.mask &= ~(clear ? kMaskOpaque : kMaskFilter);
+    }
+}
+
+}  // namespace
+
+void build_filters(CompiledScene& out, const AcceleratorEntry& accel, const AccelOptions& build) {
+    tell_opaque_from_clear(out);
+    for (const SlotMaterial& slot : out.slots) out.uniform_filters.push_back(uniform_filter(out, slot));
+    out.filters = accel.over_set(std::make_shared<InstanceSet>(out, kMaskFilter), build);
+    const auto is_clear = [](const auto& one) { return !(one.mask & kMaskOpaque); };
+    const bool any = std::any_of(out.instances.begin(), out.instances.end(), is_clear) || std::any_of(out.solids.begin(), out.solids.end(), is_clear);
+    if (any) out.opaques = accel.over_set(std::make_shared<InstanceSet>(out, kMaskOpaque), build);
+}
+
+}  // namespace alidade
