@@ -131,7 +131,7 @@ struct CompiledScene {
     std::shared_ptr<const InstanceSet> set;   ///< the instances and solids
     std::unique_ptr<Accelerator> top;      ///< over them
     std::unique_ptr<Accelerator> filters;  ///< over those that let a part of the light through; null if `filters_light` is false
-    std::unique_ptr<Accelerator> opaques;  ///< over those that let none of it through; null if that is all of them, or if `filters_light` is false
+    std::unique_ptr<Accelerator> opaques;  ///< over those that let none of it through; null where they are most of all, or if `filters_light` is false
     std::unique_ptr<Textures> textures;
     std::vector<PlacedLight> lights;
     std::vector<std::vector<bool>> lit_by; ///< which lights shine, by Instance::light_set; empty: all on all

@@ -38,9 +38,10 @@ void build_filters(CompiledScene& out, const AcceleratorEntry& accel, const Acce
     tell_opaque_from_clear(out);
     for (const SlotMaterial& slot : out.slots) out.uniform_filters.push_back(uniform_filter(out, slot));
     out.filters = accel.over_set(std::make_shared<InstanceSet>(out, kMaskFilter), build);
+    constexpr size_t kLeastShare = 4;   // where fewer than a fourth are clear, the structure over all is as good, and there already
     const auto is_clear = [](const auto& one) { return !(one.mask & kMaskOpaque); };
-    const bool any = std::any_of(out.instances.begin(), out.instances.end(), is_clear) || std::any_of(out.solids.begin(), out.solids.end(), is_clear);
-    if (any) out.opaques = accel.over_set(std::make_shared<InstanceSet>(out, kMaskOpaque), build);
+    const auto clear = std::count_if(out.instances.begin(), out.instances.end(), is_clear) + std::count_if(out.solids.begin(), out.solids.end(), is_clear);
+    if (kLeastShare * size_t(clear) >= out.instances.size() + out.solids.size()) out.opaques = accel.over_set(std::make_shared<InstanceSet>(out, kMaskOpaque), build);
 }
 
 }  // namespace alidade
