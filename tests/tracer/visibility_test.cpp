@@ -16,7 +16,7 @@ TEST(Visibility, OpaqueThingsAreFoundAmongThemselves) {
     SceneBuilder b;
     Draw draw(1);
     const MaterialId stone = b.material(b.lambert(Color(0.5))), glass = b.material(b.glass(1.5));
-    for (int i = 0; i < 200; ++i) b.object(Sphere{draw.vector(10), draw(0.2, 1)}, i % 3 ? glass : stone);
+    for (int i = 0; i < 200; ++i) b.object(Sphere{draw.vector(10), draw(0.5, 2)}, i % 3 ? glass : stone);
     b.light(PointLight(), Color(1));
     b.camera({0, 0, 30}, {0, 0, 0});
     const auto scene = compiled(b.scene);
