@@ -94,6 +94,12 @@ class CsgLeaves {
 /// A box around what is inside of a leaf, turned inside out or not, within a box whose sides may be infinite.
 using CsgNarrow = std::function<Bounds(uint32_t leaf, bool inverted, const Bounds& box)>;
 
+/// The space of the set itself. Turned in the space of the rays, its endless parts have no boxes there that others could bring in, but may stand along the axes here.
+struct CsgOwnSpace {
+    CsgNarrow narrow;
+    std::function<Bounds(const Bounds&)> placed;   ///< around all of the set that is in a box, in the space of the rays
+};
+
 /// Where a node is more than all inside or all outside.
 enum class CsgExtent : uint8_t { nowhere, in_box, everywhere };
 
@@ -123,8 +129,8 @@ struct CsgNode {
 /// makes a list of hits, part after part, an intersection or difference that of each part from its end, and of equal ones the last is seen.
 class CsgTree {
   public:
-    /// `narrow` gives boxes to intersections of endless parts, asked of leaves that are inside by crossings.
-    explicit CsgTree(const CsgExpression& expression, const CsgNarrow& narrow = nullptr);
+    /// `narrow` gives boxes to intersections of endless parts, asked of leaves that are inside by crossings; `own` to those that it finds no end of.
+    explicit CsgTree(const CsgExpression& expression, const CsgNarrow& narrow = nullptr, const CsgOwnSpace& own = {});
 
     std::span<const CsgNode> nodes() const { return nodes_; }
     /// How many nodes stand in one another.

@@ -29,7 +29,7 @@ class Builder {
         if (!parts_.enters(at_)) return std::nullopt;
         const Node& node = scene_.nodes[at_.node.index];
         CsgExpression e;
-        e.leaf.id = parts_.place(at_);                           // without one it is flat, and nothing
+        e.leaf.id = parts_.place(at_, to_set_);                           // without one it is flat, and nothing
         const bool has_shape = std::holds_alternative<ShapeId>(node.what);
         if (!node.children.empty()) {
             CsgExpression below = operation(node, seen, inverted || node.inverse);
@@ -76,16 +76,17 @@ class Builder {
         const Node& node = scene_.nodes[id.index];
         if (!node.flags.visible) return std::nullopt;
         const NodeId above = std::exchange(at_.node, id);
-        const Transform to_world = std::exchange(at_.to_world, at_.to_world * node.to_parent);
+        const Transform to_world = std::exchange(at_.to_world, at_.to_world * node.to_parent), to_set = std::exchange(to_set_, to_set_ * node.to_parent);
         at_.path.push_back(id);
         auto part = expression(seen, inverted);
         at_.path.pop_back();
-        at_.node = above, at_.to_world = to_world;
+        at_.node = above, at_.to_world = to_world, to_set_ = to_set;
         return part;
     }
 
     const Scene& scene_;
     Visit& at_;
+    Transform to_set_;
     CsgParts& parts_;
 };
 

@@ -37,8 +37,8 @@ class CsgParts {
     virtual ~CsgParts() = default;
     /// Asked at each node before anything else; if not, it is left out with all that it leads to.
     virtual bool enters(const Visit& at) = 0;
-    /// Places what stands at the node itself. The id of the leaf that its shape becomes, or kNoId where there is nothing that can be hit.
-    virtual uint32_t place(const Visit& at) = 0;
+    /// Places what stands at the node itself. The id of the leaf that its shape becomes, or kNoId where there is nothing that can be hit. `to_set`: from the node's space to that of the whole solid.
+    virtual uint32_t place(const Visit& at, const Transform& to_set) = 0;
 };
 
 /// The node at the end of `at`, which is changed on the way and given back as it was, as a part of a solid. `seen`: the rays that see all above it.

@@ -74,7 +74,7 @@ class SolidQuery::Parts final : public CsgParts {
 
     bool enters(const Visit&) override { return true; }
 
-    uint32_t place(const Visit& at) override {
+    uint32_t place(const Visit& at, const Transform&) override {
         const auto* shape = std::get_if<ShapeId>(&out_.scene_.nodes[at.node.index].what);
         if (!shape) return kNoId;
         const Mesh* mesh = as_mesh(out_.scene_, *shape);

@@ -43,7 +43,9 @@ Camera fitted(Camera camera, int width, int height) {
 }
 
 CameraRays::CameraRays(const Camera& camera, int width, int height) : camera_(fitted(camera, width, height)), width_(width), height_(height) {
-    unit_right_ = normalized(camera_.right), unit_up_ = normalized(camera_.up), unit_normal_ = normalized(cross(camera_.right, camera_.up));
+    unit_right_ = normalized(camera_.right), unit_up_ = normalized(camera_.up);
+    const Vec3 normal = normalized(cross(camera_.right, camera_.up));
+    in_focus_ = dot(camera_.focal_point - camera_.location, normal) / dot(camera_.direction, normal);
 }
 
 Vec2 CameraRays::bent_at(double x, double y) const { return alidade::bent_at(camera_, x / width_ - 0.5, 0.5 - y / height_); }
@@ -63,11 +65,10 @@ Ray CameraRays::plane_ray(double x, double y, const Vec2& lens) const {
     ray.origin = parallel ? camera_.location + offset : camera_.location;
     ray.dir = parallel ? camera_.direction : camera_.direction + offset;
     if (!has_lens()) return ray.dir = normalized(ray.dir), ray;
-    // The plane of focus is parallel to the picture's.
-    const Vec3 in_focus = ray.at(dot(camera_.focal_point - ray.origin, unit_normal_) / dot(ray.dir, unit_normal_));
     const Vec2 disc = concentric_disc(lens) * (camera_.aperture / 2);
-    ray.origin += unit_right_ * disc.x + unit_up_ * disc.y;
-    ray.dir = normalized(in_focus - ray.origin);
+    const Vec3 from_middle = unit_right_ * disc.x + unit_up_ * disc.y;
+    ray.origin += from_middle;
+    ray.dir = normalized(ray.dir * in_focus_ - from_middle);
     return ray;
 }
 

@@ -33,7 +33,8 @@ class CameraRays {
 
     Camera camera_;   // right and up as the picture's size makes them
     double width_, height_;
-    Vec3 unit_right_, unit_up_, unit_normal_;   // of the picture's plane
+    Vec3 unit_right_, unit_up_;   // of the picture's plane
+    double in_focus_ = 1;         // how many times its direction from the middle of the lens a ray goes to the plane of focus, which is parallel to that
 };
 
 }  // namespace alidade

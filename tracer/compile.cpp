@@ -11,6 +11,7 @@
 #include "tracer/cameras.h"
 #include "tracer/cutaway.h"
 #include "tracer/environment.h"
+#include "tracer/filters.h"
 #include "tracer/instance_leaves.h"
 #include "tracer/instance_set.h"
 #include "tracer/interior_carrier.h"
@@ -58,6 +59,7 @@ Bounds bounds_of(const ShapeOps& ops, const ShapeGeometry& shape) {
 struct PlacedSolid {
     CsgExpression what;
     NodeId node;
+    SolidSpace space;
 };
 
 /// Walks the graph once and fills a CompiledScene with instances, lights and cameras.
@@ -103,10 +105,11 @@ class Placer : private CsgParts {
     /// What rays see a solid is said by the nodes down to it.
     void place_solid(Visit visit) {
         const Mask mask = mask_of_path(out_.scene, visit.path);
+        space_ = {visit.to_world, {}};
         auto solid = csg_expression(out_.scene, visit, mask, *this);
         if (!solid) return;
         solid->mask = mask;
-        solids_.push_back({std::move(*solid), visit.node});
+        solids_.push_back({std::move(*solid), visit.node, std::move(space_)});
     }
 
     bool enters(const Visit& visit) override {
@@ -116,10 +119,13 @@ class Placer : private CsgParts {
         return false;
     }
 
-    uint32_t place(const Visit& visit) override {
+    uint32_t place(const Visit& visit, const Transform& to_set) override {
         const size_t before = out_.instances.size();
         place(visit, out_.scene.nodes[visit.node.index]);
-        return out_.instances.size() > before ? uint32_t(before) : kNoId;
+        if (out_.instances.size() == before) return kNoId;
+        const Geometry& geometry = out_.geometries[out_.instances.back().geometry];
+        if (!geometry.mesh && !geometry.bounds.finite()) space_.endless.emplace(uint32_t(before), to_set);
+        return uint32_t(before);
     }
 
     void place_shape(const Visit& visit, const Node& node, ShapeId shape) {
@@ -200,6 +206,7 @@ class Placer : private CsgParts {
     size_t solid_depth_ = std::numeric_limits<size_t>::max();   // of the solid whose parts are being passed over
     size_t levels_to_object_ = 0;   // nodes on the path down to the last object
     std::vector<PlacedSolid> solids_;
+    SolidSpace space_;          // of the solid that is being placed
     BoundedPaths bounded_;
     bool too_deep_ = false;
     std::map<std::vector<uint32_t>, uint32_t> carrier_of_;
@@ -229,7 +236,7 @@ void build_solids(CompiledScene& out, std::vector<PlacedSolid> solids, Diagnosti
     for (PlacedSolid& solid : solids) {
         find_cutaways(out, solid.what);
         describe_leaves(out, solid.what);
-        out.solids.push_back({CsgTree(solid.what, narrow), solid.what.mask});
+        out.solids.push_back({CsgTree(solid.what, narrow, own_space(out, solid.space)), solid.what.mask});
         if (out.solids.back().tree.levels() > kDeepestTree) said.error(out.scene.nodes[solid.node.index].from, fmt::format("different set operations stand more than {} levels deep in one another", kDeepestTree));
     }
     for (const Solid& solid : out.solids)
@@ -306,26 +313,6 @@ void default_camera(CompiledScene& out, Diagnostics& said) {
     out.cameras.push_back({framing_camera(bounds)});
 }
 
-/// A solid lets light through if one of its parts does.
-void tell_opaque_from_clear(CompiledScene& out) {
-    std::map<uint32_t, bool> known;
-    const auto lets_through = [&](uint32_t material) {
-        const auto [at, added] = known.try_emplace(material, false);
-        if (added) at->second = lets_light_through(out.scene, material);
-        return at->second;
-    };
-    const auto is_clear = [&](const Instance& i) {
-        const auto first = out.slots.begin() + i.first_slot, end = first + slot_count(out.scene.shapes[out.geometries[i.geometry].shape.index].geometry);
-        return std::any_of(first, end + (i.inside_slot != kNoId), [&](const SlotMaterial& slot) { return lets_through(slot.material); });
-    };
-    for (Instance& i : out.instances) i.mask &= ~(is_clear(i) ? kMaskOpaque : kMaskFilter);
-    for (Solid& solid : out.solids) {
-        const auto nodes = solid.tree.nodes();
-        const bool clear = std::any_of(nodes.begin(), nodes.end(), [&](const CsgNode& n) { return n.op == CsgOp::leaf && n.leaf != kNoId && is_clear(out.instances[n.leaf]); });
-        solid.mask &= ~(clear ? kMaskOpaque : kMaskFilter);
-    }
-}
-
 bool is_air(const CompiledInterior& in) {
     return in.ior == 1 && in.refraction == 1 && !(in.fade_distance > 0) && in.media.empty() && (!std::isfinite(in.attenuation_distance) || in.attenuation_color == Color(1));
 }
@@ -336,13 +323,7 @@ void choose_kernel(CompiledScene& out, const AcceleratorEntry& accel, const Comp
         if (l.sampled()) reasons.need(kSampledLights, fmt::format("light '{}'", l.light.name));
     out.all_air = !out.scene.atmosphere.is_hazy() && std::all_of(out.interiors.begin(), out.interiors.end(), is_air);
     out.filters_light = (reasons.mask() & (kAlpha | kTransmission)) != 0;
-    if (out.filters_light) {
-        tell_opaque_from_clear(out);
-        for (const SlotMaterial& slot : out.slots) out.uniform_filters.push_back(uniform_filter(out, slot));
-        const auto filters = std::make_shared<InstanceSet>(out, kMaskFilter);
-        for (uint32_t id = 0; id < filters->size(); ++id) out.filter_bounds.extend(filters->bounds(id));
-        out.filters = accel.over_set(filters, {options.precision, options.isa, options.threads});
-    }
+    if (out.filters_light) build_filters(out, accel, {options.precision, options.isa, options.threads});
     if (options.full_kernel) reasons.need(kAllFeatures, "--full-kernel");
     out.features = reasons.mask();
     out.kernel = reasons.text();
@@ -388,6 +369,7 @@ std::shared_ptr<const CompiledScene> compile(Scene scene, const CompileOptions& 
     default_light(*out, options, said);
     placer.finish();
     choose_kernel(*out, *accel, options, reasons);
+    out->plain_surfaces = plain_surfaces(*out);
     return out;
 }
 

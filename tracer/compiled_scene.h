@@ -16,6 +16,7 @@ class BoundTests;
 class InstanceSet;
 class Projector;
 class Textures;
+struct PlainPovSurface;
 
 /// Something that can be hit, in its own space: a mesh with an accelerator over its triangles, or a closed-form shape. Stored once, however many
 /// instances show it.
@@ -124,12 +125,14 @@ struct CompiledScene {
     std::vector<std::vector<CutawayNode>> cutaways;   ///< operations whose parts are looked up at points of faces that show them
     std::vector<SlotMaterial> slots;
     std::vector<std::optional<Color>> uniform_filters;   ///< by slot: what it lets through of any shadow ray, where that is the same at all of its points; empty unless `filters_light`
+    std::vector<std::unique_ptr<const PlainPovSurface>> plain_surfaces;   ///< by slot: what is the same at all points of a surface, null where it is not; empty if none is so
     std::vector<PatternSpace> pattern_spaces;
     std::vector<CompiledInterior> interiors;
     std::shared_ptr<const InstanceSet> set;   ///< the instances and solids
     std::unique_ptr<Accelerator> top;      ///< over them
     std::unique_ptr<Accelerator> filters;  ///< over those that let a part of the light through; null if `filters_light` is false
     Bounds filter_bounds;                  ///< of those
+    std::unique_ptr<Accelerator> opaques;  ///< over those that let none of it through; null where they are most of all, or if `filters_light` is false
     std::unique_ptr<Textures> textures;
     std::vector<PlacedLight> lights;
     std::vector<std::vector<bool>> lit_by; ///< which lights shine, by Instance::light_set; empty: all on all

@@ -48,6 +48,41 @@ Bounds narrowed_leaf(const CompiledScene& scene, uint32_t id, bool inverted, con
     return local.empty() ? Bounds() : intersection(box, instance.to_world.bounds(local));
 }
 
+namespace {
+
+/// How far apart the two ways are by which points of `box`, in the space of an instance, come to the world: through the solid, and at once, as rays know it.
+Vec3 discrepancy(const Transform& through, const Transform& at_once, const Bounds& box) {
+    const Vec3 farthest = glm::max(glm::abs(box.min), glm::abs(box.max));
+    Vec3 out = glm::abs(through.translation - at_once.translation);
+    for (int column = 0; column < 3; ++column) out += glm::abs(through.linear[column] - at_once.linear[column]) * farthest[column];
+    return out;
+}
+
+}  // namespace
+
+CsgOwnSpace own_space(const CompiledScene& scene, const SolidSpace& space) {
+    CsgOwnSpace own;
+    if (space.endless.empty()) return own;
+    own.narrow = [&scene, &space](uint32_t id, bool inverted, const Bounds& box) {
+        const auto place = space.endless.find(id);
+        const Geometry& geometry = scene.geometries[scene.instances[id].geometry];
+        if (place == space.endless.end() || !geometry.ops->narrow) return box;
+        const auto to_local = inverse(place->second);
+        if (!to_local) return box;
+        const Bounds local = geometry.ops->narrow(*geometry.source, inverted, to_local->bounds(box));
+        return local.empty() ? Bounds() : intersection(box, place->second.bounds(local));
+    };
+    own.placed = [&scene, &space](const Bounds& box) {
+        Bounds out = space.to_world.bounds(box);
+        Vec3 pad(0);
+        for (const auto& [id, to_set] : space.endless)
+            if (const auto to_local = inverse(to_set)) pad = glm::max(pad, discrepancy(space.to_world * to_set, scene.instances[id].to_world, to_local->bounds(box)));
+        out.min -= pad * 2.0, out.max += pad * 2.0;   // and once more for the roundings of the measure
+        return out;
+    };
+    return own;
+}
+
 CsgLeaf csg_leaf(const CompiledScene& scene, uint32_t id) {
     const Instance& instance = scene.instances[id];
     const Geometry& geometry = scene.geometries[instance.geometry];

@@ -3,6 +3,8 @@
 
 #include "tracer/compiled_scene.h"
 
+#include <map>
+
 namespace alidade {
 
 /// Instances as leaves of solids. Rays and points are world-space.
@@ -25,5 +27,13 @@ CsgLeaf csg_leaf(const CompiledScene& scene, uint32_t instance);
 
 /// A world-space box around what is inside of the instance, turned inside out or not, within a box whose sides may be infinite (CsgNarrow).
 Bounds narrowed_leaf(const CompiledScene& scene, uint32_t instance, bool inverted, const Bounds& box);
+
+/// The space of a solid, and where in it those of its instances stand that have no end.
+struct SolidSpace {
+    Transform to_world;
+    std::map<uint32_t, Transform> endless;
+};
+/// Boxes there. Both must outlive what is returned.
+CsgOwnSpace own_space(const CompiledScene& scene, const SolidSpace& space);
 
 }  // namespace alidade

@@ -102,6 +102,10 @@ PovSurface::Passage PovSurface::passage(const CompiledScene& scene, const ShadeP
 PovSurface::PovSurface(const CompiledScene& scene, const ShadePoint& point, const Vec3& dir, const Vec3& normal, const InteriorStack& inside)
     : dir_(dir), normal_(normal), position_(point.position), mirror_ior_(mirror_ior(scene, point, inside)), irid_wavelength_(scene.scene.settings.irid_wavelength), noise_(scene.scene.settings.noise) {
     double_illuminate_ = scene.instances[point.instance].double_illuminate;
+    if (const PlainPovSurface* plain = plain_at(scene, point)) {
+        take(*plain);
+        return;
+    }
     for_each_mixed_slot(scene, point, [&](const ShadePoint& own, double share) {
         PatternFrame frame = pattern_frame(own);
         add(scene, own, material_at(scene, own), share, frame);
@@ -114,7 +118,7 @@ PovSurface::PovSurface(const CompiledScene& scene, const ShadePoint& point, cons
 /// Where the normal of any layer is no number, POV-Ray's colour is none, either, nor that of all that shows it, which its pictures have as black (probed).
 void PovSurface::become_black() {
     static const PovFinish kBlack;
-    layers_ = {}, textures_ = {};
+    layers_ = {}, textures_ = {}, plain_ = nullptr;
     layers_.push_back({&kBlack, Color(std::numeric_limits<double>::quiet_NaN()), 1, Color(1), normal_});
     textures_.push_back({1, 0, 1, Color(0)});
     sends_on_ = false;
@@ -173,6 +177,7 @@ Color PovSurface::albedo() const {
 }
 
 bool PovSurface::is_hole() const {
+    if (plain_) return plain_->hole;
     return !textures_.empty() && std::all_of(textures_.begin(), textures_.end(), [&](const PovTexture& t) {
         const auto begin = layers_.begin() + std::ptrdiff_t(t.begin), end = layers_.begin() + std::ptrdiff_t(t.end);
         const bool clear = t.through == Color(1) && std::all_of(begin, end, [](const PovLayer& l) { return l.opacity == 0 && !shines(*l.finish); });
@@ -181,6 +186,7 @@ bool PovSurface::is_hole() const {
 }
 
 Color PovSurface::emitted(const Color& ambient_light) const {
+    if (plain_) return plain_->emitted;
     Color sum(0);
     for (const PovTexture& t : textures_)
         for (size_t i = t.begin; i < t.end; ++i) {

@@ -25,8 +25,22 @@ struct PovTexture {
     Color through{1};           ///< what all of them let through
 };
 
+/// What is the same at all points of a surface, and from all directions: of layers of one colour each, without reliefs.
+struct PlainPovSurface {
+    PovTexture texture;
+    std::vector<PovLayer> layers;   ///< their normals are the points'
+    Color emitted{0};
+    bool sends_on = false, hole = false;
+};
+
+/// By slot: null where the surface is not plain.
+using PlainPovSurfaces = std::vector<std::unique_ptr<const PlainPovSurface>>;
+PlainPovSurfaces plain_surfaces(const CompiledScene& scene);
+
 class PovSurface {
   public:
+    /// The surface of a slot, if it is plain.
+    static std::unique_ptr<const PlainPovSurface> plain(const CompiledScene& scene, const SlotMaterial& slot);
     /// `dir` is the unit direction of the ray, which is in `inside`, `normal` the shading normal on the side of the eye.
     PovSurface(const CompiledScene& scene, const ShadePoint& point, const Vec3& dir, const Vec3& normal, const InteriorStack& inside);
 
@@ -48,6 +62,10 @@ class PovSurface {
 
   private:
     struct Passage;
+    PovSurface() = default;
+    /// All of it but for the normals; null where other slots than the point's count, too, or that is not plain.
+    static const PlainPovSurface* plain_at(const CompiledScene& scene, const ShadePoint& point);
+    void take(const PlainPovSurface& plain);
     void become_black();
     void add(const CompiledScene& scene, const ShadePoint& point, const Material& material, double share, PatternFrame& frame);
     void add_layers(const CompiledScene& scene, const ShadePoint& point, const Material& material, double share, const PatternFrame& frame);
@@ -64,7 +82,8 @@ class PovSurface {
     ShortList<PovLayer, 4> layers_;   ///< of all textures, from the top
     double grain(const Vec3& wi) const;
 
-    Vec3 dir_, normal_, position_;
+    Vec3 dir_{0}, normal_{0}, position_{0};
+    const PlainPovSurface* plain_ = nullptr;   ///< what it is a copy of
     double mirror_ior_ = 1;     ///< the index of refraction behind the surface over that in front, as Fresnel's mirrors have it
     Color irid_wavelength_{1};
     NoiseGenerator noise_ = NoiseGenerator::range_corrected;

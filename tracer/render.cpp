@@ -29,7 +29,7 @@ struct Job {
     Radiance radiance;
     Layers layers;
     TileGrid grid;
-    SamplePair sampler;
+    const SamplerEntry& sampler;
     int spp, max_depth;
     SampleStop sample_stop;
     const std::atomic<bool>* stop;
@@ -81,10 +81,37 @@ tl::expected<Radiance, std::string> choose_kernel(const CompiledScene& scene, co
 
 enum Dimension : uint64_t { kPixelDimension, kLensDimension };
 
-SampleKey sample_key(const Job& job, int x, int y, uint32_t sample, uint32_t count) {
+RandomKey pixel_key(const Job& job, int x, int y) {
     const uint64_t index = uint64_t(int64_t(y) * job.options.width + x);   // beside the picture, too
-    return {job.sampler, RandomKey(job.options.seed, uint64_t(job.options.frame), index), sample, count};
+    return {job.options.seed, uint64_t(job.options.frame), index};
 }
+
+/// Where in the pixel and on the lens a pixel's samples are, asked one after the other.
+class SamplePlaces {
+  public:
+    SamplePlaces(const Job& job, RandomKey pixel) : job_(job), pixel_(pixel) {}
+
+    struct Place {
+        Vec2 in_pixel{0.5}, on_lens{0.5};
+    };
+    Place at(uint32_t sample) {
+        const bool lens = job_.camera.has_lens();
+        if (job_.spp == 1) return {Vec2(0.5), lens ? SampleKey(job_.sampler.pair, pixel_, 0, 1).pair(Coordinates::lens, kLensDimension) : Vec2(0.5)};
+        const uint32_t k = sample % kSampleBlock;
+        if (k == 0) fill(sample, lens);
+        return {in_pixel_[k], lens ? on_lens_[k] : Vec2(0.5)};
+    }
+
+  private:
+    void fill(uint32_t sample, bool lens) {
+        sample_block(job_.sampler, SampleKey::domain(pixel_, Coordinates::pixel, kPixelDimension), sample, uint32_t(job_.spp), in_pixel_);
+        if (lens) sample_block(job_.sampler, SampleKey::domain(pixel_, Coordinates::lens, kLensDimension), sample, uint32_t(job_.spp), on_lens_);
+    }
+
+    const Job& job_;
+    const RandomKey pixel_;
+    SampleBlock in_pixel_, on_lens_;
+};
 
 /// A camera's normal bends its rays as one of a surface would bend that surface's, at a point of the picture.
 /// Source   POV-Ray 3.7 reference, 3.4.2.3.6 "Camera Ray Perturbation"; verified by probing.
@@ -93,12 +120,12 @@ void bend(const Job& job, const Vec2& at, Ray& ray) {
     ray.dir = std::isnan(bent.x) ? dir : normalized(bent);
 }
 
-/// One camera ray through the point (x, y) of the picture, and what it brings.
-Color take_ray(const Job& job, Tracing& tracing, const SampleKey& key, double x, double y, PixelSamples& pixel) {
+/// One camera ray through the point (x, y) of the picture and the point `on_lens` of the unit square, and what it brings.
+Color take_ray(const Job& job, Tracing& tracing, const SampleKey& key, double x, double y, const Vec2& on_lens, PixelSamples& pixel) {
     RayState state;
     state.key = key;
     state.time = float(job.options.time);
-    Ray ray = job.camera.at(x, y, job.camera.has_lens() ? state.key.pair(Coordinates::lens, kLensDimension) : Vec2(0.5));
+    Ray ray = job.camera.at(x, y, on_lens);
     if (job.normal) bend(job, job.camera.bent_at(x, y), ray);
     ray.time = state.time;
     ++tracing.stats.camera_rays;
@@ -110,23 +137,20 @@ Color take_ray(const Job& job, Tracing& tracing, const SampleKey& key, double x,
     return radiance;
 }
 
-Color take_sample(const Job& job, Tracing& tracing, int x, int y, int s, PixelSamples& pixel) {
-    const SampleKey key = sample_key(job, x, y, uint32_t(s), uint32_t(job.spp));
-    const Vec2 in_pixel = job.spp > 1 ? key.pair(Coordinates::pixel, kPixelDimension) : Vec2(0.5);
-    return take_ray(job, tracing, key, x + in_pixel.x, y + in_pixel.y, pixel);
-}
-
 uint64_t tests_done(const WorkCounters& work) { return work.boxes + work.filtered + work.primitives; }
 
 /// All samples of a pixel: as many as asked for, or fewer where its own tell that it is known well enough. Nothing if the render was stopped.
 std::optional<PixelSamples> sample_pixel(const Job& job, Tracing& tracing, int x, int y) {
     PixelSamples pixel;
+    const RandomKey of_pixel = pixel_key(job, x, y);
+    SamplePlaces places(job, of_pixel);
     NoiseEstimate noise, noise_of_alpha;
     const uint64_t before = tests_done(tracing.stats.work);
     for (int s = 0; s < job.spp; ++s) {
         if (job.stopped()) return std::nullopt;
         const double shown = pixel.sum.shows;
-        const Color radiance = take_sample(job, tracing, x, y, s, pixel);
+        const SamplePlaces::Place place = places.at(uint32_t(s));
+        const Color radiance = take_ray(job, tracing, {job.sampler.pair, of_pixel, uint32_t(s), uint32_t(job.spp)}, x + place.in_pixel.x, y + place.in_pixel.y, place.on_lens, pixel);
         if (job.stopped()) return std::nullopt;
         if (!job.sample_stop.asks()) continue;
         noise.add(radiance);
@@ -179,11 +203,11 @@ void write_pixel(const Job& job, PixelSamples pixel, int x, int y, Picture& pict
 bool render_block(const Job& job, Tracing& tracing, const Region& square, const Region& tile, Picture& picture) {
     BlockRays rays;
     rays.take = [&](const PixelRay& r) {
-        const SampleKey key = sample_key(job, r.x, r.y, r.index, r.count);
+        const SampleKey key{job.sampler.pair, pixel_key(job, r.x, r.y), r.index, r.count};
         const Vec2 moved = r.jitter > 0 ? (key.pair(Coordinates::pixel, kPixelDimension) - Vec2(0.5)) * r.jitter : Vec2(0);
         const uint64_t before = tests_done(tracing.stats.work);
         PixelSamples out;
-        take_ray(job, tracing, key, r.x + r.at.x + moved.x, r.y + r.at.y + moved.y, out);
+        take_ray(job, tracing, key, r.x + r.at.x + moved.x, r.y + r.at.y + moved.y, job.camera.has_lens() ? key.pair(Coordinates::lens, kLensDimension) : Vec2(0.5), out);
         out.work = tests_done(tracing.stats.work) - before;
         return out;
     };
@@ -279,7 +303,7 @@ tl::expected<Film, std::string> render(const CompiledScene& scene, const RenderO
         return tl::unexpected(fmt::format("{} samples a pixel times {} a light are more than {}", spp, options.light_samples, kMostSamples));
     const int depth = options.max_depth >= 0 ? options.max_depth : scene.scene.settings.max_depth.value_or(8);
     const Camera seen_by = with_lens(**camera, options);
-    const Job job{scene, options, CameraRays(seen_by, options.width, options.height), StartInside(scene, seen_by), *kernel, *layers, *grid, sampler->pair, spp, depth, SampleStop(options, spp), monitor.stop, (**camera).normal, has_pov_materials(scene.scene)};
+    const Job job{scene, options, CameraRays(seen_by, options.width, options.height), StartInside(scene, seen_by), *kernel, *layers, *grid, *sampler, spp, depth, SampleStop(options, spp), monitor.stop, (**camera).normal, has_pov_materials(scene.scene)};
     Film film;
     film.picture = empty_picture(options, layers->channels());
     if (options.alpha != Alpha::none)   // what is not rendered is black, not missing

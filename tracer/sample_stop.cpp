@@ -40,7 +40,7 @@ SampleStop::SampleStop(const RenderOptions& options, int samples) : adaptive_(op
 }
 
 bool SampleStop::enough(const NoiseEstimate& noise, int samples) const {
-    if (!limits_.empty()) return size_t(samples) < limits_.size() && noise.variance_of_mean() < limits_[size_t(samples)];
+    if (!limits_.empty()) return size_t(samples) < limits_.size() && limits_[size_t(samples)] > 0 && noise.variance_of_mean() < limits_[size_t(samples)];
     return samples >= kLeastSamples && samples % kSamplesBetweenLooks == 0 && noise.displayed_error(exposure_) < adaptive_;
 }
 

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tracer/sampler.h"
 
+#include "core/lanes.h"
+
+#include <algorithm>
 #include <array>
 
 namespace alidade {
@@ -78,6 +81,55 @@ Vec2 sobol(const SampleDomain& domain, uint32_t index, uint32_t) {
     return owen_scrambled(first, sobol_second(first), scramble);
 }
 
+#ifdef __x86_64__
+/// The same of eight at once, a lane each: operations on whole numbers, so the same bits.
+[[gnu::target("avx2"), gnu::always_inline]] inline __m256i reversed(__m256i x) {
+    const __m256i bytes = _mm256_set_epi64x(0x0c0d0e0f08090a0b, 0x0405060700010203, 0x0c0d0e0f08090a0b, 0x0405060700010203);
+    const __m256i halves = _mm256_set_epi64x(0x0f070b030d050901, 0x0e060a020c040800, 0x0f070b030d050901, 0x0e060a020c040800), four = _mm256_set1_epi8(0x0f);
+    const __m256i turned = _mm256_shuffle_epi8(x, bytes), low = _mm256_shuffle_epi8(halves, turned & four), high = _mm256_shuffle_epi8(halves, _mm256_srli_epi16(turned, 4) & four);
+    return _mm256_slli_epi16(low, 4) | high;
+}
+
+[[gnu::target("avx2"), gnu::always_inline]] inline __m256i scrambled_from_below(__m256i x, uint32_t seed) {
+    x = _mm256_add_epi32(x, _mm256_set1_epi32(int(seed)));
+    for (const uint32_t k : {0x6c50b47cu, 0xb82f1e52u, 0xc7afe638u, 0x8d22f6e6u}) x = x ^ _mm256_mullo_epi32(x, _mm256_set1_epi32(int(k)));
+    return x;
+}
+
+[[gnu::target("avx2"), gnu::always_inline]] inline __m256i sobol_second(__m256i first) {
+    __m256i x = first ^ _mm256_slli_epi32(first, 16);
+    x = x ^ _mm256_slli_epi32(x & _mm256_set1_epi32(0x00ff00ff), 8);
+    x = x ^ _mm256_slli_epi32(x & _mm256_set1_epi32(0x0f0f0f0f), 4);
+    x = x ^ _mm256_slli_epi32(x & _mm256_set1_epi32(0x33333333), 2);
+    return x ^ _mm256_slli_epi32(x & _mm256_set1_epi32(0x55555555), 1);
+}
+
+[[gnu::target("avx2"), gnu::always_inline]] inline __m256i in_order(const OrderSums& sums, __m256i reversed_index) {
+    const __m256i lower = _mm256_i32gather_epi32(reinterpret_cast<const int*>(sums.of[0].data()), _mm256_srli_epi32(reversed_index, 24), 4);
+    const __m256i upper = _mm256_i32gather_epi32(reinterpret_cast<const int*>(sums.of[1].data()), _mm256_srli_epi32(reversed_index, 16) & _mm256_set1_epi32(0xff), 4);
+    return (reversed_index & _mm256_set1_epi32(0xffff)) ^ lower ^ upper;
+}
+
+[[gnu::target("avx2")]] void sobol_in_lanes(const SampleDomain& domain, uint32_t begin, SampleBlock& out) {
+    const uint64_t shuffle = domain.order.bits(0), scramble = domain.own.bits(1);
+    const __m256i index = _mm256_add_epi32(_mm256_set1_epi32(int(begin)), _mm256_setr_epi32(0, 1, 2, 3, 4, 5, 6, 7));
+    __m256i first = scrambled_from_below(reversed(index), uint32_t(shuffle));
+    if (domain.coordinates != Coordinates::pixel) first = in_order(domain.coordinates == Coordinates::light ? kSumsOfLight : kSumsOfLens, first);
+    const __m256i second = sobol_second(first);
+    alignas(32) uint32_t x[kSampleBlock], y[kSampleBlock];
+    _mm256_store_si256(reinterpret_cast<__m256i*>(x), reversed(scrambled_from_below(reversed(first), uint32_t(scramble))));
+    _mm256_store_si256(reinterpret_cast<__m256i*>(y), reversed(scrambled_from_below(reversed(second), uint32_t(scramble >> 32))));
+    for (uint32_t i = 0; i < kSampleBlock; ++i) out[i] = {to_unit(x[i]), to_unit(y[i])};
+}
+#endif
+
+void sobol_block(const SampleDomain& domain, uint32_t begin, uint32_t count, SampleBlock& out) {
+#ifdef __x86_64__
+    if (kHasLanes) return sobol_in_lanes(domain, begin, out);
+#endif
+    for (uint32_t i = 0; i < kSampleBlock; ++i) out[i] = sobol(domain, begin + i, count);
+}
+
 /// The place of `index` in a permutation of 0 .. count - 1: a Feistel network over the next power of four, walked until it lands inside.
 uint32_t permuted(uint32_t index, uint32_t count, RandomKey key) {
     uint32_t half = 0;
@@ -110,7 +162,7 @@ Vec2 independent(const SampleDomain& domain, uint32_t index, uint32_t) {
 }
 
 constexpr SamplerEntry kTable[] = {
-    {"sobol", "low discrepancy: Sobol pairs that are spread over pixel, light and lens together, Owen-scrambled", sobol},
+    {"sobol", "low discrepancy: Sobol pairs that are spread over pixel, light and lens together, Owen-scrambled", sobol, sobol_block},
     {"stratified", "a jittered grid", stratified},
     {"random", "independent", independent},
 };
@@ -125,12 +177,36 @@ const SamplerEntry* find_sampler(std::string_view name) {
     return nullptr;
 }
 
+void sample_block(const SamplerEntry& sampler, const SampleDomain& domain, uint32_t begin, uint32_t count, SampleBlock& out) {
+    if (sampler.block) return sampler.block(domain, begin, count, out);
+    for (uint32_t i = 0; i < std::min(kSampleBlock, count - begin); ++i) out[i] = sampler.pair(domain, begin + i, count);
+}
+
+namespace {
+
+/// The cosine and the sine of an angle of at most pi / 4: Taylor's series, whose next terms are below 1e-17. Without a call, since a lens asks for them with each ray.
+Vec2 small_angle(double angle) {
+    static constexpr std::array<double, 18> kTerms = [] {   // 1 / n!
+        std::array<double, 18> terms{};
+        double factorial = 1;   // below 2^53, so that none is rounded
+        for (int n = 0; n < 18; ++n) terms[size_t(n)] = 1 / factorial, factorial *= n + 1;
+        return terms;
+    }();
+    const double square = -angle * angle;
+    Vec2 sum(0);
+    for (size_t n = 18; n > 0; n -= 2) sum = sum * square + Vec2(kTerms[n - 2], kTerms[n - 1]);
+    return {sum.x, sum.y * angle};
+}
+
+}  // namespace
+
 Vec2 concentric_disc(const Vec2& square) {
     const double x = 2 * square.x - 1, y = 2 * square.y - 1;
     if (x == 0 && y == 0) return Vec2(0);
     const bool wide = std::abs(x) > std::abs(y);
-    const double r = wide ? x : y, angle = wide ? kPi / 4 * (y / x) : kPi / 2 - kPi / 4 * (x / y);
-    return {r * std::cos(angle), r * std::sin(angle)};
+    const double r = wide ? x : y;
+    const Vec2 turned = small_angle(kPi / 4 * (wide ? y / x : x / y));   // from the x axis, or from the y axis towards x
+    return wide ? turned * r : Vec2(turned.y, turned.x) * r;
 }
 
 }  // namespace alidade

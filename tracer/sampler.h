@@ -6,6 +6,7 @@
 #include "core/random.h"
 #include "core/vec.h"
 
+#include <array>
 #include <span>
 #include <string_view>
 
@@ -27,14 +28,21 @@ struct SampleDomain {
 /// The sample `index` of `count` in one two-dimensional domain, in [0, 1)^2.
 using SamplePair = Vec2 (*)(const SampleDomain& domain, uint32_t index, uint32_t count);
 
+/// Samples that follow each other are found together, for less.
+inline constexpr uint32_t kSampleBlock = 8;
+using SampleBlock = std::array<Vec2, kSampleBlock>;
+
 struct SamplerEntry {
     const char* name;
     const char* doc;
     SamplePair pair;
+    void (*block)(const SampleDomain& domain, uint32_t begin, uint32_t count, SampleBlock& out) = nullptr;   ///< what `pair` says of `begin` and those that follow; null: ask that
 };
 /// The first row is the default.
 std::span<const SamplerEntry> samplers();
 const SamplerEntry* find_sampler(std::string_view name);
+/// The samples from `begin` on, of `count`: the bits of SamplerEntry::pair. What would be behind the last is anything.
+void sample_block(const SamplerEntry& sampler, const SampleDomain& domain, uint32_t begin, uint32_t count, SampleBlock& out);
 
 /// One sample of a pixel, on its way along a path. Copied with the ray; `child` names the branch that was taken.
 class SampleKey {
@@ -47,6 +55,9 @@ class SampleKey {
         key.path_ = path_.child(branch);
         return key;
     }
+    /// What pair() takes the samples of the pixel itself of.
+    static SampleDomain domain(RandomKey pixel, Coordinates which, uint64_t dimension) { return {pixel.child(dimension ^ kDomain), pixel, which}; }
+
     /// Of a domain that depends on no other.
     Vec2 pair(uint64_t dimension) const { return of(path_.child(dimension ^ kDomain)); }
     Vec2 pair(Coordinates which, uint64_t dimension) const { return of({path_.child(dimension ^ kDomain), pixel_, which}); }

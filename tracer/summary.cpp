@@ -19,6 +19,7 @@ CompiledSummary summary(const CompiledScene& scene) {
     s.structures.emplace_back("instances", scene.top->stats());
     s.bytes = scene.top->stats().bytes + scene.textures->bytes() + scene.instances.size() * sizeof(Instance);
     if (scene.filters) s.structures.emplace_back("instances that let light through", scene.filters->stats()), s.bytes += scene.filters->stats().bytes;
+    if (scene.opaques) s.structures.emplace_back("instances that let no light through", scene.opaques->stats()), s.bytes += scene.opaques->stats().bytes;
     const IntersectEntry& test = intersects()[size_t(scene.intersect)];
     for (const Geometry& g : scene.geometries) {
         if (!g.mesh) continue;

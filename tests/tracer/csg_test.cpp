@@ -55,6 +55,39 @@ void expect_equal(const Hit& a, const Hit& b, const std::string& who) {
     ASSERT_EQ(a.part, b.part) << who;
 }
 
+/// Endless parts that bound each other do so wherever they are turned to: a cylinder and two planes across it.
+TEST(Solids, EndlessPartsHaveABoxHoweverTheyAreTurned) {
+    for (uint64_t seed = 0; seed < 40; ++seed) {
+        Solids b(seed);
+        const auto part = [&](const ShapeGeometry& geometry) {
+            Node n;
+            n.what = b.shape(geometry), n.materials = {b.plain};
+            return b.node(n, false);
+        };
+        Node set;
+        set.csg = CsgKind::intersection;
+        set.to_parent = Transform::translate(b.draw.vector(seed % 2 ? 1e4 : 4)) * Transform::from_quaternion(b.draw.quaternion()) * Transform::scale(Vec3(b.draw(0.5, 2)));
+        for (const ShapeGeometry& geometry : {ShapeGeometry(Quadric{{1, 1, 0}, Vec3(0), Vec3(0), -1}), ShapeGeometry(Plane{{0, 0, 1}, 1.5}), ShapeGeometry(Plane{{0, 0, -1}, 0.5})}) set.children.push_back(part(geometry));
+        b.node(set);
+        b.camera(Vec3(0), {0, 0, 1});
+        const auto scene = test::compiled(b.scene);
+        ASSERT_TRUE(scene);
+        const Bounds box = scene->solids[0].tree.bounds(), true_box = set.to_parent.bounds({{-1, -1, -0.5}, {1, 1, 1.5}});
+        ASSERT_TRUE(box.finite()) << seed;
+        const double slack = 1e-9 * (1 + max_abs(true_box.max) + max_abs(true_box.min));
+        for (int k = 0; k < 3; ++k) EXPECT_TRUE(std::abs(box.min[k] - true_box.min[k]) < slack && std::abs(box.max[k] - true_box.max[k]) < slack) << seed;
+        WorkCounters work;
+        for (int i = 0; i < 100; ++i) {   // points of the edges and of the surface between them
+            const double angle = b.draw(0, 2 * kPi), z = i % 3 == 0 ? -0.5 : i % 3 == 1 ? 1.5 : b.draw(-0.5, 1.5);
+            const Vec3 p = set.to_parent.point({std::cos(angle), std::sin(angle), z});
+            EXPECT_TRUE(box.contains(p)) << seed;
+            const Vec3 out = set.to_parent.vector({std::cos(angle), std::sin(angle), 0});
+            Hit hit;
+            if (i % 3 == 2) { EXPECT_TRUE(scene->top->intersect(Ray{p + out * 3.0, -out}, hit, work)) << seed; }
+        }
+    }
+}
+
 TEST(Solids, EveryAcceleratorFindsTheSameSurfaces) {
     Solids b(1);
     for (int i = 0; i < 60; ++i) b.random_node(1 + i % 3, true);

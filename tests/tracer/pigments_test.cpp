@@ -166,6 +166,45 @@ TEST(Pigments, FiltersOfOneColourAreKnownAhead) {
     }
 }
 
+/// Two balls in an air of their own, one before the other, of the layers that `change` makes, in the light of two lamps; their lowest pigment is `lowest`.
+Scene plain_or_not(const Signal& lowest, const std::function<void(PovFinish&, PovFinish&)>& change) {
+    SceneBuilder b;
+    b.scene.signals = {{ConstantSignal{Vec4(.9, .3, .7, 1), 0, 0}, {}}, {ConstantSignal{Vec4(.2, .8, .4, 1), .3, .4}, {}}, lowest};
+    PovFinish below, above;
+    below.pigment = {2}, above.pigment = {1};
+    change(below, above);
+    Material m;
+    m.layers = {below, above};
+    b.scene.materials.push_back(m);
+    for (const Vec3& at : {Vec3(-1, 0, 0), Vec3(.5, .2, -1)}) b.object(Sphere{Vec3(0), 1}, {0}, Transform::translate(at));
+    for (const Vec3& at : {Vec3(5, 8, 10), Vec3(-9, 1, 3)}) b.light(PointLight(), Color(1), Transform::translate(at));
+    b.camera({0, 1, 8}, {0, 0, 0});
+    return b.scene;
+}
+
+/// What is known of a surface ahead of its points is what its points would say, bit for bit: here those of a pattern of two colours that are the same.
+TEST(Pigments, SurfacesOfOneColourAreKnownAhead) {
+    PatternSignal checks;
+    checks.pattern = "checker", checks.map = {{0, {0}}, {1, {0}}};
+    const std::function<void(PovFinish&, PovFinish&)> changes[] = {
+        [](PovFinish& below, PovFinish& above) { below.phong = 1, above.specular = .7, above.metallic = 1; },
+        [](PovFinish& below, PovFinish& above) { below.reflection_min = below.reflection_max = Color(.4), above.reflection_fresnel = true, above.reflection_max = Color(.8); },
+        [](PovFinish& below, PovFinish& above) { below.emission = Color(.3), above.irid = .5, above.irid_thickness = .6, above.diffuse_back = .4; },
+        [](PovFinish&, PovFinish& above) { above.conserve_energy = true, above.reflection_max = Color(.6); },
+    };
+    RenderOptions options;
+    options.width = options.height = 48;
+    for (const auto& change : changes) {
+        const Scene plain = plain_or_not({ConstantSignal{Vec4(.9, .3, .7, 1), 0, 0}, {}}, change), patterned = plain_or_not({checks, {}}, change);
+        const auto a = compiled(plain), b = compiled(patterned);
+        ASSERT_TRUE(a && b);
+        EXPECT_EQ(a->plain_surfaces.empty(), &change == &changes[3]) << "energy that is conserved depends on the direction";
+        EXPECT_TRUE(b->plain_surfaces.empty());
+        const Film of_plain = rendered(plain, options), of_patterned = rendered(patterned, options);
+        EXPECT_EQ(of_plain.picture.values, of_patterned.picture.values) << &change - changes;
+    }
+}
+
 TEST(Pigments, UvMappedPatternsAreLookedUpAtTextureCoordinates) {
     const PatternSpace space{Transform(), Transform::scale(Vec3(7))};
     ShadePoint point;

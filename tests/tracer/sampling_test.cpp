@@ -32,6 +32,42 @@ TEST(Samplers, EveryRowIsUniformAndDeterministic) {
     }
 }
 
+TEST(Samplers, BlocksHaveTheBitsOfPairs) {
+    for (const SamplerEntry& sampler : samplers())
+        for (const Coordinates which : {Coordinates::pixel, Coordinates::light, Coordinates::lens})
+            for (uint64_t pixel = 0; pixel < 50; ++pixel)
+                for (const uint32_t count : {2u, 7u, 120u, 70'000u}) {
+                    const SampleDomain domain = SampleKey::domain(RandomKey(3, 1, pixel), which, pixel % 2);
+                    const uint32_t begin = count / 11 * 8;
+                    SampleBlock block;
+                    sample_block(sampler, domain, begin, count, block);
+                    for (uint32_t k = 0; k < std::min(kSampleBlock, count - begin); ++k)
+                        ASSERT_EQ(block[k], sampler.pair(domain, begin + k, count)) << sampler.name << ", sample " << begin + k << " of " << count;
+                }
+}
+
+/// Against the angle and the radius that the map is defined by.
+TEST(Samplers, TheDiscIsThatOfShirleyAndChiu) {
+    for (double x = 0; x <= 1; x += 1 / 64.0)
+        for (double y = 0; y <= 1; y += 1 / 64.0) {
+            const double a = 2 * x - 1, b = 2 * y - 1;
+            const bool wide = std::abs(a) > std::abs(b);
+            const double r = wide ? a : b, angle = wide ? kPi / 4 * (b / a) : b == 0 ? 0 : kPi / 2 - kPi / 4 * (a / b);
+            EXPECT_LE(length(concentric_disc({x, y}) - Vec2(r * std::cos(angle), r * std::sin(angle))), 4e-16) << x << " " << y;
+        }
+}
+
+/// A pixel's own samples are those that its keys draw.
+TEST(Samplers, TheDomainOfAPixelIsThatOfItsKeys) {
+    const SamplerEntry& sampler = samplers()[0];
+    const RandomKey pixel(5, 0, 77);
+    for (const Coordinates which : {Coordinates::pixel, Coordinates::lens}) {
+        SampleBlock block;
+        sample_block(sampler, SampleKey::domain(pixel, which, 1), 8, 30, block);
+        for (uint32_t k = 0; k < kSampleBlock; ++k) EXPECT_EQ(block[k], SampleKey(sampler.pair, pixel, 8 + k, 30).pair(which, 1));
+    }
+}
+
 /// Any power of two of Sobol pairs puts one sample into each elementary interval: 1 x n, 2 x n/2, ... n x 1.
 TEST(Samplers, SobolPairsAreNets) {
     const SamplePair pair = find_sampler("sobol")->pair;

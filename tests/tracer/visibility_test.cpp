@@ -1,13 +1,49 @@
 // SPDX-License-Identifier: Apache-2.0
 /// Shadows, alpha, cameras, transforms: who sees what.
 #include "accel/accelerator.h"
+#include "tests/core/draw.h"
 #include "tests/tracer/scene_builder.h"
+#include "tracer/compiled_scene.h"
 #include "tracer/cameras.h"
 #include "tracer/sampler.h"
 #include "tracer/shade_point.h"
 
 namespace alidade::test {
 namespace {
+
+/// What stops light is found by the structure over that alone as by the one over everything, and with less work.
+TEST(Visibility, OpaqueThingsAreFoundAmongThemselves) {
+    SceneBuilder b;
+    Draw draw(1);
+    const MaterialId stone = b.material(b.lambert(Color(0.5))), glass = b.material(b.glass(1.5));
+    for (int i = 0; i < 200; ++i) b.object(Sphere{draw.vector(10), draw(0.5, 2)}, i % 3 ? glass : stone);
+    b.light(PointLight(), Color(1));
+    b.camera({0, 0, 30}, {0, 0, 0});
+    const auto scene = compiled(b.scene);
+    ASSERT_TRUE(scene && scene->opaques);
+    WorkCounters among_all, among_themselves;
+    int hidden = 0;
+    for (int i = 0; i < 3000; ++i) {
+        Ray ray{draw.vector(12), draw.vector(1)};
+        ray.mask = kMaskOpaque, ray.tmax = draw(1, 20);
+        const bool occluded = scene->top->occluded(ray, among_all);
+        ASSERT_EQ(scene->opaques->occluded(ray, among_themselves), occluded) << i;
+        hidden += occluded;
+    }
+    EXPECT_TRUE(hidden > 300 && hidden < 2700) << hidden;
+    EXPECT_LT(among_themselves.boxes, among_all.boxes * 3 / 4);
+}
+
+/// Where little is clear, there is no second structure over nearly everything.
+TEST(Visibility, AFewFiltersShareTheStructureOfAll) {
+    SceneBuilder b;
+    const MaterialId stone = b.material(b.lambert(Color(0.5))), glass = b.material(b.glass(1.5));
+    for (int i = 0; i < 9; ++i) b.object(Sphere{Vec3(3.0 * i, 0, 0), 1}, i == 4 ? glass : stone);
+    b.camera({0, 0, 30}, {0, 0, 0});
+    const auto scene = compiled(b.scene);
+    ASSERT_TRUE(scene);
+    EXPECT_TRUE(scene->filters && !scene->opaques);
+}
 
 TEST(Cameras, FrameOfAPictureThatFits) {
     SceneBuilder b;

@@ -13,12 +13,9 @@ enum class Shadows { cast, ignored };
 /// What comes through everything on a shadow ray to the light of that index, or kNoLight, that starts inside of `inside`. `among`: what alone it can meet, if that is known.
 Color filtered_light(Tracing& tracing, Ray ray, const InteriorStack& inside, size_t light, Occluders* among);
 
-/// What of the light of that index, `distance` away in the unit direction `direction` comes to the point. `kFilters` false: nothing in the scene lets a part of it through.
+/// What of the light of that index, at the end of `ray`, which begins at a surface, comes to that. `kFilters` false: nothing in the scene lets a part of it through.
 /// Inline: once a light and a point, whatever the kernel can do else.
-template <bool kFilters> [[gnu::always_inline]] inline Color visible(Tracing& tracing, const ShadePoint& point, const RayState& state, size_t light, const Vec3& direction, double distance, Occluders* among = nullptr) {
-    ++tracing.stats.shadow_rays;
-    if (!(distance > 0)) return Color(1);
-    Ray ray = spawn_ray(point, direction, distance);
+template <bool kFilters> [[gnu::always_inline]] inline Color visible_along(Tracing& tracing, Ray& ray, const RayState& state, size_t light, Occluders* among) {
     ray.mask = kMaskShadow;
     ray.time = state.time;
     ray.tmin = tracing.scene.scene.settings.shadow_clearance;
@@ -27,6 +24,14 @@ template <bool kFilters> [[gnu::always_inline]] inline Color visible(Tracing& tr
     }
     if (among) return among->occluded(tracing.scene, ray, tracing.stats.work) ? Color(0) : Color(1);
     return tracing.scene.top->occluded(ray, tracing.stats.work) ? Color(0) : Color(1);
+}
+
+/// The same of the light `distance` away in the unit direction `direction` from the point.
+template <bool kFilters> [[gnu::always_inline]] inline Color visible(Tracing& tracing, const ShadePoint& point, const RayState& state, size_t light, const Vec3& direction, double distance) {
+    ++tracing.stats.shadow_rays;
+    if (!(distance > 0)) return Color(1);
+    Ray ray = spawn_ray(point, direction, distance);
+    return visible_along<kFilters>(tracing, ray, state, light, nullptr);
 }
 
 /// Is it less than any film holds, so that nobody need know whether it is in a shadow? All of glass is, but for its highlights: a power of a thousand vanishes a little way off them.

@@ -80,6 +80,9 @@ bool hides_again(const CompiledScene& scene, const Ray& ray, LastHider& last, Wo
     return false;
 }
 
+/// What a ray that asks for opaque things alone need look at.
+const Accelerator& opaque_things(const CompiledScene& scene) { return scene.opaques ? *scene.opaques : *scene.top; }
+
 /// Does an opaque surface that no filter is near before end the ray? `near`: else, is there one that a filter is near before? Then no other was looked for.
 bool is_hidden(Tracing& tracing, const Ray& ray, size_t light, bool& near) {
     const CompiledScene& scene = tracing.scene;
@@ -88,7 +91,7 @@ bool is_hidden(Tracing& tracing, const Ray& ray, size_t light, bool& near) {
     if (remembers && light >= tracing.hiders.size()) tracing.hiders.resize(scene.lights.size());
     LastHider unused, &last = remembers ? tracing.hiders[light] : unused;
     if (hides_again(scene, ray, last, work)) return true;
-    if (!scene.top->occluded(ray, work)) return false;
+    if (!opaque_things(scene).occluded(ray, work)) return false;
     if (!remembers || last.left > 0) {
         last.left -= remembers;
         Ray among_filters = ray;
@@ -96,7 +99,7 @@ bool is_hidden(Tracing& tracing, const Ray& ray, size_t light, bool& near) {
         if (!scene.filters->occluded(among_filters, work)) return true;
     }
     Hit nearest;
-    if (!scene.top->intersect(ray, nearest, work)) return false;
+    if (!opaque_things(scene).intersect(ray, nearest, work)) return false;
     if (last.left == 0) last.id = scene.set->whole(nearest.instance), last.missed = 0;
     near = filter_is_near(scene, ray, nearest.t, work);
     return !near;
@@ -112,7 +115,7 @@ bool find_surfaces(Tracing& tracing, Ray ray, size_t light, Occluders* among) {
     bool near = false;   // is there something opaque, near behind a filter?
     if (among) {
         if (among->occluded(scene, ray, work) && !(near = spaced && in_a_clearance(tracing, ray, *among))) return false;
-    } else if (spaced ? is_hidden(tracing, ray, light, near) : scene.top->occluded(ray, work)) return false;
+    } else if (spaced ? is_hidden(tracing, ray, light, near) : opaque_things(scene).occluded(ray, work)) return false;
     if (near) return surface_by_surface(scene, ray, tracing.passed, work);
     ray.mask = kMaskFilter;
     if (among) among->all_hits(scene, ray, tracing.passed, work);

@@ -69,6 +69,29 @@ std::optional<Bounds> GridPoints::box(const Vec3& p, const Illumination& arrivin
 
 namespace {
 
+/// Rays from one point: they begin in two places, one a side of its surface.
+class RaysFrom {
+  public:
+    explicit RaysFrom(const ShadePoint& point) : point_(point) {}
+
+    Ray towards(const Vec3& direction, double distance) {
+        Origin& origin = origins_[dot(direction, point_.geometric_normal) < 0];
+        if (!origin.known) origin.at = spawn_ray(point_, direction).origin, origin.known = true;
+        Ray ray;
+        ray.origin = origin.at, ray.dir = direction;
+        ray.tmax = distance;
+        return ray;
+    }
+
+  private:
+    struct Origin {
+        Vec3 at{0};
+        bool known = false;
+    };
+    const ShadePoint& point_;
+    Origin origins_[2];
+};
+
 /// The mean over the grid of what comes through to `point`, of the light `full`, from `tracing.scene.lights[index]`.
 Color through_grid(Tracing& tracing, const ShadePoint& point, const RayState& state, size_t index, const Illumination& arriving, const Color& full) {
     constexpr uint64_t kGridBranch = uint64_t(1) << 41;   // behind the branches of rays
@@ -79,13 +102,18 @@ Color through_grid(Tracing& tracing, const ShadePoint& point, const RayState& st
     const auto place = points.box(point.position, arriving);
     Occluders* among = place && tracing.occluders.find(tracing.scene, point, *place) ? &tracing.occluders : nullptr;
     if (among && is_open(tracing, *among, state, index)) return tracing.stats.shadow_rays += asked_of_equal(tracing.grid, grid, index), full;
+    RaysFrom rays(point);
     return GridMean(grid, tracing.grid, [&](int u, int v) {
         const Vec2 jitter = grid.jitter ? key.pair(uint64_t(u) * uint64_t(grid.size2) + uint64_t(v)) - Vec2(0.5) : Vec2(0);
         const Vec3 to_light = points.towards(point.position, arriving, points.offset(u + jitter.x, v + jitter.y));
         const double distance = length(to_light);
         const Vec3 direction = to_light / distance;
         const auto way = way_to_light(tracing, point, index, direction, distance - light.light.clearance);
-        return way ? full * visible<true>(tracing, point, state, index, direction, *way, among) : Color(0);
+        if (!way) return Color(0);
+        ++tracing.stats.shadow_rays;
+        if (!(*way > 0)) return full;
+        Ray ray = rays.towards(direction, *way);
+        return full * visible_along<true>(tracing, ray, state, index, among);
     })();
 }
 
