@@ -181,7 +181,7 @@ template <class R> class Slabs {
 };
 
 /// So many of the small ones are looked at, of a node that has more, and so many of the large ones, which are fewer and decide. Large is what has this part of the node's area, and so lies across slabs.
-constexpr size_t kSampled = 256;
+constexpr size_t kSampled = 64;
 constexpr double kLargePart = 256;
 
 /// A reference, and how many it stands for.
