@@ -22,6 +22,12 @@ struct Plain {
     Bounds box, surface;
 };
 
+/// Who tells the boxes of endless parts.
+struct Narrowing {
+    const CsgNarrow& narrow;
+    const CsgHalfSpaces* half_spaces = nullptr;   ///< null: corners are not looked for
+};
+
 Bounds everywhere() { return {Vec3(-kInf), Vec3(kInf)}; }
 
 CsgOp plain_op(CsgOp op, bool inverse) {
@@ -56,15 +62,26 @@ void find_box(Plain& p) {
     }
 }
 
+/// What planes among the parts of an intersection enclose.
+Bounds box_between_planes(const Plain& p, const CsgHalfSpaces& half_spaces) {
+    std::vector<HalfSpace> planes;
+    for (const Plain& part : p.parts) {
+        const auto plane = part.op == CsgOp::leaf && part.leaf.id != kNoId ? half_spaces(part.leaf.id) : std::nullopt;
+        if (plane) planes.push_back(part.inverted ? HalfSpace{-plane->normal, -plane->offset} : *plane);
+    }
+    return box_of_corners(planes);
+}
+
 /// Endless parts of an intersection bound each other, as a cylinder does two planes across it. What goes on for ever stays so, unless it proves finite.
-void narrow_box(Plain& p, const CsgNarrow& narrow) {
-    if (!narrow || (p.op != CsgOp::intersection && p.op != CsgOp::clip)) return;
+void narrow_box(Plain& p, const Narrowing& by) {
+    if (!by.narrow || (p.op != CsgOp::intersection && p.op != CsgOp::clip)) return;
     Bounds box = p.far ? everywhere() : p.box, before;
+    if (by.half_spaces && !box.finite()) box = intersection(box, box_between_planes(p, *by.half_spaces));
     constexpr int kMostRounds = 8;
     for (int round = 0; round < kMostRounds && !box.empty() && (box.min != before.min || box.max != before.max); ++round) {
         before = box;
         for (const Plain& part : p.parts)
-            if (part.op == CsgOp::leaf && part.leaf.id != kNoId && part.leaf.inside == CsgInside::by_crossings && !box.empty()) box = narrow(part.leaf.id, part.inverted, box);
+            if (part.op == CsgOp::leaf && part.leaf.id != kNoId && part.leaf.inside == CsgInside::by_crossings && !box.empty()) box = by.narrow(part.leaf.id, part.inverted, box);
     }
     if (p.far && !box.finite()) return;
     p.box = box.empty() ? Bounds() : box, p.far = false;
@@ -81,11 +98,11 @@ void find_surface(Plain& p) {
 /// Parts stay in order up to this many.
 constexpr size_t kMostParts = 8;
 
-void finish(Plain& p, const CsgNarrow& narrow);
+void finish(Plain& p, const Narrowing& by);
 
 /// Many parts become groups of parts that are near each other: halves by the middle of their boxes along the longest extent, and halves of those. What
 /// a line can miss without deciding anything is sorted, the holes of an intersection or the solids of a union; the rest comes first.
-void sort_by_place(Plain& p, const CsgNarrow& narrow) {
+void sort_by_place(Plain& p, const Narrowing& by) {
     if (p.parts.size() <= kMostParts) return;
     const bool meets = p.op == CsgOp::intersection;
     const auto bounded = std::stable_partition(p.parts.begin(), p.parts.end(), [meets](const Plain& part) { return !part.box.finite() || part.far != meets; });
@@ -105,16 +122,16 @@ void sort_by_place(Plain& p, const CsgNarrow& narrow) {
     p.parts = std::move(rest);
     for (Plain& half : halves) {
         half.op = p.op, half.mask = p.mask;
-        finish(half, narrow);
+        finish(half, by);
         p.parts.push_back(std::move(half));
     }
 }
 
-void finish(Plain& p, const CsgNarrow& narrow) {
+void finish(Plain& p, const Narrowing& by) {
     // What clips stands behind what is clipped.
-    if (p.op != CsgOp::leaf && p.op != CsgOp::clip) sort_by_place(p, narrow);
+    if (p.op != CsgOp::leaf && p.op != CsgOp::clip) sort_by_place(p, by);
     find_box(p);
-    narrow_box(p, narrow);
+    narrow_box(p, by);
     find_surface(p);
     p.cost = p.leaf.cost;
     for (const Plain& part : p.parts) p.cost = std::max(p.cost, part.cost);
@@ -150,9 +167,9 @@ Plain plain(const CsgExpression& e, bool inverse, Mask mask, Ranking ranking, ui
     return out;
 }
 
-void finish_below(Plain& p, const CsgNarrow& narrow) {
-    for (Plain& part : p.parts) finish_below(part, narrow);
-    finish(p, narrow);
+void finish_below(Plain& p, const Narrowing& by) {
+    for (Plain& part : p.parts) finish_below(part, by);
+    finish(p, by);
 }
 
 CsgExtent extent_of(const Bounds& box) {
@@ -182,10 +199,12 @@ uint32_t CsgTree::levels() const {
     return *std::max_element(level.begin(), level.end());
 }
 
-CsgTree::CsgTree(const CsgExpression& expression, const CsgNarrow& narrow) {
+CsgTree::CsgTree(const CsgExpression& expression, const CsgNarrow& narrow, const CsgHalfSpaces& half_spaces) {
     uint32_t rank = 0;
     Plain p = plain(expression, false, kMaskAll, {}, rank);
-    finish_below(p, narrow);
+    finish_below(p, {narrow});
+    bounds_by_sides_ = p.surface;
+    if (half_spaces && !p.surface.finite() && !p.surface.empty()) finish_below(p, {narrow, &half_spaces});
     bounds_ = p.surface;
     emit(p, 0, 0, nodes_);
 }

@@ -237,7 +237,7 @@ void build_solids(CompiledScene& out, std::vector<PlacedSolid> solids, Diagnosti
     for (PlacedSolid& solid : solids) {
         find_cutaways(out, solid.what);
         describe_leaves(out, solid.what);
-        out.solids.push_back({CsgTree(solid.what, narrow), solid.what.mask});
+        out.solids.push_back({CsgTree(solid.what, narrow, [&out](uint32_t leaf) { return half_space(out, leaf); }), solid.what.mask});
         if (out.solids.back().tree.levels() > kDeepestTree) said.error(out.scene.nodes[solid.node.index].from, fmt::format("different set operations stand more than {} levels deep in one another", kDeepestTree));
     }
     for (const Solid& solid : out.solids)

@@ -48,6 +48,14 @@ Bounds narrowed_leaf(const CompiledScene& scene, uint32_t id, bool inverted, con
     return local.empty() ? Bounds() : intersection(box, instance.to_world.bounds(local));
 }
 
+std::optional<HalfSpace> half_space(const CompiledScene& scene, uint32_t id) {
+    const Instance& instance = scene.instances[id];
+    const auto* plane = std::get_if<Plane>(scene.geometries[instance.geometry].source);
+    if (!plane) return std::nullopt;
+    const double offset = plane->distance * length(plane->normal);
+    return HalfSpace{instance.to_local.transposed(plane->normal), offset - dot(plane->normal, instance.to_local.translation)};
+}
+
 CsgLeaf csg_leaf(const CompiledScene& scene, uint32_t id) {
     const Instance& instance = scene.instances[id];
     const Geometry& geometry = scene.geometries[instance.geometry];

@@ -26,4 +26,7 @@ CsgLeaf csg_leaf(const CompiledScene& scene, uint32_t instance);
 /// A world-space box around what is inside of the instance, turned inside out or not, within a box whose sides may be infinite (CsgNarrow).
 Bounds narrowed_leaf(const CompiledScene& scene, uint32_t instance, bool inverted, const Bounds& box);
 
+/// What a plane fills of the world (CsgHalfSpaces).
+std::optional<HalfSpace> half_space(const CompiledScene& scene, uint32_t instance);
+
 }  // namespace alidade

@@ -21,10 +21,11 @@ Bounds origins(const Camera& camera) {
     return {camera.location - reach, camera.location + reach};
 }
 
-const Instance* any_part(const CompiledScene& scene, const Solid& solid) {
+/// Some leaf of the solid; kNoId if it has none.
+uint32_t any_part(const Solid& solid) {
     for (const CsgNode& node : solid.tree.nodes())
-        if (node.op == CsgOp::leaf && node.leaf != kNoId) return &scene.instances[node.leaf];
-    return nullptr;
+        if (node.op == CsgOp::leaf && node.leaf != kNoId) return node.leaf;
+    return kNoId;
 }
 
 }  // namespace
@@ -40,7 +41,7 @@ StartInside::StartInside(const CompiledScene& scene, const Camera& camera) : sce
     if (!moves_origins(camera)) there_ = at(camera.location), fixed_ = camera.location;
 }
 
-/// Instances of one object follow each other, and its solids.
+/// Instances of one object follow each other, and its solids. Where nobody asks for objects (0), each instance and each solid is one.
 void StartInside::add_objects(const Bounds& begin) {
     const auto& instances = scene_.instances;
     const uint32_t count = uint32_t(instances.size());
@@ -49,18 +50,20 @@ void StartInside::add_objects(const Bounds& begin) {
         Body body;
         std::optional<InteriorStack::Entry> entry;
         const uint32_t object = instances[i].object;
-        for (end = i; end < count && instances[end].object == object; ++end) {
+        for (end = i; end == i || (end < count && object != 0 && instances[end].object == object); ++end) {
             if (!entry) entry = filling(instances[end]);
             if (instances[end].bounds.empty()) continue;   // a part of a solid
             body.parts.push_back(end);
             body.bounds.extend(instances[end].bounds);
         }
         for (; solid < scene_.solids.size(); ++solid) {
-            const Instance* part = any_part(scene_, scene_.solids[solid]);
-            if (part && part->object != object) break;
-            if (!part) continue;
+            const uint32_t part = any_part(scene_.solids[solid]);
+            if (part == kNoId) continue;
+            if (part >= end) break;
             body.parts.push_back(count + solid);
             body.bounds.extend(box_of_surfaces(scene_, scene_.solids[solid]));
+            for (const CsgNode& node : scene_.solids[solid].tree.nodes())
+                if (!entry && node.op == CsgOp::leaf && node.leaf != kNoId) entry = filling(instances[node.leaf]);
         }
         if (!entry) entry = filling(object);
         if (!entry) continue;
