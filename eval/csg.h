@@ -2,9 +2,11 @@
 /// Constructive solid geometry on one line: which crossings of the leaves are surfaces of the whole, and which are cut away.
 #pragma once
 
+#include "eval/half_spaces.h"
 #include "eval/shapes/shape_ops.h"
 
 #include <functional>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -93,6 +95,8 @@ class CsgLeaves {
 
 /// A box around what is inside of a leaf, turned inside out or not, within a box whose sides may be infinite.
 using CsgNarrow = std::function<Bounds(uint32_t leaf, bool inverted, const Bounds& box)>;
+/// What a leaf fills if it is half of space.
+using CsgHalfSpaces = std::function<std::optional<HalfSpace>(uint32_t leaf)>;
 
 /// The space of the set itself. Turned in the space of the rays, its endless parts have no boxes there that others could bring in, but may stand along the axes here.
 struct CsgOwnSpace {
@@ -129,8 +133,9 @@ struct CsgNode {
 /// makes a list of hits, part after part, an intersection or difference that of each part from its end, and of equal ones the last is seen.
 class CsgTree {
   public:
-    /// `narrow` gives boxes to intersections of endless parts, asked of leaves that are inside by crossings; `own` to those that it finds no end of.
-    explicit CsgTree(const CsgExpression& expression, const CsgNarrow& narrow = nullptr, const CsgOwnSpace& own = {});
+    /// `narrow` gives boxes to intersections of endless parts, asked of leaves that are inside by crossings; `own` to those that it finds no end of; where the whole has
+    /// none by that, planes are asked for the corners between them.
+    explicit CsgTree(const CsgExpression& expression, const CsgNarrow& narrow = nullptr, const CsgOwnSpace& own = {}, const CsgHalfSpaces& half_spaces = nullptr);
 
     std::span<const CsgNode> nodes() const { return nodes_; }
     /// How many nodes stand in one another.
@@ -139,6 +144,8 @@ class CsgTree {
     void find_bounded(const std::function<bool(uint32_t leaf)>& bounded);
     /// Of the surfaces, also where what is inside has no end. Infinite where they are.
     const Bounds& bounds() const { return bounds_; }
+    /// The same without what corners tell: POV-Ray's box has no end there.
+    const Bounds& bounds_by_sides() const { return bounds_by_sides_; }
     /// Appends the sides of the nodes in a region, one for each of nodes(), to be given to first(). The side of the root: if it does not vary, rays in the region meet no surface.
     CsgSide sides(const CsgRegion& region, std::vector<CsgSide>& out) const;
     /// The first surface with tmin <= t <= tmax that the ray's mask sees; of several at one place the one of the highest rank. In bounds(), as inside_bounds() has it. `known`: the sides that the nodes have where the ray goes, or nothing.
@@ -152,7 +159,7 @@ class CsgTree {
 
   private:
     std::vector<CsgNode> nodes_;    ///< each before its subtree
-    Bounds bounds_;
+    Bounds bounds_, bounds_by_sides_;
 };
 
 /// What a leaf of that shape costs: a plane nearly nothing, most others some, roots of polynomials of a high order much.

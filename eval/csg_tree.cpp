@@ -22,6 +22,13 @@ struct Plain {
     Bounds box, surface;
 };
 
+/// Who tells the boxes of endless parts.
+struct Narrowing {
+    const CsgNarrow& narrow;                      ///< in the space of the rays
+    const CsgOwnSpace& own;                       ///< in the set's own
+    const CsgHalfSpaces* half_spaces = nullptr;   ///< null: corners are not looked for
+};
+
 Bounds everywhere() { return {Vec3(-kInf), Vec3(kInf)}; }
 
 CsgOp plain_op(CsgOp op, bool inverse) {
@@ -56,11 +63,15 @@ void find_box(Plain& p) {
     }
 }
 
-/// Who gives boxes to intersections: in the space of the rays, and in the set's own.
-struct Narrowing {
-    const CsgNarrow& narrow;
-    const CsgOwnSpace& own;
-};
+/// What planes among the parts of an intersection enclose.
+Bounds box_between_planes(const Plain& p, const CsgHalfSpaces& half_spaces) {
+    std::vector<HalfSpace> planes;
+    for (const Plain& part : p.parts) {
+        const auto plane = part.op == CsgOp::leaf && part.leaf.id != kNoId ? half_spaces(part.leaf.id) : std::nullopt;
+        if (plane) planes.push_back(part.inverted ? HalfSpace{-plane->normal, -plane->offset} : *plane);
+    }
+    return box_of_corners(planes);
+}
 
 /// What the parts of an intersection leave of `box`.
 Bounds narrowed_by_parts(const Plain& p, Bounds box, const CsgNarrow& narrow) {
@@ -69,7 +80,7 @@ Bounds narrowed_by_parts(const Plain& p, Bounds box, const CsgNarrow& narrow) {
     for (int round = 0; round < kMostRounds && !box.empty() && (box.min != before.min || box.max != before.max); ++round) {
         before = box;
         for (const Plain& part : p.parts)
-            if (part.op == CsgOp::leaf && part.leaf.id != kNoId && part.leaf.inside == CsgInside::by_crossings && !box.empty()) box = narrow(part.leaf.id, part.inverted, box);
+            if (part.op == CsgOp::leaf && part.leaf.id != kNoId && part.leaf.inside == CsgInside::by_crossings && !box.empty()) box = by.narrow(part.leaf.id, part.inverted, box);
     }
     return box;
 }
@@ -77,7 +88,9 @@ Bounds narrowed_by_parts(const Plain& p, Bounds box, const CsgNarrow& narrow) {
 /// Endless parts of an intersection bound each other, as a cylinder does two planes across it. What goes on for ever stays so, unless it proves finite.
 void narrow_box(Plain& p, const Narrowing& by) {
     if (!by.narrow || (p.op != CsgOp::intersection && p.op != CsgOp::clip)) return;
-    Bounds box = narrowed_by_parts(p, p.far ? everywhere() : p.box, by.narrow);
+    Bounds start = p.far ? everywhere() : p.box;
+    if (by.half_spaces && !start.finite()) start = intersection(start, box_between_planes(p, *by.half_spaces));
+    Bounds box = narrowed_by_parts(p, start, by.narrow);
     if (by.own.narrow && !box.empty() && !box.finite()) {
         const Bounds there = narrowed_by_parts(p, everywhere(), by.own.narrow);
         if (there.empty()) box = Bounds();
@@ -199,10 +212,12 @@ uint32_t CsgTree::levels() const {
     return *std::max_element(level.begin(), level.end());
 }
 
-CsgTree::CsgTree(const CsgExpression& expression, const CsgNarrow& narrow, const CsgOwnSpace& own) {
+CsgTree::CsgTree(const CsgExpression& expression, const CsgNarrow& narrow, const CsgOwnSpace& own, const CsgHalfSpaces& half_spaces) {
     uint32_t rank = 0;
     Plain p = plain(expression, false, kMaskAll, {}, rank);
     finish_below(p, {narrow, own});
+    bounds_by_sides_ = p.surface;
+    if (half_spaces && !p.surface.finite() && !p.surface.empty()) finish_below(p, {narrow, own, &half_spaces});
     bounds_ = p.surface;
     emit(p, 0, 0, nodes_);
 }

@@ -37,8 +37,7 @@ constexpr double kMostPaths = 1e8;
 
 bool check_path_count(const Scene& scene, Diagnostics& said) {
     if (path_count(scene) <= kMostPaths) return true;
-    const SourcePos from = scene.nodes[scene.roots.front().index].from;
-    said.error(from, fmt::format("the scene has more than {} paths from a root to a node", kMostPaths), "look for nodes that refer to each other many times over");
+    said.error(scene.nodes[scene.roots.front().index].from, fmt::format("the scene has more than {} paths from a root to a node", kMostPaths), "look for nodes that refer to each other many times over");
     return false;
 }
 
@@ -154,11 +153,20 @@ class Placer : private CsgParts {
         const auto interior = carrier ? out_.scene.nodes[visit.path[carrier - 1].index].interior : std::nullopt;
         instance.carrier = carrier ? carrier_at({visit.path.begin(), visit.path.begin() + std::ptrdiff_t(carrier)}) : carriers_++;
         instance.of_whole = carrier <= levels_to_object_;
+        if (!instance.of_whole) add_whole_interior(visit.path, instance.object);
         const bool hollow = is_hollow(out_.scene, visit.path, carrier);
         materials_.add_slots(visit.path, slots, interior, hollow, instance);
         instance.uv_mapped = instance.uv_mapped && instance.inside_slot == kNoId;
         if (std::ranges::any_of(visit.path, [this](NodeId id) { return beyond_its_box_[id.index]; })) bounded_.add(uint32_t(out_.instances.size()), visit.path);
         out_.instances.push_back(instance);
+    }
+
+    void add_whole_interior(std::vector<NodeId> path, uint32_t object) {
+        if (!out_.whole_interiors.empty() && out_.whole_interiors.back().object == object) return;
+        path.resize(levels_to_object_);
+        path.resize(interior_carrier(out_.scene, path));
+        const uint32_t interior = path.empty() ? kNoId : materials_.interior_of_whole(path);
+        if (interior != kNoId) out_.whole_interiors.push_back({object, carrier_at(path), interior});
     }
 
     /// One number for each path to a node that carries an interior.
@@ -236,7 +244,7 @@ void build_solids(CompiledScene& out, std::vector<PlacedSolid> solids, Diagnosti
     for (PlacedSolid& solid : solids) {
         find_cutaways(out, solid.what);
         describe_leaves(out, solid.what);
-        out.solids.push_back({CsgTree(solid.what, narrow, own_space(out, solid.space)), solid.what.mask});
+        out.solids.push_back({CsgTree(solid.what, narrow, own_space(out, solid.space), [&out](uint32_t leaf) { return half_space(out, leaf); }), solid.what.mask});
         if (out.solids.back().tree.levels() > kDeepestTree) said.error(out.scene.nodes[solid.node.index].from, fmt::format("different set operations stand more than {} levels deep in one another", kDeepestTree));
     }
     for (const Solid& solid : out.solids)

@@ -88,6 +88,11 @@ struct Solid {
     Mask mask = kMaskAll;          ///< of all leaves
 };
 
+/// Of a solid, or a union that is one object, of which a part has an interior of its own: what a camera in it is in.
+struct WholeInterior {
+    uint32_t object = 0, carrier = 0, interior = kNoId;
+};
+
 /// An operation whose cuts show what they lay open, or a part of it: each is followed by what is in it.
 struct CutawayNode {
     CsgOp op = CsgOp::leaf;
@@ -128,6 +133,7 @@ struct CompiledScene {
     std::vector<std::unique_ptr<const PlainPovSurface>> plain_surfaces;   ///< by slot: what is the same at all points of a surface, null where it is not; empty if none is so
     std::vector<PatternSpace> pattern_spaces;
     std::vector<CompiledInterior> interiors;
+    std::vector<WholeInterior> whole_interiors;   ///< by object
     std::shared_ptr<const InstanceSet> set;   ///< the instances and solids
     std::unique_ptr<Accelerator> top;      ///< over them
     std::unique_ptr<Accelerator> filters;  ///< over those that let a part of the light through; null if `filters_light` is false

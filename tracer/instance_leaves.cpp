@@ -83,6 +83,14 @@ CsgOwnSpace own_space(const CompiledScene& scene, const SolidSpace& space) {
     return own;
 }
 
+std::optional<HalfSpace> half_space(const CompiledScene& scene, uint32_t id) {
+    const Instance& instance = scene.instances[id];
+    const auto* plane = std::get_if<Plane>(scene.geometries[instance.geometry].source);
+    if (!plane) return std::nullopt;
+    const double offset = plane->distance * length(plane->normal);
+    return HalfSpace{instance.to_local.transposed(plane->normal), offset - dot(plane->normal, instance.to_local.translation)};
+}
+
 CsgLeaf csg_leaf(const CompiledScene& scene, uint32_t id) {
     const Instance& instance = scene.instances[id];
     const Geometry& geometry = scene.geometries[instance.geometry];

@@ -36,4 +36,7 @@ struct SolidSpace {
 /// Boxes there. Both must outlive what is returned.
 CsgOwnSpace own_space(const CompiledScene& scene, const SolidSpace& space);
 
+/// What a plane fills of the world (CsgHalfSpaces).
+std::optional<HalfSpace> half_space(const CompiledScene& scene, uint32_t instance);
+
 }  // namespace alidade

@@ -2,6 +2,7 @@
 #include "tracer/materials.h"
 
 #include "scene/graph.h"
+#include "tracer/interior_carrier.h"
 #include "tracer/textures.h"
 
 #include <algorithm>
@@ -166,6 +167,15 @@ uint32_t MaterialTable::add_interior(const Material& material, std::optional<Int
     if (const auto* pbr = material.layers.empty() ? nullptr : std::get_if<GltfPbr>(&material.layers[0])) in.ior = pbr->ior;
     out_.interiors.push_back(in);
     return uint32_t(out_.interiors.size() - 1);
+}
+
+uint32_t MaterialTable::interior_of_whole(const std::vector<NodeId>& path) {
+    const auto interior = out_.scene.nodes[path.back().index].interior;
+    const bool hollow = is_hollow(out_.scene, path, path.size());
+    if (!interior && !interiors_count_) return kNoId;
+    const auto [at, added] = interior_of_.try_emplace({kNoId, interior ? interior->index : kNoId, hollow}, 0);
+    if (added) at->second = add_interior(Material(), interior, hollow);
+    return at->second;
 }
 
 SlotMaterial MaterialTable::slot(std::optional<MaterialId> material, std::optional<InteriorId> interior, bool hollow) {

@@ -16,6 +16,8 @@ class MaterialTable {
     explicit MaterialTable(CompiledScene& out);
     /// Those of a shape at the end of `path`, which has `count` slots, and that of its inside.
     void add_slots(const std::vector<NodeId>& path, uint32_t count, std::optional<InteriorId> interior, bool hollow, Instance& instance);
+    /// Of the set at the end of `path` that carries it, if parts have their own; kNoId where nobody asks.
+    uint32_t interior_of_whole(const std::vector<NodeId>& path);
 
   private:
     /// Without a material the slot takes glTF's default one (specification 3.9: white, metallic 1, roughness 1), added to the scene.

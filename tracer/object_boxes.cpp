@@ -66,7 +66,7 @@ std::vector<Bounds> object_boxes(const CompiledScene& scene) {
         const auto part = std::ranges::find_if(nodes, [](const CsgNode& n) { return n.op == CsgOp::leaf && n.leaf != kNoId; });
         if (part == nodes.end()) continue;
         const Bounds box = box_of_surfaces(scene, solid);
-        extend(scene.instances[part->leaf].object, box.finite() ? box : solid.tree.bounds());      // planes bound each other
+        extend(scene.instances[part->leaf].object, box.finite() ? box : solid.tree.bounds_by_sides());      // planes bound each other
     }
     for (Bounds& box : boxes)
         if (box.finite()) box = without_pads(box);

@@ -12,6 +12,11 @@ constexpr const char* kGlass = " pigment { rgbt <.5,.9,.4,.95> } interior { ior 
 
 std::string seen(const std::string& objects, const char* camera = "camera { location <0,3,-4> look_at 0 }") { return std::string(kInsideHead) + camera + "\n" + kFloor + objects; }
 
+/// From the origin to a wall, through `object` and fog.
+std::string in_fog(const std::string& object) {
+    return seen("fog { distance 6 rgb <.6,.6,.9> } box { <-50,-50,20>, <50,50,21> pigment { rgb .5 } }\n" + object, "camera { location 0 look_at z angle 60 }");
+}
+
 /// Every kind of thing with interior_texture: sides of sheets and triangles, what is taken away, inverse, clipped, moved behind a texture, shadows, materials, layers.
 std::string two_sided() {
     return "#declare O = texture { pigment { rgb <1,.3,.2> } } #declare I = texture { pigment { gradient x color_map { [.5 rgb y] [.5 rgb <1,1,0>] } scale .3 } finish { specular .6 } }\n"
@@ -42,7 +47,7 @@ std::string sheets() {
 }  // namespace
 
 std::vector<PovPicture> inside_pictures() {
-    const std::string glass = kGlass;
+    const std::string glass = kGlass, clear = "pigment { rgbf <.9,.8,.8,.7> } ";
     return {
         {"InteriorTextures", seen(two_sided(), "camera { location <0,2,-6> look_at <0,.5,0> angle 50 }")},
         {"FresnelGlassInAHalfSpace", seen("plane { z, 5 pigment { rgb <.8,.8,.7> } } sphere { -1.2*x, .9 pigment { rgbf <.98,1,.98,.9> } finish { reflection { 0, 1 fresnel } } interior { ior 1.5 } } "
@@ -77,6 +82,13 @@ std::vector<PovPicture> inside_pictures() {
                                        "sphere { <1.8,.2,0>, .7 texture { pigment { rgb .2 } finish { reflection { 1 fresnel } } } texture { pigment { checker rgb x rgbt 1 scale .3 } } } plane { y, -1.5 pigment { rgb <.3,.4,.2> } finish { reflection { .2, .9 fresnel } } }")},
         {"CameraInAUnionOfGlass", seen("union { sphere { <0,3.1,-4.2>, 1 } box { <-1,2.2,-5>, <1,4,-3.3> } pigment { rgbt <.5,.9,.4,.95> } interior { ior 1.4 } } sphere { 0, 1 pigment { rgb 1 } finish { reflection .5 } }")},
         {"CameraInASolidOfGlasses", seen("intersection { sphere { <0,3,-4>, 2 pigment { rgbt .9 } interior { ior 1.2 } } box { <-1,2,-5>, <2,4,-3> pigment { rgbt .9 } interior { ior 1.6 } } } sphere { 0, 1 pigment { rgb 1 } finish { reflection .5 } }")},
+        {"CameraInSetsWhosePartsHaveInteriors", in_fog("merge { sphere { 0, 2 interior { ior 1 } } sphere { .5*x, 3.5 interior { ior 1 } } " + clear + "}")},
+        {"CameraInADifferenceWhosePartsHaveInteriors", in_fog("difference { sphere { .5*x, 4 interior { ior 1 } } sphere { 0, 12 inverse interior { ior 1 } } " + clear + "interior { ior 1 } }")},
+        {"CameraInTwoPartsOfABoundedUnion", in_fog("union { sphere { 0, 2 } sphere { .5*x, 3.5 } " + clear + "bounded_by { sphere { 0, 30 } } }")},
+        {"CameraInABoundedUnionWhosePartsHaveInteriors", in_fog("union { sphere { 0, 2 interior { ior 1 } } sphere { .5*x, 3.5 interior { ior 1 } } " + clear + "bounded_by { sphere { 0, 30 } } }")},
+        {"CameraInAHollowUnionOfBodies", in_fog("union { sphere { 0, 2 interior { ior 1 } } sphere { .5*x, 3.5 interior { ior 1 } } hollow " + clear + "bounded_by { sphere { 0, 30 } } }")},
+        {"CameraInABoundedUnionOfACylinderATorusAndAnInverse", seen("fog { distance 6 rgb <.6,.6,.9> } union { cylinder { <1.24,-.52,-.52>, <-1.29,1.44,-.06>, 1.4 } torus { 1.96, .53 rotate <76.58,76.01,54.25> translate <-.73,.05,.15> } sphere { <.98,.57,.41>, 1.87 inverse } "
+                                     "pigment { rgbf <.9,.8,.8,.7> } interior { ior 1.3 } bounded_by { box { -3.6, 2.6 } } }", "camera { location <-1.26,-.36,.91> look_at <-.45,-.4,.05> angle 80 }")},
         {"CameraInAMovedInverseOfAnInverse", seen("#declare X = cylinder { <-1,3,-4>, <1,4,-3>, .7" + glass + "} object { object { X inverse } inverse } object { mesh { triangle { <-3,0,-6>, <3,0,-6>, <0,6,-6> } triangle { <-3,0,-2>, <3,0,-2>, <0,6,-2> } } inverse" + glass + "}")},
         {"FogAroundClippedSheets", seen("fog { distance 6 rgb <.5,.4,.3> } disc { <1,0,1>, <.8,-.6,.8>, .9 pigment { rgb y } clipped_by { plane { y, 1 } } } merge { box { -.8, .6 inverse } sphere { x, .9 } pigment { rgb <.6,.6,1> } }")},
     };
