@@ -11,9 +11,9 @@ namespace alidade {
 struct ByteGrid {
     static constexpr uint32_t kSteps = 255;
 
-    float origin[3];
     uint8_t exponent[3];   ///< of a step's size, as floats keep it
     uint8_t places;        ///< bit i: there is a box i
+    float origin[3];
 
     float step(int axis) const { return std::bit_cast<float>(uint32_t(exponent[axis]) << 23); }
     /// The product is exact, as a step is a power of two: fused or not, one rounding.

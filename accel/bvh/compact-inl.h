@@ -50,7 +50,7 @@ HWY_INLINE HWY_ATTR void load_corners(const CorneredBlock& from, TriangleBlock<f
     const hn::FixedTag<float, 8> d;
     const hn::FixedTag<int32_t, 8> whole;
     const hn::FixedTag<uint32_t, 8> ids;
-    hn::Store(hn::Load(ids, from.id), ids, block.id);
+    hn::Store(hn::LoadU(ids, from.id), ids, block.id);
     const auto vertices = [&](int corner) HWY_ATTR { return hn::PromoteTo(whole, hn::Load(hn::FixedTag<uint8_t, 8>(), from.corner[corner])); };
     const auto low = [&](auto v) HWY_ATTR { return hn::IndicesFromVec(d, hn::And(v, hn::Set(whole, 7))); };
     const auto a = vertices(0), b = vertices(1), c = vertices(2);
@@ -62,29 +62,70 @@ HWY_INLINE HWY_ATTR void load_corners(const CorneredBlock& from, TriangleBlock<f
         }
         return;
     }
-    const int vectors = (from.vertices + 7) / 8;
+    const auto second = [&](auto v) HWY_ATTR { return hn::RebindMask(d, hn::Gt(v, hn::Set(whole, 7))); };
+    const auto second_a = second(a), second_b = second(b), second_c = second(c);
     for (int axis = 0; axis < 3; ++axis) {
         const float* const coordinates = from.coordinates(axis);
-        const auto first = hn::LoadU(d, coordinates);
-        auto v_a = hn::TableLookupLanes(first, at_a), v_b = hn::TableLookupLanes(first, at_b), v_c = hn::TableLookupLanes(first, at_c);
-        for (int i = 1; i < vectors; ++i) {
-            const auto more = hn::LoadU(d, coordinates + 8 * i);   // behind the last there is room
-            const auto least = hn::Set(whole, 8 * i - 1);
-            const auto or_more = [&](auto before, auto vertex, auto at) HWY_ATTR { return hn::IfThenElse(hn::RebindMask(d, hn::Gt(vertex, least)), hn::TableLookupLanes(more, at), before); };
-            v_a = or_more(v_a, a, at_a), v_b = or_more(v_b, b, at_b), v_c = or_more(v_c, c, at_c);
-        }
-        hn::Store(v_a, d, block.v[axis]), hn::Store(v_b, d, block.v[3 + axis]), hn::Store(v_c, d, block.v[6 + axis]);
+        const auto low_eight = hn::LoadU(d, coordinates), high_eight = hn::LoadU(d, coordinates + 8);   // behind the last there is room
+        const auto pick = [&](auto at, auto is_high) HWY_ATTR { return hn::IfThenElse(is_high, hn::TableLookupLanes(high_eight, at), hn::TableLookupLanes(low_eight, at)); };
+        hn::Store(pick(at_a, second_a), d, block.v[axis]), hn::Store(pick(at_b, second_b), d, block.v[3 + axis]), hn::Store(pick(at_c, second_c), d, block.v[6 + axis]);
     }
 }
+
+/// Eight numbers of so many bits, from `list` on.
+HWY_INLINE HWY_ATTR hn::Vec<hn::FixedTag<uint32_t, 8>> load_numbers(const uint8_t* list, uint32_t bits) {
+    const hn::FixedTag<uint32_t, 8> d;
+    const hn::FixedTag<uint8_t, 32> bytes;
+    const hn::FixedTag<uint8_t, 16> half;
+    if (bits == SteppedBlock::kWhole) [[unlikely]] return hn::LoadU(d, reinterpret_cast<const uint32_t*>(list));
+    const BitLanes& lanes = kBitLanes[bits];
+    const auto read = hn::Combine(bytes, hn::LoadU(half, list + bits / 2), hn::LoadU(half, list));
+    const auto words = hn::BitCast(d, hn::TableLookupBytes(read, hn::Load(bytes, lanes.bytes[0])));
+    return hn::And(hn::Shr(words, hn::Load(d, lanes.shift)), hn::Set(d, (1u << bits) - 1));
+}
+
+/// The corners of a block that keeps them in steps.
+HWY_INLINE HWY_ATTR void load_corners(const SteppedBlock& from, TriangleBlock<float>& block) {
+    const hn::FixedTag<float, 8> d;
+    const hn::FixedTag<int32_t, 8> whole;
+    const uint8_t* list = from.list(0, 0);
+    __builtin_prefetch(list + 192);
+    for (int axis = 0; axis < 3; ++axis) {
+        const uint32_t bits = from.bits[axis];
+        const size_t bytes = from.list_bytes(size_t(axis));
+        const auto step = hn::Set(d, from.grid.step(axis)), origin = hn::Set(d, from.grid.origin[axis]);
+        for (int corner = 0; corner < 3; ++corner, list += bytes) {
+            if (bits == SteppedBlock::kWhole) [[unlikely]] hn::Store(hn::LoadU(d, reinterpret_cast<const float*>(list)), d, block.v[3 * corner + axis]);
+            else hn::Store(hn::MulAdd(hn::ConvertTo(d, hn::BitCast(whole, load_numbers(list, bits))), step, origin), d, block.v[3 * corner + axis]);
+        }
+    }
+    hn::Store(load_numbers(list, from.bits[3]), hn::FixedTag<uint32_t, 8>(), block.id);
+}
+
+/// So few are read one by one.
+inline constexpr int kFewLanes = 3;
 
 HWY_INLINE HWY_ATTR TriangleBlock<float> load_block(const NumberedBlocks& blocks, uint32_t number, uint32_t lanes) {
     TriangleBlock<float> block;
     if (!blocks.has_boxes(number)) {
-        load_corners(blocks.cornered(number), block);
+        if (blocks.is_stepped(number)) load_corners(blocks.stepped(number), block);
+        else load_corners(blocks.cornered(number), block);
         return block;
     }
     const uint32_t* const ids = blocks.boxes(number).child;
     const Index3* const triangles = blocks.mesh().triangles.data();
+    if (std::popcount(lanes) <= kFewLanes) {
+        for (; lanes; lanes &= lanes - 1) {
+            const auto lane = uint32_t(std::countr_zero(lanes)), id = ids[lane];
+            const Index3& t = triangles[id];
+            block.id[lane] = id;
+            for (int corner = 0; corner < 3; ++corner) {
+                const Vec3f& p = blocks.mesh().positions[size_t(t[corner])];
+                block.v[3 * corner][lane] = p.x, block.v[3 * corner + 1][lane] = p.y, block.v[3 * corner + 2][lane] = p.z;
+            }
+        }
+        return block;
+    }
     const auto first = uint32_t(std::countr_zero(lanes));   // is in the other lanes, too: it is read anyway
     uint32_t vertices[3][kLanes];
     for (uint32_t lane = 0; lane < kLanes; ++lane) {

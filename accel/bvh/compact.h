@@ -3,6 +3,7 @@
 #pragma once
 
 #include "accel/bvh/byte_grid.h"
+#include "accel/bvh/stepped_block.h"
 #include "accel/bvh/wide.h"
 #include "accel/bvh/watertight_boxes.h"
 
@@ -13,11 +14,11 @@
 namespace alidade {
 
 /// A WideNode whose planes are those of a grid, outward: what is tested holds the exact boxes.
-struct alignas(32) CompactNode {
+struct alignas(16) CompactNode {
     using Real = float;
 
-    uint8_t steps[6][kWide];   ///< as WideNode::planes
     ByteGrid grid;
+    uint8_t steps[6][kWide];   ///< as WideNode::planes
     uint32_t child[kWide];     ///< as of a WideNode
 
     uint32_t places() const { return grid.places; }
@@ -30,14 +31,14 @@ CompactNode compacted(const WideNode<float>& node);
 LargeVector<CompactNode> compacted(const LargeVector<WideNode<float>>& nodes, int threads = 1);
 
 /// Eight triangles whose corners follow: each once, for all triangles around it, so that meshes take half of what three corners a triangle do. Read where a ray meets the leaf, and nothing else.
-struct alignas(32) CorneredBlock {
-    static constexpr uint32_t kMost = 3 * kLanes;
+struct alignas(16) CorneredBlock {
+    static constexpr uint32_t kMost = 2 * kLanes;   ///< more take less room as steps
 
-    uint32_t id[kLanes];
-    uint8_t corner[3][kLanes];   ///< which of the vertices
+    uint8_t none[4];             ///< 0, where a CompactNode has its places, and a SteppedBlock exponents
     uint8_t vertices;
-    uint8_t unused[6];
-    uint8_t places;              ///< 0, where a CompactNode has what is never 0
+    uint8_t unused[3];
+    uint8_t corner[3][kLanes];   ///< which of the vertices
+    uint32_t id[kLanes];
 
     /// Of an axis, one after the other; those of the next axis follow.
     const float* coordinates(int axis) const { return reinterpret_cast<const float*>(this + 1) + size_t(axis) * vertices; }
@@ -49,16 +50,16 @@ struct alignas(32) CorneredBlock {
     }
     static constexpr size_t bytes(uint32_t vertices) { return sizeof(CorneredBlock) + size_t(vertices) * 3 * sizeof(float); }
 };
-static_assert(sizeof(CorneredBlock) == 64 && offsetof(CorneredBlock, places) == offsetof(CompactNode, grid) + offsetof(ByteGrid, places));
+static_assert(sizeof(CorneredBlock) == 64 && offsetof(CorneredBlock, none) == 0 && offsetof(ByteGrid, exponent) == 0 && offsetof(ByteGrid, places) == 3);
 
-/// Triangles by the number, each block either with its corners, or with the boxes of its triangles: then only those whose boxes a ray enters are read from the caller's arrays, which must live as long.
+/// Triangles by the number, each block either with its corners, in the shorter of two ways, or with the boxes of its triangles: then only those whose boxes a ray enters are read from the caller's arrays, which must live as long.
 ///
-/// Corners are kept of as many blocks as there is room for, those with the fewest vertices first; if not of all with so many, then of some all over the tree.
+/// Corners are kept of as many blocks as there is room for, those that take the least first; if not of all that take as much, then of some all over the tree.
 class NumberedBlocks {
   public:
     /// Bytes that blocks may take where corners are kept: of a large mesh. A small one is near at hand itself, and instances of it have a structure of their own to pay for;
-    /// of the largest (3e8 triangles) there would be more units than leaves can number.
-    static size_t room(size_t triangles) { return triangles > kSmallMesh && kRoom * triangles < WideLeaf::kMaxBlocks * sizeof(Unit) ? kRoom * triangles : 0; }
+    /// of the largest (1.4e8 triangles) there would be more units than leaves can number.
+    static size_t room(size_t triangles) { return triangles > kSmallMesh && kRoom * double(triangles) < double(WideLeaf::kMaxBlocks * sizeof(Unit)) ? size_t(kRoom * double(triangles)) : 0; }
 
     NumberedBlocks(const TriangleSource<float>& source, const std::vector<uint32_t>& order, int threads, bool watertight = false) : NumberedBlocks(source, order, threads, watertight, room(source.size())) {}
     NumberedBlocks(const TriangleSource<float>& source, const std::vector<uint32_t>& order, int threads, bool watertight, size_t room);
@@ -70,10 +71,19 @@ class NumberedBlocks {
     bool has_boxes(uint32_t number) const { return boxes(number).places() != 0; }
     /// The eight boxes of a block that has them. The children are triangles.
     const CompactNode& boxes(uint32_t number) const { return *reinterpret_cast<const CompactNode*>(&units_[number]); }
+    /// Corners of the two kinds: is it a SteppedBlock?
+    bool is_stepped(uint32_t number) const { return boxes(number).grid.exponent[0] != 0; }
     const CorneredBlock& cornered(uint32_t number) const { return *reinterpret_cast<const CorneredBlock*>(&units_[number]); }
+    const SteppedBlock& stepped(uint32_t number) const { return *reinterpret_cast<const SteppedBlock*>(&units_[number]); }
     const void* address(uint32_t number) const { return &units_[number]; }
-    uint32_t id(uint32_t place) const { return has_boxes(place / kLanes) ? boxes(place / kLanes).child[place % kLanes] : cornered(place / kLanes).id[place % kLanes]; }
-    Corners corners(uint32_t place) const { return has_boxes(place / kLanes) ? source_.corners(id(place)) : cornered(place / kLanes).corners(place % kLanes); }
+    uint32_t id(uint32_t place) const {
+        const uint32_t number = place / kLanes, lane = place % kLanes;
+        return has_boxes(number) ? boxes(number).child[lane] : is_stepped(number) ? stepped(number).id(lane) : cornered(number).id[lane];
+    }
+    Corners corners(uint32_t place) const {
+        const uint32_t number = place / kLanes, lane = place % kLanes;
+        return has_boxes(number) ? source_.corners(id(place)) : is_stepped(number) ? stepped(number).corners(lane) : cornered(number).corners(lane);
+    }
     /// What a block of PackedBlocks has in `lanes`; zeros in the others.
     TriangleBlock<float> block(uint32_t number, uint32_t lanes) const;
     TriangleBlock<float> operator[](uint32_t number) const { return block(number, (1u << kLanes) - 1); }
@@ -81,10 +91,11 @@ class NumberedBlocks {
     size_t bytes() const { return units_.capacity() * sizeof(Unit); }
 
   private:
-    static constexpr size_t kSmallMesh = size_t(1) << 15, kRoom = 28;
+    static constexpr size_t kSmallMesh = size_t(1) << 15;
+    static constexpr double kRoom = 30;   ///< bytes a triangle, with the nodes above
 
-    struct alignas(32) Unit {
-        unsigned char bytes[32];
+    struct alignas(16) Unit {
+        unsigned char bytes[16];
     };
     static uint32_t units(size_t bytes) { return uint32_t((bytes + sizeof(Unit) - 1) / sizeof(Unit)); }
     struct Vertices;
@@ -92,9 +103,12 @@ class NumberedBlocks {
     void lay_out(const std::vector<uint32_t>& order, int threads, size_t room);
     void make_boxes(Unit* at, std::span<const uint32_t> ids, bool watertight) const;
     void make_corners(Unit* at, std::span<const uint32_t> ids) const;
+    /// How a block keeps its corners in the fewest units.
+    struct Way;
+    Way way_of(std::span<const uint32_t> ids) const;
 
     TriangleSource<float> source_;
-    LargeVector<Unit> units_;         ///< a block begins at each number; behind the last there is one more, which vectors may read
+    LargeVector<Unit> units_;         ///< a block begins at each number; behind the last there are some more, which vectors may read
     std::vector<uint32_t> numbers_;   ///< of each block of the order
 };
 

@@ -33,7 +33,7 @@ LargeVector<CompactNode> compacted(const LargeVector<WideNode<float>>& nodes, in
 
 /// The vertices of a block, each once.
 struct NumberedBlocks::Vertices {
-    std::array<uint32_t, CorneredBlock::kMost> vertex;
+    std::array<uint32_t, 3 * kLanes> vertex;
     uint32_t count = 0;
 
     /// Its place.
@@ -46,6 +46,13 @@ struct NumberedBlocks::Vertices {
 };
 
 namespace {
+
+/// Marks of blocks that are to be made.
+enum : uint8_t { kBoxed, kStepped, kCornered };
+/// Blocks for each node, about as many as trees have.
+constexpr size_t kBlocksOfNode = 5;
+/// Units that are there to be read.
+constexpr size_t kBehind = 2;
 
 /// The ids of a block, without padding.
 std::span<const uint32_t> ids_of(const std::vector<uint32_t>& order, size_t block) {
@@ -60,48 +67,61 @@ NumberedBlocks::NumberedBlocks(const TriangleSource<float>& source, const std::v
     lay_out(order, threads, room);
     for_ranges(numbers_.size(), threads, [&](size_t first, size_t end) {
         for (size_t b = first; b < end; ++b) {
-            const bool boxed = units_[numbers_[b]].bytes[0] != 0;
             Unit* const at = &units_[numbers_[b]];
-            const uint32_t count = (b + 1 < numbers_.size() ? numbers_[b + 1] : uint32_t(units_.size()) - 1) - numbers_[b];
+            const uint8_t kind = at->bytes[0];
+            const uint32_t count = (b + 1 < numbers_.size() ? numbers_[b + 1] : uint32_t(units_.size() - kBehind)) - numbers_[b];
             std::memset(static_cast<void*>(at), 0, count * sizeof(Unit));
-            if (boxed) make_boxes(at, ids_of(order, b), watertight);
-            else make_corners(at, ids_of(order, b));
+            const std::span<const uint32_t> ids = ids_of(order, b);
+            if (kind == kBoxed) make_boxes(at, ids, watertight);
+            else if (kind == kStepped) (::new (static_cast<void*>(at)) SteppedBlock(mesh(), ids))->fill(mesh(), ids);
+            else make_corners(at, ids);
         }
     });
 }
 
-/// Numbers the blocks, and marks those that have boxes.
+struct NumberedBlocks::Way {
+    uint8_t units : 7, stepped : 1;
+};
+
+NumberedBlocks::Way NumberedBlocks::way_of(std::span<const uint32_t> ids) const {
+    Vertices own;
+    for (const uint32_t id : ids)
+        for (int corner = 0; corner < 3; ++corner) own.add(uint32_t(mesh().triangles[id][corner]));
+    const uint32_t cornered = units(CorneredBlock::bytes(own.count));
+    if (own.count <= kLanes) return {uint8_t(cornered & 127), 0};   // one vector of vertices: read at once
+    const uint32_t stepped = units(SteppedBlock(mesh(), ids).bytes());
+    const bool shorter = own.count > CorneredBlock::kMost || stepped < cornered;
+    return {uint8_t((shorter ? stepped : cornered) & 127), shorter};
+}
+
+/// Numbers the blocks, and marks what they have.
 void NumberedBlocks::lay_out(const std::vector<uint32_t>& order, int threads, size_t room) {
-    std::vector<uint8_t> vertices(numbers_.size(), CorneredBlock::kMost);
+    constexpr size_t kMost = (SteppedBlock::kMostBytes + sizeof(Unit) - 1) / sizeof(Unit);
+    static_assert(kMost < 128 && CorneredBlock::bytes(CorneredBlock::kMost) <= SteppedBlock::kMostBytes);
+    std::vector<Way> ways(numbers_.size(), Way{kMost, 0});
     if (room > 0) {
         for_ranges(numbers_.size(), threads, [&](size_t first, size_t end) {
-            for (size_t b = first; b < end; ++b) {
-                Vertices own;
-                for (const uint32_t id : ids_of(order, b))
-                    for (int corner = 0; corner < 3; ++corner) own.add(uint32_t(mesh().triangles[id][corner]));
-                vertices[b] = uint8_t(own.count);
-            }
+            for (size_t b = first; b < end; ++b) ways[b] = way_of(ids_of(order, b));
         });
     }
-    std::array<size_t, CorneredBlock::kMost + 1> with{}, kept{}, seen{};   // blocks with so many vertices
-    for (const uint8_t count : vertices) ++with[count];
+    std::array<size_t, kMost + 1> with{}, kept{}, seen{};   // blocks of such a size
+    for (const Way way : ways) ++with[way.units];
     const size_t of_boxes = units(sizeof(CompactNode));
-    room -= std::min(room, numbers_.size() * sizeof(CompactNode) / (kWide - 1));   // for the nodes above: where triangles are in several blocks, there are more of both
+    room -= std::min(room, numbers_.size() * sizeof(CompactNode) / kBlocksOfNode);   // for the nodes above: where triangles are in several blocks, there are more of both
     size_t all = numbers_.size() * of_boxes;
-    for (uint32_t count = 1; count <= CorneredBlock::kMost && all * sizeof(Unit) <= room; ++count) {
-        const size_t own = units(CorneredBlock::bytes(count));
-        kept[count] = own <= of_boxes ? with[count] : std::min(with[count], (room / sizeof(Unit) - all) / (own - of_boxes));
-        all = all - kept[count] * of_boxes + kept[count] * own;
-        if (kept[count] < with[count]) break;
+    for (size_t own = 1; own <= kMost && all * sizeof(Unit) <= room; ++own) {
+        kept[own] = own <= of_boxes ? with[own] : std::min(with[own], (room / sizeof(Unit) - all) / (own - of_boxes));
+        all = all - kept[own] * of_boxes + kept[own] * own;
+        if (kept[own] < with[own]) break;
     }
-    units_.resize(all + 1);
-    std::memset(static_cast<void*>(&units_[all]), 0, sizeof(Unit));
+    units_.resize(all + kBehind);
+    std::memset(static_cast<void*>(&units_[all]), 0, kBehind * sizeof(Unit));
     uint32_t next = 0;
     for (size_t b = 0; b < numbers_.size(); ++b) {
-        const size_t count = vertices[b], number = seen[count]++;
-        const bool boxed = number * kept[count] / with[count] == (number + 1) * kept[count] / with[count];   // evenly spread
-        numbers_[b] = next, units_[next].bytes[0] = boxed;
-        next += boxed ? uint32_t(of_boxes) : units(CorneredBlock::bytes(uint32_t(count)));
+        const size_t size = ways[b].units, number = seen[size]++;
+        const bool boxed = number * kept[size] / with[size] == (number + 1) * kept[size] / with[size];   // evenly spread
+        numbers_[b] = next, units_[next].bytes[0] = boxed ? kBoxed : ways[b].stepped ? kStepped : kCornered;
+        next += boxed ? uint32_t(of_boxes) : uint32_t(size);
     }
 }
 
@@ -130,17 +150,10 @@ void NumberedBlocks::make_corners(Unit* at, std::span<const uint32_t> ids) const
 
 TriangleBlock<float> NumberedBlocks::block(uint32_t number, uint32_t lanes) const {
     TriangleBlock<float> block{};
-    const bool boxed = has_boxes(number);
-    if (boxed) lanes &= boxes(number).places();
-    for (uint32_t lane = 0; lane < kLanes; ++lane) {
-        if (!(lanes >> lane & 1)) continue;
-        block.id[lane] = id(number * kLanes + lane);
-        for (int i = 0; i < 9; ++i) {
-            const auto corner = size_t(i / 3);
-            const int axis = i % 3;
-            block.v[i][lane] = boxed ? mesh().positions[mesh().triangles[block.id[lane]][int(corner)]][axis] : cornered(number).coordinates(axis)[cornered(number).corner[corner][lane]];
-        }
-    }
+    if (has_boxes(number)) lanes &= boxes(number).places();
+    else if (is_stepped(number)) lanes &= (1u << stepped(number).count) - 1;
+    for (uint32_t lane = 0; lane < kLanes; ++lane)
+        if (lanes >> lane & 1) pack(corners(number * kLanes + lane), id(number * kLanes + lane), block, lane);
     return block;
 }
 

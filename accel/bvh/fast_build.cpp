@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "accel/bvh/fast_build.h"
 
+#include "accel/bvh/hilbert.h"
 #include "accel/bvh/presplit.h"
 #include "accel/leaf.h"
 #include "core/parallel.h"
@@ -25,7 +26,7 @@ constexpr uint32_t kBitDepth = 8, kDepthAbove = 40;
 constexpr uint32_t kTreeletDepth = kBitDepth + 3 + 8;
 static_assert(kTreeletLeaves * 8 == kSwept << 3 && kDepthAbove + 32 + kTreeletDepth <= kBvhDepth);
 
-constexpr int kAxisBits = 10, kCells = 1 << kAxisBits, kDigitBits = 10, kDigits = 1 << kDigitBits, kPasses = 3;
+constexpr int kAxisBits = HilbertCurve::kLevels, kCells = 1 << kAxisBits, kDigitBits = 10, kDigits = 1 << kDigitBits, kPasses = 3;
 static_assert(kPasses * kDigitBits == 3 * kAxisBits);
 
 /// [i]: the bits of i with two zeros between them.
@@ -37,8 +38,8 @@ constexpr std::array<uint32_t, kCells> spread_bits() {
 }
 constexpr std::array<uint32_t, kCells> kSpread = spread_bits();
 
-template <class R> uint32_t morton_code(const BoxEnds<R>& box, const CentroidMap<R>& map) {
-    return kSpread[size_t(map.bin(box, 0))] << 2 | kSpread[size_t(map.bin(box, 1))] << 1 | kSpread[size_t(map.bin(box, 2))];
+template <class R> [[gnu::always_inline]] inline uint32_t curve_code(const BoxEnds<R>& box, const CentroidMap<R>& map) {
+    return HilbertCurve::place(kSpread[size_t(map.bin(box, 0))] << 2 | kSpread[size_t(map.bin(box, 1))] << 1 | kSpread[size_t(map.bin(box, 2))]);
 }
 
 /// A reference on the curve.
@@ -176,7 +177,7 @@ template <class R> class Treelets {
         CentroidBounds<R> bounds;
         for (uint32_t i = first; i < end; ++i) bounds.extend(references_[codes_[i].place]);
         const CentroidMap<R> map(bounds, kCells);
-        for (uint32_t i = first; i < end; ++i) codes_[i].code = morton_code(references_[codes_[i].place], map);
+        for (uint32_t i = first; i < end; ++i) codes_[i].code = curve_code(references_[codes_[i].place], map);
         std::sort(codes_.begin() + first, codes_.begin() + end);
         return codes_[first].code != codes_[end - 1].code;
     }
@@ -238,7 +239,7 @@ template <class R> class FastBuilder {
         const CentroidMap<R> map(all.centroids, kCells);
         codes_.resize(references_.size());
         for_ranges(references_.size(), limits_.threads, [&](size_t first, size_t end) {
-            for (size_t i = first; i < end; ++i) codes_[i] = {morton_code(references_[i], map), uint32_t(i)};
+            for (size_t i = first; i < end; ++i) codes_[i] = {curve_code(references_[i], map), uint32_t(i)};
         });
     }
 

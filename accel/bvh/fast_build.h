@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-/// Builds the tree of a BVH fast: its lower levels by the bits of Morton codes, those above by the surface area heuristic.
+/// Builds the tree of a BVH fast: its lower levels by the bits of places on a Hilbert curve, those above by the surface area heuristic.
 #pragma once
 
 #include "accel/bvh/build.h"
@@ -8,7 +8,7 @@ namespace alidade {
 
 /// As build_bvh; if the references are of `triangles`, large ones are cut before (bvh/presplit.h). The order does not depend on the number of threads.
 ///
-/// Method   references are sorted along a Morton curve through their centroids; cells of the curve with few references become subtrees, divided by the bits of the codes
+/// Method   references are sorted along a Hilbert curve (bvh/hilbert.h) through their centroids; cells of the curve with few references become subtrees, divided by the bits of the codes
 ///          (the last few leaves, where areas times blocks are least), and binned SAH makes the tree above those: after Pantaleoni and Luebke, "HLBVH: Hierarchical LBVH Construction for Real-Time Ray Tracing", 2010.
 template <class R> LargeVector<BvhNode<R>> build_bvh_fast(LargeVector<BvhReference<R>> references, const BvhLimits& limits, std::vector<uint32_t>& order, BuildStats& stats, const TriangleSource<R>* triangles = nullptr);
 

@@ -120,7 +120,7 @@ TEST(Compact, BoxesOfTrianglesHoldThem) {
 
 /// Blocks with corners have those of their triangles, whatever the room; it is kept to, but for the boxes that there are without it.
 TEST(Compact, CornersAreThoseOfTheTriangles) {
-    size_t kept = 0, boxed = 0;
+    size_t kept = 0, stepped = 0, boxed = 0;
     for (const TriangleMesh& source : meshes_of_all_sizes()) {
         const TriangleMesh mesh = source.read_at(Precision::float_);
         const TriangleSource<float> triangles(mesh.view());
@@ -135,7 +135,7 @@ TEST(Compact, CornersAreThoseOfTheTriangles) {
             EXPECT_LE(blocks.bytes(), std::max(least, room + 32)) << mesh.name;
             for (uint32_t b = 0; b * kLanes < order.size(); ++b) {
                 const uint32_t number = blocks.number(b);
-                (blocks.has_boxes(number) ? boxed : kept) += 1;
+                (blocks.has_boxes(number) ? boxed : blocks.is_stepped(number) ? stepped : kept) += 1;
                 const TriangleBlock<float> block = blocks[number];
                 for (uint32_t lane = 0; lane < kLanes && b * kLanes + lane < order.size() && order[b * kLanes + lane] != kPadding; ++lane) {
                     const uint32_t id = order[b * kLanes + lane];
@@ -147,7 +147,44 @@ TEST(Compact, CornersAreThoseOfTheTriangles) {
         }
     }
     EXPECT_GT(kept, 1000u);
+    EXPECT_GT(stepped, 1000u);
     EXPECT_GT(boxed, 1000u);
+}
+
+/// Any floats at all come back, bit for bit, also where they are kept whole; those that have few digits, or are near each other, in few bits.
+TEST(Compact, StepsAreTheFloats) {
+    size_t whole = 0;
+    const size_t count = run_size(20000, 1000000);
+    for (size_t n = 0; n < count; ++n) {
+        Draws draws(RandomKey(145, 0, n));
+        std::vector<uint32_t> ids;
+        const int kind = int(draws.below(3));
+        const double size = std::ldexp(1.0, -int(draws.below(24)));
+        const auto coordinate = [&] { return kind == 0 ? random_interval(draws).first : kind == 1 ? float(1.5 + draws.uniform(-0.5, 0.5) * size) : float(int(draws.below(255)) - 100) * 0.125f; };
+        std::vector<Vec3f> positions;
+        std::vector<Index3> triangles;
+        for (uint32_t i = 0; i < 1 + n % 8; ++i) {
+            ids.push_back(i), triangles.emplace_back(3 * i, 3 * i + 1, 3 * i + 2);
+            for (int c = 0; c < 3; ++c) positions.emplace_back(coordinate(), c == 1 && kind == 0 ? -0.0f : coordinate(), coordinate());
+        }
+        const TriangleView view{positions, {}, triangles};
+        alignas(16) std::array<unsigned char, SteppedBlock::kMostBytes + 32> memory{};
+        auto& block = *::new (static_cast<void*>(memory.data())) SteppedBlock(view, ids);
+        ASSERT_LE(block.bytes(), SteppedBlock::kMostBytes);
+        block.fill(view, ids);
+        ASSERT_TRUE(std::all_of(memory.begin() + std::ptrdiff_t(block.bytes()), memory.end(), [](unsigned char byte) { return byte == 0; })) << "seed 145, " << n;
+        ASSERT_NE(block.grid.exponent[0], 0);
+        for (uint32_t lane = 0; lane < ids.size(); ++lane) {
+            ASSERT_EQ(block.id(lane), ids[lane]);
+            for (size_t corner = 0; corner < 3; ++corner)
+                for (int a = 0; a < 3; ++a) ASSERT_EQ(std::bit_cast<uint32_t>(block.coordinate(a, corner, lane)), std::bit_cast<uint32_t>(positions[3 * lane + corner][a])) << "seed 145, " << n;
+        }
+        for (int a = 0; a < 3; ++a) {
+            whole += block.bits[a] == SteppedBlock::kWhole;
+            ASSERT_LE(block.bits[a], kind == 0 ? 32 : kind == 1 ? 24 + std::ilogb(size) : 8) << "seed 145, " << n;
+        }
+    }
+    EXPECT_GT(whole, count / 10);
 }
 
 bool same(const Hit& a, const Hit& b) { return std::tie(a.t, a.instance, a.primitive, a.part, a.u, a.v) == std::tie(b.t, b.instance, b.primitive, b.part, b.u, b.v); }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 /// The fast builder: the invariants of a tree on easy and on hopeless references, and what its trees cost rays beside those of the surface area heuristic.
 #include "accel/bvh/fast_build.h"
+#include "accel/bvh/hilbert.h"
 #include "accel/leaf.h"
 #include "accel/triangles/edge_filter.h"
 #include "core/draws.h"
@@ -23,6 +24,29 @@ namespace {
 template <class R> class FastBuild : public testing::Test {};
 using Reals = testing::Types<float, double>;
 TYPED_TEST_SUITE(FastBuild, Reals);
+
+/// Each cell of a cube has a place of its own, and cells that follow each other share a side; what is below a cell is together.
+TEST(Hilbert, CellsThatFollowEachOtherAreNeighbours) {
+    constexpr uint32_t kBits = 5, kCount = 1u << 3 * kBits, kBelow = 3 * (HilbertCurve::kLevels - kBits);
+    std::vector<uint32_t> at(kCount, kCount);
+    for (uint32_t cell = 0; cell < kCount; ++cell) {
+        const uint32_t place = HilbertCurve::place(cell << kBelow) >> kBelow;
+        ASSERT_LT(place, kCount);
+        ASSERT_EQ(at[place], kCount) << place;
+        at[place] = cell;
+    }
+    const auto coordinate = [](uint32_t cell, uint32_t axis) {
+        int x = 0;
+        for (uint32_t bit = 0; bit < kBits; ++bit) x |= int(cell >> (3 * bit + axis) & 1) << bit;
+        return x;
+    };
+    for (uint32_t i = 1; i < kCount; ++i) {
+        int apart = 0;
+        for (uint32_t axis = 0; axis < 3; ++axis) apart += std::abs(coordinate(at[i], axis) - coordinate(at[i - 1], axis));
+        ASSERT_EQ(apart, 1) << "at " << i;
+    }
+    for (uint32_t i = 0; i < 64; ++i) EXPECT_EQ(HilbertCurve::place(0x2ad3b5c0 | i) >> 6, HilbertCurve::place(0x2ad3b5c0) >> 6);
+}
 
 struct Spread {
     const char* name;
