@@ -80,7 +80,7 @@ Bounds narrowed_by_parts(const Plain& p, Bounds box, const CsgNarrow& narrow) {
     for (int round = 0; round < kMostRounds && !box.empty() && (box.min != before.min || box.max != before.max); ++round) {
         before = box;
         for (const Plain& part : p.parts)
-            if (part.op == CsgOp::leaf && part.leaf.id != kNoId && part.leaf.inside == CsgInside::by_crossings && !box.empty()) box = by.narrow(part.leaf.id, part.inverted, box);
+            if (part.op == CsgOp::leaf && part.leaf.id != kNoId && part.leaf.inside == CsgInside::by_crossings && !box.empty()) box = narrow(part.leaf.id, part.inverted, box);
     }
     return box;
 }
