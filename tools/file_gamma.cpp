@@ -5,7 +5,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstring>
+#include <span>
+#include <string_view>
 
 namespace alidade {
 
@@ -47,7 +48,7 @@ Bytes with_gamma_chunk(const Bytes& png, double gamma) {
     put_number(out, 4);
     const size_t name = out.size();
     for (const char c : {'g', 'A', 'M', 'A'}) out.push_back(std::byte(c));
-    put_number(out, uint32_t(std::lround(std::min(1e5 / gamma, 2147483647.0))));
+    put_number(out, uint32_t(std::lround(std::clamp(1e5 / gamma, 1.0, 2147483647.0))));
     put_number(out, crc(std::span(out).subspan(name)));
     for (size_t at = kHead, size; at < png.size(); at += size) {
         size = kAround;

@@ -186,6 +186,10 @@ int render_to_file(const PovrayRequest& r, const CompiledScene& scene, const Ren
     return finished(r, output, film->stats);
 }
 
+void warn_of_gamma(const PovrayRequest& r, const RenderSettings& settings) {
+    if (r.file_gamma && settings.srgb_coded) warn("File_Gamma is not obeyed: the colours of this scene are codes already (no assumed_gamma, or srgb)");
+}
+
 int render_frame(const PovrayRequest& r, int frame) {
     const std::string output = output_name(r, frame);
     if (done_already(r, output)) return fmt::print(stderr, "{}: rendered already, and +C: skipped\n", output), kDone;
@@ -198,6 +202,7 @@ int render_frame(const PovrayRequest& r, int frame) {
     fmt::print(stderr, "{}", prepared.said.text());
     if (const std::string wrong = keep_messages(r, text, prepared.said, ""); !wrong.empty()) return fail(wrong);
     if (!prepared.scene) return kError;
+    warn_of_gamma(r, prepared.scene->scene.settings);
     const StopOnSignal signals;
     Monitor monitor;
     monitor.stop = &signals.stop();

@@ -6,6 +6,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 namespace alidade::pov {
 
 namespace {
@@ -24,6 +26,16 @@ bool is_list_word(const OpenItem& item) {
     return item.kind == Item::Kind::word && contains({"checker"_w, "hexagon"_w, "brick"_w, "square"_w, "triangular"_w, "cubic"_w}, item.word);
 }
 
+/// `normal { gradient x, 0.5 }`: a comma may stand behind the pattern with what belongs to it, whether or not the depth of the bumps follows; none behind the depth.
+bool lacks_depth(std::span<const OpenItem> before) {
+    constexpr size_t kMostParts = 4;    // magnet 1 mandel 20
+    const OpenItem &first = before.front(), &last = before.back();
+    if (last.kind == Item::Kind::value && last.value_kind() == Kind::block && last.block().word == "normal"_w) return false;
+    if (last.kind == Item::Kind::value && last.value_kind() == Kind::number)
+        return before.size() <= kMostParts && first.kind == Item::Kind::word && contains({"spiral1"_w, "spiral2"_w, "mandel"_w, "julia"_w, "magnet"_w}, first.word);
+    return before.size() <= 2;
+}
+
 /// Where one more value may follow, and is left out.
 bool may_end_with_comma(WordId block, std::span<const OpenItem> before) {
     const OpenItem& last = before.back();
@@ -32,10 +44,10 @@ bool may_end_with_comma(WordId block, std::span<const OpenItem> before) {
         case "disc"_w: return before.size() == 3;                                   // its hole
         case "finish"_w: return ahead == "diffuse"_w;                               // of the back
         case "camera"_w: return ahead == "angle"_w || ahead == "blur_samples"_w;
-        case "normal"_w: if (before.size() == 1 && last.kind == Item::Kind::word) return true; break;    // the depth of the bumps
+        case "normal"_w: if (lacks_depth(before)) return true; break;
         case "object"_w:                                                            // a pattern in a pigment or a texture
             return last.value_kind() == Kind::colour || (last.value_kind() == Kind::block && contains({"pigment"_w, "normal"_w, "texture"_w}, last.block().word));
-        case "pigment"_w: case "texture"_w: break;
+        case "pigment"_w: case "pigment_map"_w: case "texture"_w: break;
         default: return false;
     }
     const bool behind_number = block == "normal"_w && last.kind == Item::Kind::value && last.value_kind() == Kind::number;

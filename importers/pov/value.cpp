@@ -61,7 +61,7 @@ ElementKind element_kind_of(const Value& value) {
     if (value.kind == Kind::vector) return value.terms == value.c.size() ? ElementKind{Kind::colour} : ElementKind{Kind::vector, value.terms};
     if (value.kind != Kind::block) return {value.kind};
     const WordId word = value.as<Block>().word;
-    return {Kind::block, is_object(word) ? WordId("object"_w) : word};
+    return {Kind::block, is_object(word) ? WordId("object"_w) : word == "colour_map"_w ? WordId("color_map"_w) : word};
 }
 
 std::string ElementKind::name() const {

@@ -126,7 +126,6 @@ struct Meter : Shared {
     uint64_t used = 0;
 };
 
-/// A rectangle of slots; one that was never assigned to is empty.
 /// What an array's elements have in common: objects and lights are one kind, vectors of five are colours.
 struct ElementKind {
     Kind kind = Kind::nothing;
@@ -136,6 +135,7 @@ struct ElementKind {
 };
 ElementKind element_kind_of(const Value& value);
 
+/// A rectangle of slots; one that was never assigned to is empty.
 struct Array : Shared {
     explicit Array(Ref<Meter> m) : meter(std::move(m)) {}
     Array(const Array&) = delete;

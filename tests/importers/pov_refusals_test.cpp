@@ -212,7 +212,8 @@ TEST_F(PovBuilders, CommasStandBetweenValues) {
                                 "sphere { 0, 1 interior { ior 1.5, caustics 1 } }", "rainbow { angle 42, width 5 distance 10 direction z }", "sphere { 0, 1 transform { translate x, scale 2 } }"})
         EXPECT_THAT(said(refused), HasSubstr("a value is expected be")) << refused;
     for (const char* fine : {"mesh2 { vertex_vectors { 3, -x, x, y, } face_indices { 1, <0,1,2>, } pigment { rgb 1 } }", "disc { 0, z, 1, pigment { rgb 1 } }", "disc { 0, z, 1, }", "sphere { 0, 1 pigment { checker rgb 1, rgb 0, } }", "sphere { 0, 1 pigment { hexagon rgb 1, rgb 0, rgb 1, scale 2 } }",
-                             "sphere { 0, 1 pigment { checker pigment { rgb 1 }, pigment { rgb 0 }, } }", "sphere { 0, 1 pigment { object { sphere { 0, 1 } pigment { rgb 1 }, pigment { rgb 0 } } } }", "sphere { 0, 1 pigment { object { box { -1, 1 } rgb 1, rgb 0, } } }", "sphere { 0, 1 finish { diffuse .5, phong 1 } }", "sphere { 0, 1 finish { diffuse .5, } }", "sphere { 0, 1 finish { reflection { .5, falloff 1 } } }", "sphere { 0, 1 normal { bumps, scale 2 } }",
+                             "sphere { 0, 1 pigment { checker pigment { rgb 1 }, pigment { rgb 0 }, } }", "sphere { 0, 1 pigment { object { sphere { 0, 1 } pigment { rgb 1 }, pigment { rgb 0 } } } }", "sphere { 0, 1 pigment { object { box { -1, 1 } rgb 1, rgb 0, } } }", "sphere { 0, 1 finish { diffuse .5, phong 1 } }", "sphere { 0, 1 finish { diffuse .5, } }", "sphere { 0, 1 finish { reflection { .5, falloff 1 } } }", "sphere { 0, 1 normal { bumps, scale 2 } }", "sphere { 0, 1 normal { gradient x, scale 2 } }", "sphere { 0, 1 normal { spiral1 3, scale 2 } }", "sphere { 0, 1 normal { magnet 1 mandel 20, scale 2 } }", "sphere { 0, 1 normal { julia <.1, .2>, 20, scale 2 } }",
+                             "sphere { 0, 1 normal { function { x }, scale .3 } }", "sphere { 0, 1 normal { pigment_pattern { bozo }, scale 2 } }", "sphere { 0, 1 normal { object { sphere { 0, 1 } }, scale 2 } }", "sphere { 0, 1 pigment { gradient x pigment_map { [0 checker rgb 1, rgb 0,] [1 rgb 0] } } }",
                              "camera { spherical location -5*z angle 40, look_at 0 }", "sphere { 0, 1 pigment { gradient x color_map { [0, rgb 1] [1, color rgb 0] } } }", "sphere { <0, 0, 0> 1 }", "light_source { 0, color rgb 1 }", "polynomial { 2, xyz(2,0,0):1, xyz(0,0,0):-1, }"})
         EXPECT_THAT(said(fine), Not(HasSubstr("error"))) << fine;
 }
@@ -241,7 +242,7 @@ TEST_F(PovBuilders, ElementsOfAnArrayAreOfOneKind) {
                              {"#declare A = array[1] { 1 } #declare B = A; #declare B[0] = x;", "of one kind"}, {"#declare A = array[2] { camera { location x }, S }", "this is an object, and the first one was a camera"}})
         EXPECT_THAT(said(declared + r.scene), HasSubstr(r.message)) << r.scene;
     for (const char* fine : {"#declare A = array[2] { 1, 2 } #declare A = x;", "#declare A = array[2] { array[1] { 1 }, array[1] { x } }", "#declare A = array[2] { S, light_source { 0, 1 } }", "#declare A = array[2] { <1,1,1,1,1>, rgb 1 }", "#declare A = array[2] { function { x }, function { y } }", "#declare A = array[2] { 1, x.y }",
-                             "#declare A = array[2] { rgb 1, rgbt 1 }"})
+                             "#declare A = array[2] { rgb 1, rgbt 1 }", "#declare A = array[2]; #declare A[0] = color_map { [0 rgb 1] }; #declare A[1] = colour_map { [0 rgb 1] };"})
         EXPECT_THAT(said(declared + fine), Not(HasSubstr("error"))) << fine;
 }
 

@@ -314,6 +314,9 @@ TEST(Shadows, ThatWhichHidALightIsAskedAgain) {
                 }
         EXPECT_GT(dark, 30) << "there must be shadows";
         EXPECT_LT(got.stats.work.primitives, want.stats.work.primitives) << accel.name;
+        RenderOptions otherwise = centre_rays(kSize);
+        otherwise.threads = 3, otherwise.tile = 5;
+        EXPECT_EQ(rendered(b.scene, otherwise, options).picture.values, got.picture.values) << "what is remembered must not show: " << accel.name;
     }
 }
 

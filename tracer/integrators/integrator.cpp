@@ -99,7 +99,7 @@ bool is_hidden(Tracing& tracing, const Ray& ray, size_t light, bool& near) {
         if (!scene.filters->occluded(among_filters, work)) return true;
     }
     Hit nearest;
-    if (!opaque_things(scene).intersect(ray, nearest, work)) return false;
+    if (!opaque_things(scene).intersect(ray, nearest, work)) return true;    // both agree that something is hit
     if (last.left == 0) last.id = scene.set->whole(nearest.instance), last.missed = 0;
     near = filter_is_near(scene, ray, nearest.t, work);
     return !near;
