@@ -102,6 +102,7 @@ using CsgHalfSpaces = std::function<std::optional<HalfSpace>(uint32_t leaf)>;
 struct CsgOwnSpace {
     CsgNarrow narrow;
     std::function<Bounds(const Bounds&)> placed;   ///< around all of the set that is in a box, in the space of the rays
+    CsgNarrow by_sides;                            ///< by planes across the axes alone, the only endless things that have a box in POV-Ray
 };
 
 /// Where a node is more than all inside or all outside.

@@ -215,8 +215,10 @@ uint32_t CsgTree::levels() const {
 CsgTree::CsgTree(const CsgExpression& expression, const CsgNarrow& narrow, const CsgOwnSpace& own, const CsgHalfSpaces& half_spaces) {
     uint32_t rank = 0;
     Plain p = plain(expression, false, kMaskAll, {}, rank);
-    finish_below(p, {narrow, own});
+    const CsgOwnSpace sides{own.by_sides, own.placed, nullptr};
+    finish_below(p, {narrow, sides});
     bounds_by_sides_ = p.surface;
+    if (own.narrow) finish_below(p, {narrow, own});
     if (half_spaces && !p.surface.finite() && !p.surface.empty()) finish_below(p, {narrow, own, &half_spaces});
     bounds_ = p.surface;
     emit(p, 0, 0, nodes_);

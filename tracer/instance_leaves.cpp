@@ -60,6 +60,19 @@ Vec3 discrepancy(const Transform& through, const Transform& at_once, const Bound
 
 }  // namespace
 
+namespace {
+
+/// Does the plane lie across an axis, but for roundings?
+bool is_across_an_axis(const ShapeGeometry& shape, const Transform& to_local) {
+    const auto* plane = std::get_if<Plane>(&shape);
+    if (!plane) return false;
+    const Vec3 n = glm::abs(to_local.transposed(plane->normal));
+    const double most = max_abs(n);
+    return int(n.x > 1e-12 * most) + int(n.y > 1e-12 * most) + int(n.z > 1e-12 * most) == 1;
+}
+
+}  // namespace
+
 CsgOwnSpace own_space(const CompiledScene& scene, const SolidSpace& space) {
     CsgOwnSpace own;
     if (space.endless.empty()) return own;
@@ -71,6 +84,11 @@ CsgOwnSpace own_space(const CompiledScene& scene, const SolidSpace& space) {
         if (!to_local) return box;
         const Bounds local = geometry.ops->narrow(*geometry.source, inverted, to_local->bounds(box));
         return local.empty() ? Bounds() : intersection(box, place->second.bounds(local));
+    };
+    own.by_sides = [&scene, &space, narrow = own.narrow](uint32_t id, bool inverted, const Bounds& box) {
+        const auto place = space.endless.find(id);
+        const auto to_local = place == space.endless.end() ? std::nullopt : inverse(place->second);
+        return to_local && is_across_an_axis(*scene.geometries[scene.instances[id].geometry].source, *to_local) ? narrow(id, inverted, box) : box;
     };
     own.placed = [&scene, &space](const Bounds& box) {
         Bounds out = space.to_world.bounds(box);

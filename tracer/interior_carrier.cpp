@@ -17,11 +17,12 @@ bool is_hollow(const Scene& scene, const std::vector<NodeId>& path, size_t carri
     const auto says = [&](NodeId id) { return scene.nodes[id.index].flags.hollow; };
     if (carrier == 0) return std::any_of(path.begin(), path.end(), says);
     if (std::any_of(path.begin(), path.begin() + std::ptrdiff_t(carrier), says)) return true;
-    for (NodeId part = path[carrier - 1]; !scene.nodes[part.index].children.empty();) {
-        part = scene.nodes[part.index].children.back();
-        if (says(part)) return true;
+    for (NodeId part = path[carrier - 1];;) {
+        const auto& parts = scene.nodes[part.index].children;
+        const auto last = std::find_if(parts.rbegin(), parts.rend(), [&](NodeId id) { return !scene.nodes[id.index].interior; });   // one with an interior is a body of its own
+        if (last == parts.rend()) return false;
+        if (says(part = *last)) return true;
     }
-    return false;
 }
 
 }  // namespace alidade

@@ -9,7 +9,7 @@ namespace alidade {
 /// one body; 0 if there is neither.
 size_t interior_carrier(const Scene& scene, const std::vector<NodeId>& path);
 
-/// Is the body hollow that a node on the path carries? As POV-Ray has it, if a node down to it says so, or else the last of its parts.
+/// Is the body hollow that a node on the path carries? As POV-Ray has it, if a node down to it says so, or else the last of its parts that has no interior of its own.
 bool is_hollow(const Scene& scene, const std::vector<NodeId>& path, size_t carrier);
 
 }  // namespace alidade

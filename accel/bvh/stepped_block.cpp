@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 
 namespace alidade {
 
@@ -87,6 +88,7 @@ SteppedBlock::SteppedBlock(const TriangleView& mesh, std::span<const uint32_t> i
 }
 
 void SteppedBlock::fill(const TriangleView& mesh, std::span<const uint32_t> ids) {
+    std::memset(reinterpret_cast<uint8_t*>(this) + kHead, 0, sizeof(SteppedBlock) - kHead);   // the lists begin in what pads the head, which nothing defines yet
     for (int axis = 0; axis < 3; ++axis) {
         const Steps steps(Coordinates(mesh, ids, axis).all());
         for (size_t corner = 0; corner < 3; ++corner) write(const_cast<uint8_t*>(list(size_t(axis), corner)), steps.bits, std::span(steps.numbers).subspan(corner * ids.size(), ids.size()));

@@ -56,6 +56,9 @@ std::vector<PovPicture> inside_pictures() {
                                      "sphere { <0,-.5,0>, .8 pigment { rgbt 1 } interior { ior 1.3 } } sphere { <0,-.5,0>, .4 pigment { rgbt .9 } finish { diffuse 0 reflection { 0, 1 fresnel } } interior { ior 1.6 } }")},
         {"FilmsThatMirrorTotally", seen("sphere { 0, 1 scale <.9,.8,.76> pigment { rgbft <.66,.6,.5,.24,.45> } finish { irid { .467 thickness .193 } } interior { ior 1.62 } } "
                                      "box { -.5, .5 rotate 30 translate 1.6*x pigment { rgbt <.9,.8,.8,.9> } finish { irid { .4 thickness .3 } reflection .1 } interior { ior 1.5 } }")},
+        {"HollowBeforeALastPartOfItsOwn", in_fog("union { sphere { 0, 1 } sphere { .3*x, 1 interior { ior 1 } hollow } pigment { rgbt <.9,.8,.8,.9> } interior { ior 1 } split_union off }")},
+        {"HollowByThePartWithoutAnInterior", in_fog("union { sphere { 0, 1 hollow } sphere { .3*x, 1 interior { ior 1 } } pigment { rgbt <.9,.8,.8,.9> } interior { ior 1 } split_union off }")},
+        {"HollowByAPartOfAnIntersection", in_fog("intersection { sphere { 0, 1 hollow } sphere { .3*x, 1 interior { ior 1 } } pigment { rgbt <.9,.8,.8,.9> } interior { ior 1 } }")},
         {"CameraOnASurface", seen("plane { y, 0 pigment { rgb x } } sphere { 0, 2 pigment { rgb 1 } }", "camera { location <0,0,-6> look_at 0 }")},
         {"InteriorTexturesOfSmoothTriangles", seen("#declare Tx = texture{pigment{rgb y}} #declare Ix = texture{pigment{rgb <1,.5,0>}}\n"
                                      "#macro Ring(S) #local A=0; #while (A<12) #local B=0; #while (B<8) #macro P(a,b) <cos(a*pi/6)*(1+.4*cos(b*pi/4)), .4*sin(b*pi/4), sin(a*pi/6)*(1+.4*cos(b*pi/4))> #end #macro N(a,b) <cos(a*pi/6)*cos(b*pi/4), sin(b*pi/4), sin(a*pi/6)*cos(b*pi/4)> #end\n"
