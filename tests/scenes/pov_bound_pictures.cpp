@@ -12,6 +12,8 @@ std::string bounded(const std::string& objects, const std::string& lights = "sha
            " } plane { y, -1.2 pigment { checker rgb .9 rgb .5 } finish { reflection .3 } }\n#declare B = sphere { <.2,.2,-.1>, .6 } #macro At(X,Y) pigment { rgb <.6+X*.2,.7,.6-Y*.2> } translate <X,Y,0> #end\n" + objects;
 }
 
+const std::string kAlone = "#version 3.7; global_settings { assumed_gamma 1 } background { rgb .4 } camera { location <-.6,-1.5,-3> look_at 0 angle 50 } light_source { <4,8,-6> rgb 1 shadowless } light_source { <-3,-9,9> rgb 1 shadowless } ";
+
 }  // namespace
 
 std::vector<PovPicture> bound_pictures() {
@@ -66,8 +68,8 @@ std::vector<PovPicture> bound_pictures() {
         {"CamerasInClippedAwayParts", bounded("#macro In() pigment { rgbf <.7,1,.7,.8> } interior { ior 1.1 } #end intersection { sphere { <.6,2.2,-7>, 2 } box { <-1,.7,-8.5>, <2.1,3.7,-5.5> } clipped_by { plane { -z, 6.5 } } In() }")},
         {"CamerasInClippedAwayPartsOfShapes", bounded("#macro In() pigment { rgbf <.7,1,.7,.8> } interior { ior 1.1 } #end cylinder { <-1.4,2.2,-7>, <2.6,2.2,-7>, 2 clipped_by { box { <-4,-2,-6.5>, <4.6,6.2,-3> } } In() } object { merge { sphere { <.6,2.2,-7>, 2 } sphere { <.6,2.2,-6>, 2 } clipped_by { sphere { <.6,2.2,-7>, .5 inverse } } } In() "
          "clipped_by { plane { -z, 6.8 } } }")},
-        {"FacesInOnePlaneOfTurnedSets", bounded("intersection { plane { <1,1,0>, .5 } plane { <-1,1,0>, .5 } plane { -y, .5 } plane { z, .5 } plane { -z, .5 } rotate 30*y pigment { rgb x } translate -1.2*x } intersection { plane { -z, .5 } rotate 30*y pigment { rgb y } translate -1.2*x } "
-         "intersection { quadric { <1,-.3,1>, 0, 0, -.1 } plane { y, .5 } plane { -y, .5 } pigment { rgb <1,0,1> } rotate <20,30,50> translate <1.6,1,0> } box { <-.6,-.6,-.6>, <.6,.5,.6> pigment { rgb <1,1,0> } rotate <20,30,50> translate <1.6,1,0> }")},
+        {"FacesInOnePlaneOfTurnedSets", kAlone + "intersection { plane { <1,1,0>, .5 } plane { <-1,1,0>, .5 } plane { -y, .5 } plane { z, .5 } plane { -z, .5 } rotate 30*y pigment { rgb x } } intersection { plane { -z, .5 } rotate 30*y pigment { rgb y } }"},
+        {"FacesInOnePlaneOfTurnedQuadrics", kAlone + "intersection { quadric { <1,-.3,1>, 0, 0, -.1 } plane { y, .5 } plane { -y, .5 } pigment { rgb x } rotate <221.4,49.9,313> } box { <-.6,-.6,-.6>, <.6,.5,.6> pigment { rgb y } rotate <221.4,49.9,313> }"},
         {"BoundsThatHoldAll", bounded(two + "bounded_by { box { -.8, 1 } } At(-2,1.2) } difference { sphere { 0, .9 } box { 0, 2 translate -.5*z } bounded_by { sphere { 0, .9 } } At(0,1.2) } torus { .6, .2 bounded_by { cylinder { -.2*y, .2*y, .8 } } At(2,1.2) } "
          "intersection { plane { y, .5 } plane { -y, .5 } quadric { <1,0,1>, 0, 0, -.4 } bounded_by { sphere { 0, 1 } } At(-2,-.5) } " + two + "bounded_by { intersection { box { -1, 1 } plane { y, 2 } } } rotate 30 At(0,-.5) } "
          "quartic { <1,0,0,0,2,0,0,2,0,-1,0,0,0,0,0,0,0,0,0,0,1,0,0,2,0,-1,0,0,0,0,1,0,-1,0,0.1> bounded_by { sphere { 0, 1.2 } } At(2,-.5) }", "")},
