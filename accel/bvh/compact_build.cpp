@@ -50,7 +50,7 @@ namespace {
 /// Marks of blocks that are to be made.
 enum : uint8_t { kBoxed, kStepped, kCornered };
 /// Blocks for each node, about as many as trees have.
-constexpr size_t kBlocksOfNode = 5;
+constexpr size_t kBlocksOfNode = 4;
 /// Units that are there to be read.
 constexpr size_t kBehind = 2;
 
