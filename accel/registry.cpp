@@ -18,7 +18,7 @@ static constexpr AcceleratorEntry kTable[] = {
     {"brute", "tests every primitive; the oracle", over_triangles<Brute>, over_set<Brute>},
     {"bvh", "tree of boxes, split by the surface area heuristic over bins; over triangles eight children a node, and cut by planes where that pays", over_triangles<Bvh>, over_set<Bvh>},
     {"hlbvh", "a tree of boxes that is built about twice as fast: sorted along a Hilbert curve, the surface area heuristic only above; large triangles among small ones are cut before", over_triangles<FastBvh>, over_set<FastBvh>},
-    {"compact", "a tree as of bvh in half of its memory, over triangles in float: planes of a byte, and corners once for all triangles around them, or read where the mesh has them", over_triangles<CompactBvh>, over_set<CompactBvh>},
+    {"compact", "a tree as of bvh in half of its memory, over triangles in float: planes of a byte, and corners once for all triangles around them, or in fewer bits, or read where the mesh has them", over_triangles<CompactBvh>, over_set<CompactBvh>},
     {"grid", "grid of cells, walked one by one; crowded cells are grids of their own", over_triangles<Grid>, over_set<Grid>},
     {"octree", "cells halved along their long axes, deeper where more primitives are; over triangles eight cells a node, tested at once", over_triangles<Octree>, over_set<Octree>},
 };
