@@ -5,8 +5,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <span>
 #include <string_view>
+
+#include <zlib.h>
 
 namespace alidade {
 
@@ -31,16 +32,6 @@ void put_number(Bytes& out, uint32_t n) {
     for (int shift = 24; shift >= 0; shift -= 8) out.push_back(std::byte(n >> shift & 255));
 }
 
-/// Source   PNG specification, second edition, annex D
-uint32_t crc(std::span<const std::byte> bytes) {
-    uint32_t c = ~uint32_t(0);
-    for (const std::byte b : bytes) {
-        c ^= uint32_t(b);
-        for (int bit = 0; bit < 8; ++bit) c = c >> 1 ^ (c & 1 ? 0xedb88320u : 0u);
-    }
-    return ~c;
-}
-
 /// The same PNG file with a gAMA chunk behind its header, and none that says another curve.
 Bytes with_gamma_chunk(const Bytes& png, double gamma) {
     constexpr size_t kHead = 8 + 25, kAround = 12;     // signature and IHDR; length, name and checksum of a chunk
@@ -49,7 +40,7 @@ Bytes with_gamma_chunk(const Bytes& png, double gamma) {
     const size_t name = out.size();
     for (const char c : {'g', 'A', 'M', 'A'}) out.push_back(std::byte(c));
     put_number(out, uint32_t(std::lround(std::clamp(1e5 / gamma, 1.0, 2147483647.0))));
-    put_number(out, crc(std::span(out).subspan(name)));
+    put_number(out, uint32_t(crc32(0, reinterpret_cast<const Bytef*>(&out[name]), uInt(out.size() - name))));
     for (size_t at = kHead, size; at < png.size(); at += size) {
         size = kAround;
         for (size_t i = 0; i < 4; ++i) size += size_t(png[at + i]) << (24 - 8 * i);

@@ -62,16 +62,9 @@ struct Row {
     }
 };
 
-/// One random point in each of the 81 cells around: offsets up to 2, of which at most one is 2. A cell that lies farther away than the third point so far
-/// has nothing to add, and those behind it in its row have not, either. `prunes`: sums grow with distances.
-template <class Metric> Nearest nearest_by(const Vec3& p, Metric raised, bool prunes) {
+/// One random point in each of the 81 cells around: offsets up to 2, of which at most one is 2. A cell for whose gaps `beyond` is true has nothing to add, and those behind it in its row have not, either.
+template <class Gaps, class Beyond, class Visit> [[gnu::always_inline]] inline void for_each_point(const Gaps& x, const Gaps& y, const Gaps& z, const Beyond& beyond, const Visit& visit) {
     const auto random = cell_randoms();
-    const Row x(p.x, raised), y(p.y, raised), z(p.z, raised);
-    Nearest nearest;
-    const auto beyond = [&](double sum) {
-        constexpr double kRounding = 1 - 1e-9;   // a power is not monotonic to its last digit
-        return prunes && sum * kRounding > nearest.distance[2];
-    };
     for (int i = 0; i < 5 && !beyond(x.gap[i]); ++i) {
         const unsigned in_x = kLatticeHash[x.index[i]];
         const int rows = i < 3 ? 5 : 3;
@@ -80,11 +73,24 @@ template <class Metric> Nearest nearest_by(const Vec3& p, Metric raised, bool pr
             const int cells = i < 3 && j < 3 ? 5 : 3;
             for (int k = 0; k < cells && !beyond(x.gap[i] + y.gap[j] + z.gap[k]); ++k) {
                 const unsigned h = kLatticeHash[in_y ^ z.index[k]];
-                const Vec3 at(x.origin[i] + random[h], y.origin[j] + random[h + 1], z.origin[k] + random[h + 2]), way = at - p;
-                nearest.add(raised(way.x) + raised(way.y) + raised(way.z), at);
+                visit(x.origin[i] + random[h], y.origin[j] + random[h + 1], z.origin[k] + random[h + 2]);
             }
         }
     }
+}
+
+/// Cells that lie farther away than the third point so far are left out. `prunes`: sums grow with distances.
+template <class Metric> Nearest nearest_by(const Vec3& p, Metric raised, bool prunes) {
+    const Row x(p.x, raised), y(p.y, raised), z(p.z, raised);
+    Nearest nearest;
+    const auto beyond = [&](double sum) {
+        constexpr double kRounding = 1 - 1e-9;   // a power is not monotonic to its last digit
+        return prunes && sum * kRounding > nearest.distance[2];
+    };
+    for_each_point(x, y, z, beyond, [&](double at_x, double at_y, double at_z) {
+        const Vec3 at(at_x, at_y, at_z), way = at - p;
+        nearest.add(raised(way.x) + raised(way.y) + raised(way.z), at);
+    });
     return nearest;
 }
 
@@ -155,25 +161,15 @@ struct FourNearest {
 /// As nearest_by() with Squares, of points that share a cell, and so the cells around. `distance` of each point, the nearest first.
 [[gnu::target("avx2")]] void nearest_of_four(const Vec3* p, double (*distance)[3]) {
     constexpr double kRounding = 1 - 1e-9;
-    const auto random = cell_randoms();
     const SharedRow x(p[0].x, p[1].x, p[2].x, p[3].x), y(p[0].y, p[1].y, p[2].y, p[3].y), z(p[0].z, p[1].z, p[2].z, p[3].z);
     const __m256d px = coordinates(p, 0), py = coordinates(p, 1), pz = coordinates(p, 2);
     FourNearest nearest;
     nearest.least = nearest.second = nearest.third = _mm256_set1_pd(kInf);
     const auto beyond = [&](double sum) { return sum * kRounding > nearest.farthest; };
-    for (int i = 0; i < 5 && !beyond(x.gap[i]); ++i) {
-        const unsigned in_x = kLatticeHash[x.index[i]];
-        const int rows = i < 3 ? 5 : 3;
-        for (int j = 0; j < rows && !beyond(x.gap[i] + y.gap[j]); ++j) {
-            const unsigned in_y = kLatticeHash[in_x ^ y.index[j]];
-            const int cells = i < 3 && j < 3 ? 5 : 3;
-            for (int k = 0; k < cells && !beyond(x.gap[i] + y.gap[j] + z.gap[k]); ++k) {
-                const unsigned h = kLatticeHash[in_y ^ z.index[k]];
-                const __m256d dx = _mm256_set1_pd(x.origin[i] + random[h]) - px, dy = _mm256_set1_pd(y.origin[j] + random[h + 1]) - py, dz = _mm256_set1_pd(z.origin[k] + random[h + 2]) - pz;
-                nearest.add(dx * dx + dy * dy + dz * dz);
-            }
-        }
-    }
+    for_each_point(x, y, z, beyond, [&](double at_x, double at_y, double at_z) __attribute__((target("avx2"))) {
+        const __m256d dx = _mm256_set1_pd(at_x) - px, dy = _mm256_set1_pd(at_y) - py, dz = _mm256_set1_pd(at_z) - pz;
+        nearest.add(dx * dx + dy * dy + dz * dz);
+    });
     for (size_t i = 0; i < 4; ++i) distance[i][0] = nearest.least[i], distance[i][1] = nearest.second[i], distance[i][2] = nearest.third[i];
 }
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tools/diff/load_pair.h"
 
+#include "core/header_size.h"
 #include "core/image_colors.h"
-#include "tools/diff/header_size.h"
 
 #include <fmt/format.h>
 

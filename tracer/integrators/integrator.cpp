@@ -34,6 +34,9 @@ bool filter_is_near(const CompiledScene& scene, Ray ray, double t, WorkCounters&
     return scene.filters->occluded(ray, work);
 }
 
+/// What a ray that asks for opaque things alone need look at.
+const Accelerator& opaque_things(const CompiledScene& scene) { return scene.opaques ? *scene.opaques : *scene.top; }
+
 /// May a filter keep the nearest opaque surface from counting? Rays that meet one seldom meet filters, and hardly ever one so close before it.
 bool in_a_clearance(Tracing& tracing, Ray ray, Occluders& among) {
     const CompiledScene& scene = tracing.scene;
@@ -42,7 +45,7 @@ bool in_a_clearance(Tracing& tracing, Ray ray, Occluders& among) {
     if (!among.occluded(scene, ray, work)) return false;
     ray.mask = kMaskOpaque;
     Hit opaque;
-    return !scene.top->intersect(ray, opaque, work) || filter_is_near(scene, ray, opaque.t, work);
+    return !opaque_things(scene).intersect(ray, opaque, work) || filter_is_near(scene, ray, opaque.t, work);
 }
 
 /// Goes from hit to hit that counts, for rays that meet something opaque in the clearance behind a filter. False where an opaque one counts.
@@ -80,9 +83,6 @@ bool hides_again(const CompiledScene& scene, const Ray& ray, LastHider& last, Wo
     return false;
 }
 
-/// What a ray that asks for opaque things alone need look at.
-const Accelerator& opaque_things(const CompiledScene& scene) { return scene.opaques ? *scene.opaques : *scene.top; }
-
 /// Does an opaque surface that no filter is near before end the ray? `near`: else, is there one that a filter is near before? Then no other was looked for.
 bool is_hidden(Tracing& tracing, const Ray& ray, size_t light, bool& near) {
     const CompiledScene& scene = tracing.scene;
@@ -93,7 +93,7 @@ bool is_hidden(Tracing& tracing, const Ray& ray, size_t light, bool& near) {
     if (hides_again(scene, ray, last, work)) return true;
     if (!opaque_things(scene).occluded(ray, work)) return false;
     if (!remembers || last.left > 0) {
-        last.left -= remembers;
+        if (remembers) --last.left;
         Ray among_filters = ray;
         among_filters.mask = kMaskFilter;
         if (!scene.filters->occluded(among_filters, work)) return true;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "tools/diff/header_size.h"
+#include "core/header_size.h"
 
 #include <algorithm>
 #include <cctype>
